@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 446f49ed64cc4487 */
+ * SymPy 1.14.0, derivation a3384fbe9e003384 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -9,6 +9,7 @@
 #include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "interrupt.h"
@@ -16,3364 +17,1309 @@
 #include "elastic_stop.h"
 #include "dry_friction.h"
 
-enum { points = 64 }; /* of a block */
-
-/* Core entries of one argument of one point, in rows, whatever its strides. */
-static char *entry(char *base, const npy_intp *strides, int rows, int columns, int index)
-{
-    (void)rows;
-    if (!strides)
-        return base;
-    return columns ? base + (index / columns) * strides[0] + (index % columns) * strides[1]
-                   : base + index * strides[0];
-}
-
-#define GATHER(type, to, base, step, strides, size, columns) \
-    for (npy_intp point = 0; point < here; ++point) \
-        for (int i = 0; i < (size); ++i) \
-            (to)[(size) * point + i] = \
-                *(type *)entry((base) + (start + point) * (step), strides, size, columns, i)
-#define SCATTER(type, from, base, step, strides, size, columns) \
-    for (npy_intp point = 0; point < here; ++point) \
-        for (int i = 0; i < (size); ++i) \
-            *(type *)entry((base) + (start + point) * (step), strides, size, columns, i) = \
-                (from)[(size) * point + i]
-
-/* The same in columns: entry i of all points of the block side by side. */
-#define GATHER_COLUMNS(type, to, base, step, strides, size, columns) \
-    for (int i = 0; i < (size); ++i) { \
-        const char *const from = entry((base) + start * (step), strides, size, columns, i); \
-        if ((step) == sizeof(type)) \
-            memcpy((to) + i * here, from, (size_t)here * sizeof(type)); \
-        else \
-            for (npy_intp point = 0; point < here; ++point) \
-                (to)[i * here + point] = *(const type *)(from + point * (step)); \
-    }
-#define SCATTER_COLUMNS(type, from, base, step, strides, size, columns) \
-    for (int i = 0; i < (size); ++i) { \
-        char *const to = entry((base) + start * (step), strides, size, columns, i); \
-        if ((step) == sizeof(type)) \
-            memcpy(to, (from) + i * here, (size_t)here * sizeof(type)); \
-        else \
-            for (npy_intp point = 0; point < here; ++point) \
-                *(type *)(to + point * (step)) = (from)[i * here + point]; \
-    }
-
-static const char types_rigid_stop_spectrum[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_spectrum(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 28];
-        GATHER(double, a0, args[0], steps[0], steps + 3, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_spectrum((a0 + 4 * point), (a1 + 7 * point), (a2 + 28 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 4, 7, 0);
-        SCATTER(double, a2, args[2], steps[2], steps + 5, 28, 4);
-    }
-}
-
-static const char types_rigid_stop_flow_free[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_flow_free(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_flow_free((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_rigid_stop_flow_contact[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_flow_contact(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_flow_contact((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_rigid_stop_fields[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_fields(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 40];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_fields((a0 + 5 * point), (a1 + 40 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 40, 5);
-    }
-}
-
-static const char types_rigid_stop_rows[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_rows(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 25];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_rows((a0 + 5 * point), (a1 + 25 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 25, 5);
-    }
-}
-
-static const char types_rigid_stop_resets[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_resets(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 60];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_resets((a0 + 5 * point), (a1 + 60 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 60, 5);
-    }
-}
-
-static const char types_rigid_stop_modes[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_modes(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 10];
-        double a3[points * 180];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_modes((a0 + 5 * point), (a1 + 7 * point), (a2 + 10 * point), (a3 + 180 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 6, 10, 2);
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 180, 5);
-    }
-}
-
-static const char types_rigid_stop_one_impact_residual[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_residual(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 2];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_residual((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 2, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
-    }
-}
-
-static const char types_rigid_stop_one_impact_residual_and_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_residual_and_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 2];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_residual_and_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
-    }
-}
-
-static const char types_rigid_stop_one_impact_parameter_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_parameter_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 28];
-        double a3[points * 2];
-        double a4[points * 10];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 28, 4);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_parameter_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 28 * point), (a3 + 2 * point), (a4 + 10 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 5);
-    }
-}
-
-static const char types_rigid_stop_one_impact_poincare_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_poincare_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 9];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_poincare_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 9 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 9, 3);
-    }
-}
-
-static const char types_rigid_stop_one_impact_saltations[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_saltations(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_saltations((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_rigid_stop_one_impact_monodromy[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_monodromy(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_monodromy((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_rigid_stop_one_impact_trace[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_trace(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_trace((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_trace_gradient[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_trace_gradient(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 28];
-        double a3[points * 2];
-        double a4[points * 7];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 28, 4);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_trace_gradient((a0 + 5 * point), (a1 + 7 * point), (a2 + 28 * point), (a3 + 2 * point), (a4 + 7 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 7, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_states[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_states(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 8];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_states((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 8 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 8, 4);
-    }
-}
-
-static const char types_rigid_stop_one_impact_boundary_functions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_boundary_functions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 6];
-        double a4[points * 2];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_boundary_functions((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 6 * point), (a4 + 2 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 2, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_flow_free[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_flow_free(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_flow_free((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_expand[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_expand(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            rigid_stop_one_impact_expand((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 1 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 1, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
-static void loop_rigid_stop_one_impact_solve(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 2];
-        double a2[points * 1];
-        double a3[points * 1];
-        int32_t a4[points * 1];
-        int32_t a5[points * 1];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 6, 5, 0);
-        rigid_stop_one_impact_solve(here, a0, a1, a2, a3, a4, a5);
-        SCATTER_COLUMNS(double, a1, args[1], steps[1], steps + 7, 2, 0);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], NULL, 1, 0);
-        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_admissible[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_admissible(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 2];
-        int32_t a2[points * 1];
-        double a3[points * 1];
-        double a4[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            if (nonsmooth_ends_later(&work))
-                return;
-            rigid_stop_one_impact_admissible(1, (a0 + 5 * point), (a1 + 2 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point));
-        }
-        SCATTER(int32_t, a2, args[2], steps[2], NULL, 1, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-    }
-}
-
-static const char types_rigid_stop_one_impact_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_rigid_stop_one_impact_directions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 2];
-        double a2[points * 15];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 5, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 2, 0);
-        rigid_stop_one_impact_directions(here, a0, a1, a2);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 15, 5);
-    }
-}
-
-static const char types_elastic_stop_spectrum[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_spectrum(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 12];
-        double a2[points * 60];
-        GATHER(double, a0, args[0], steps[0], steps + 3, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_spectrum((a0 + 5 * point), (a1 + 12 * point), (a2 + 60 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 4, 12, 0);
-        SCATTER(double, a2, args[2], steps[2], steps + 5, 60, 5);
-    }
-}
-
-static const char types_elastic_stop_flow_contact[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_flow_contact(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 12];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_flow_contact((a0 + 5 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_elastic_stop_flow_free[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_flow_free(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 12];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_flow_free((a0 + 5 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_elastic_stop_fields[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_fields(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 40];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_fields((a0 + 5 * point), (a1 + 40 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 40, 5);
-    }
-}
-
-static const char types_elastic_stop_rows[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_rows(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 25];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_rows((a0 + 5 * point), (a1 + 25 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 25, 5);
-    }
-}
-
-static const char types_elastic_stop_resets[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_resets(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 20];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_resets((a0 + 5 * point), (a1 + 20 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 20, 5);
-    }
-}
-
-static const char types_elastic_stop_modes[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_modes(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 12];
-        double a2[points * 12];
-        double a3[points * 200];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_modes((a0 + 5 * point), (a1 + 12 * point), (a2 + 12 * point), (a3 + 200 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 6, 12, 2);
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 200, 5);
-    }
-}
-
-static const char types_elastic_stop_one_contact_residual[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_residual(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_residual((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_elastic_stop_one_contact_residual_and_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_residual_and_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 4];
-        double a4[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_residual_and_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 4 * point), (a4 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 4, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 16, 4);
-    }
-}
-
-static const char types_elastic_stop_one_contact_parameter_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_parameter_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 60];
-        double a3[points * 4];
-        double a4[points * 24];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 60, 5);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_parameter_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 60 * point), (a3 + 4 * point), (a4 + 24 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 24, 6);
-    }
-}
-
-static const char types_elastic_stop_one_contact_poincare_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_poincare_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 9];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_poincare_jacobian((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 9 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 9, 3);
-    }
-}
-
-static const char types_elastic_stop_one_contact_saltations[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_saltations(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 32];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_saltations((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 32 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 32, 4);
-    }
-}
-
-static const char types_elastic_stop_one_contact_monodromy[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_monodromy(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_monodromy((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_elastic_stop_one_contact_trace[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_trace(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_trace((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_trace_gradient[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_trace_gradient(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 60];
-        double a3[points * 4];
-        double a4[points * 10];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 60, 5);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_trace_gradient((a0 + 6 * point), (a1 + 12 * point), (a2 + 60 * point), (a3 + 4 * point), (a4 + 10 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_states[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_states(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 12];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_states((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 12 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 12, 4);
-    }
-}
-
-static const char types_elastic_stop_one_contact_boundary_functions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_boundary_functions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 4];
-        double a3[points * 12];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_boundary_functions((a0 + 6 * point), (a1 + 12 * point), (a2 + 4 * point), (a3 + 12 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 12, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_flow_contact[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_flow_contact(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_flow_contact((a0 + 6 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_flow_free[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_flow_free(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_flow_free((a0 + 6 * point), (a1 + 12 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_reduced[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_reduced(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 1];
-        double a3[points * 1];
-        double a4[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 1, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_reduced((a0 + 6 * point), (a1 + 12 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 1, 1);
-    }
-}
-
-static const char types_elastic_stop_one_contact_expand[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_expand(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 12];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 12, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 1, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            elastic_stop_one_contact_expand((a0 + 6 * point), (a1 + 12 * point), (a2 + 1 * point), (a3 + 4 * point), (a4 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 4, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 1, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
-static void loop_elastic_stop_one_contact_solve(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 1];
-        double a2[points * 4];
-        double a3[points * 1];
-        double a4[points * 1];
-        int32_t a5[points * 1];
-        int32_t a6[points * 1];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 6, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 1, 0);
-        elastic_stop_one_contact_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 4, 0);
-        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_admissible[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_admissible(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 4];
-        int32_t a2[points * 1];
-        double a3[points * 1];
-        double a4[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 6, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            if (nonsmooth_ends_later(&work))
-                return;
-            elastic_stop_one_contact_admissible(1, (a0 + 6 * point), (a1 + 4 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point));
-        }
-        SCATTER(int32_t, a2, args[2], steps[2], NULL, 1, 0);
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-    }
-}
-
-static const char types_elastic_stop_one_contact_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_elastic_stop_one_contact_directions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 6];
-        double a1[points * 4];
-        double a2[points * 30];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 6, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 4, 0);
-        elastic_stop_one_contact_directions(here, a0, a1, a2);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 30, 6);
-    }
-}
-
-static const char types_dry_friction_spectrum[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_spectrum(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 2];
-        double a1[points * 7];
-        double a2[points * 14];
-        GATHER(double, a0, args[0], steps[0], steps + 3, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_spectrum((a0 + 2 * point), (a1 + 7 * point), (a2 + 14 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 4, 7, 0);
-        SCATTER(double, a2, args[2], steps[2], steps + 5, 14, 2);
-    }
-}
-
-static const char types_dry_friction_flow_slip_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_slip_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_slip_slip((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_slip_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_slip_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_slip_stick((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_slip_overshoot[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_slip_overshoot(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_slip_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_stick_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_stick_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_stick_slip((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_stick_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_stick_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_stick_stick((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_stick_overshoot[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_stick_overshoot(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_stick_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_overshoot_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_overshoot_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_overshoot_slip((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_overshoot_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_overshoot_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_overshoot_stick((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_flow_overshoot_overshoot[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_flow_overshoot_overshoot(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_flow_overshoot_overshoot((a0 + 7 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_fields[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_fields(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 180];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_fields((a0 + 7 * point), (a1 + 180 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 180, 5);
-    }
-}
-
-static const char types_dry_friction_rows[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_rows(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 85];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_rows((a0 + 7 * point), (a1 + 85 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 85, 5);
-    }
-}
-
-static const char types_dry_friction_resets[] = {NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_resets(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 80];
-        GATHER(double, a0, args[0], steps[0], steps + 2, 7, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_resets((a0 + 7 * point), (a1 + 80 * point));
-        }
-        SCATTER(double, a1, args[1], steps[1], steps + 3, 80, 5);
-    }
-}
-
-static const char types_dry_friction_modes[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_modes(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 7];
-        double a1[points * 7];
-        double a2[points * 42];
-        double a3[points * 760];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 7, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_modes((a0 + 7 * point), (a1 + 7 * point), (a2 + 42 * point), (a3 + 760 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 6, 42, 2);
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 760, 5);
-    }
-}
-
-static const char types_dry_friction_symmetric_residual[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_residual(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 5];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_residual((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 5 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 5, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 25];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 25 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 25, 5);
-    }
-}
-
-static const char types_dry_friction_symmetric_residual_and_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_residual_and_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 5];
-        double a4[points * 25];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_residual_and_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 5 * point), (a4 + 25 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 5, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 25, 5);
-    }
-}
-
-static const char types_dry_friction_symmetric_parameter_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_parameter_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 14];
-        double a3[points * 5];
-        double a4[points * 20];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_parameter_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 5 * point), (a4 + 20 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 20, 4);
-    }
-}
-
-static const char types_dry_friction_symmetric_poincare_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_poincare_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_poincare_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
-    }
-}
-
-static const char types_dry_friction_symmetric_saltations[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_saltations(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 32];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_saltations((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 32 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 32, 4);
-    }
-}
-
-static const char types_dry_friction_symmetric_monodromy[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_monodromy(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_monodromy((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_dry_friction_symmetric_trace[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_trace(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_trace((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_trace_gradient[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_trace_gradient(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 14];
-        double a3[points * 5];
-        double a4[points * 9];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_trace_gradient((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 5 * point), (a4 + 9 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 9, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_states[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_states(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 12];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_states((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 12 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 12, 4);
-    }
-}
-
-static const char types_dry_friction_symmetric_boundary_functions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_boundary_functions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 5];
-        double a3[points * 24];
-        double a4[points * 3];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_boundary_functions((a0 + 4 * point), (a1 + 7 * point), (a2 + 5 * point), (a3 + 24 * point), (a4 + 3 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 24, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 3, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_flow_slip_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_flow_slip_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_flow_slip_slip((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_flow_slip_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_flow_slip_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_flow_slip_stick((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_reduced[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_reduced(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 2];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_reduced((a0 + 4 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
-    }
-}
-
-static const char types_dry_friction_symmetric_expand[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_expand(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 5];
-        double a4[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_symmetric_expand((a0 + 4 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 5 * point), (a4 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 5, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 1, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_residual[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_residual(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 6];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_residual((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 36];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 36 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 36, 6);
-    }
-}
-
-static const char types_dry_friction_global_stick_residual_and_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_residual_and_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 6];
-        double a4[points * 36];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_residual_and_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point), (a4 + 36 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 36, 6);
-    }
-}
-
-static const char types_dry_friction_global_stick_parameter_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_parameter_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 14];
-        double a3[points * 6];
-        double a4[points * 30];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_parameter_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 30 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 30, 5);
-    }
-}
-
-static const char types_dry_friction_global_stick_poincare_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_poincare_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_poincare_jacobian((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
-    }
-}
-
-static const char types_dry_friction_global_stick_saltations[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_saltations(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 64];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_saltations((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 64 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 64, 4);
-    }
-}
-
-static const char types_dry_friction_global_stick_monodromy[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_monodromy(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_monodromy((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_dry_friction_global_stick_trace[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_trace(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_trace((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_trace_gradient[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_trace_gradient(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 14];
-        double a3[points * 6];
-        double a4[points * 11];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_trace_gradient((a0 + 5 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 11 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 11, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_states[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_states(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 20];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_states((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 20 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 20, 4);
-    }
-}
-
-static const char types_dry_friction_global_stick_boundary_functions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_boundary_functions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 44];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_boundary_functions((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 44 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 44, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_flow_stick_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_flow_stick_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_flow_stick_stick((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_flow_slip_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_flow_slip_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_flow_slip_stick((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_flow_slip_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_flow_slip_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_flow_slip_slip((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_flow_stick_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_flow_stick_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_flow_stick_slip((a0 + 5 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_reduced[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_reduced(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 2];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_reduced((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 2 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 2, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 2);
-    }
-}
-
-static const char types_dry_friction_global_stick_expand[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_expand(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 7];
-        double a2[points * 2];
-        double a3[points * 6];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 2, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_global_stick_expand((a0 + 5 * point), (a1 + 7 * point), (a2 + 2 * point), (a3 + 6 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_residual[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_residual(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 6];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_residual((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 36];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 36 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 36, 6);
-    }
-}
-
-static const char types_dry_friction_solution_ii_residual_and_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_residual_and_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 6];
-        double a4[points * 36];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_residual_and_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 6 * point), (a4 + 36 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 6, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 36, 6);
-    }
-}
-
-static const char types_dry_friction_solution_ii_parameter_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_parameter_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 14];
-        double a3[points * 6];
-        double a4[points * 24];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_parameter_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 24 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 24, 4);
-    }
-}
-
-static const char types_dry_friction_solution_ii_poincare_jacobian[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_poincare_jacobian(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_poincare_jacobian((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 4, 2);
-    }
-}
-
-static const char types_dry_friction_solution_ii_saltations[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_saltations(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 64];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_saltations((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 64 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 64, 4);
-    }
-}
-
-static const char types_dry_friction_solution_ii_monodromy[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_monodromy(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 16];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_monodromy((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 16 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 16, 4);
-    }
-}
-
-static const char types_dry_friction_solution_ii_trace[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_trace(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_trace((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 1 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_trace_gradient[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_trace_gradient(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 14];
-        double a3[points * 6];
-        double a4[points * 10];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 14, 2);
-        GATHER(double, a3, args[3], steps[3], steps + 9, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_trace_gradient((a0 + 4 * point), (a1 + 7 * point), (a2 + 14 * point), (a3 + 6 * point), (a4 + 10 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 10, 10, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_states[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_states(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 20];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_states((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 20 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 20, 4);
-    }
-}
-
-static const char types_dry_friction_solution_ii_boundary_functions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_boundary_functions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 6];
-        double a3[points * 44];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_boundary_functions((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 44 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 44, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 4, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_flow_stick_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_flow_stick_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_flow_stick_stick((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_flow_slip_stick[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_flow_slip_stick(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_flow_slip_stick((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_flow_slip_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_flow_slip_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_flow_slip_slip((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_flow_stick_slip[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_flow_stick_slip(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 1];
-        double a3[points * 4];
-        double a4[points * 4];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], NULL, 1, 0);
-        GATHER(double, a3, args[3], steps[3], steps + 7, 4, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_flow_stick_slip((a0 + 4 * point), (a1 + 7 * point), *(a2 + 1 * point), (a3 + 4 * point), (a4 + 4 * point));
-        }
-        SCATTER(double, a4, args[4], steps[4], steps + 8, 4, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_reduced[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_reduced(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 3];
-        double a3[points * 3];
-        double a4[points * 9];
-        GATHER(double, a0, args[0], steps[0], steps + 5, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 6, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 7, 3, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_reduced((a0 + 4 * point), (a1 + 7 * point), (a2 + 3 * point), (a3 + 3 * point), (a4 + 9 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 8, 3, 0);
-        SCATTER(double, a4, args[4], steps[4], steps + 9, 9, 3);
-    }
-}
-
-static const char types_dry_friction_solution_ii_expand[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_expand(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 7];
-        double a2[points * 3];
-        double a3[points * 6];
-        GATHER(double, a0, args[0], steps[0], steps + 4, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 5, 7, 0);
-        GATHER(double, a2, args[2], steps[2], steps + 6, 3, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            dry_friction_solution_ii_expand((a0 + 4 * point), (a1 + 7 * point), (a2 + 3 * point), (a3 + 6 * point));
-        }
-        SCATTER(double, a3, args[3], steps[3], steps + 7, 6, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
-static void loop_dry_friction_symmetric_solve(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 2];
-        double a2[points * 5];
-        double a3[points * 1];
-        double a4[points * 1];
-        int32_t a5[points * 1];
-        int32_t a6[points * 1];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 4, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 2, 0);
-        dry_friction_symmetric_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 5, 0);
-        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_admissible[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_admissible(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 5];
-        double a2[points * 1];
-        int32_t a3[points * 1];
-        double a4[points * 1];
-        double a5[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 6, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 7, 5, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            if (nonsmooth_ends_later(&work))
-                return;
-            dry_friction_symmetric_admissible(1, (a0 + 4 * point), (a1 + 5 * point), (a2 + 1 * point), (a3 + 1 * point), (a4 + 1 * point), (a5 + 1 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 8, 1, 0);
-        SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(double, a5, args[5], steps[5], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_symmetric_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_symmetric_directions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 5];
-        double a2[points * 24];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 4, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 5, 0);
-        dry_friction_symmetric_directions(here, a0, a1, a2);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 24, 4);
-    }
-}
-
-static const char types_dry_friction_global_stick_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
-static void loop_dry_friction_global_stick_solve(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 2];
-        double a2[points * 6];
-        double a3[points * 1];
-        double a4[points * 1];
-        int32_t a5[points * 1];
-        int32_t a6[points * 1];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 5, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 2, 0);
-        dry_friction_global_stick_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 6, 0);
-        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_admissible[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_admissible(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 6];
-        double a2[points * 2];
-        int32_t a3[points * 1];
-        double a4[points * 1];
-        double a5[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 6, 5, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            if (nonsmooth_ends_later(&work))
-                return;
-            dry_friction_global_stick_admissible(1, (a0 + 5 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 1 * point), (a4 + 1 * point), (a5 + 1 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 8, 2, 0);
-        SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(double, a5, args[5], steps[5], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_global_stick_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_global_stick_directions(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 5];
-        double a1[points * 6];
-        double a2[points * 35];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 5, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 6, 0);
-        dry_friction_global_stick_directions(here, a0, a1, a2);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 35, 5);
-    }
-}
-
-static const char types_dry_friction_solution_ii_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
-static void loop_dry_friction_solution_ii_solve(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 3];
-        double a2[points * 6];
-        double a3[points * 1];
-        double a4[points * 1];
-        int32_t a5[points * 1];
-        int32_t a6[points * 1];
-        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 7, 4, 0);
-        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 8, 3, 0);
-        dry_friction_solution_ii_solve(here, a0, a1, a2, a3, a4, a5, a6);
-        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 9, 6, 0);
-        SCATTER_COLUMNS(double, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER_COLUMNS(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a5, args[5], steps[5], NULL, 1, 0);
-        SCATTER_COLUMNS(int32_t, a6, args[6], steps[6], NULL, 1, 0);
-    }
-}
-
-static const char types_dry_friction_solution_ii_admissible[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_DOUBLE, NPY_DOUBLE};
-static void loop_dry_friction_solution_ii_admissible(
-    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
-{
-    (void)unused;
-    nonsmooth_work work = {0};
-    for (npy_intp start = 0; start < dimensions[0]; start += points) {
-        const npy_intp left = dimensions[0] - start;
-        const npy_intp here = left < points ? left : points;
-        if (nonsmooth_ends_later(&work))
-            return;
-        double a0[points * 4];
-        double a1[points * 6];
-        double a2[points * 2];
-        int32_t a3[points * 1];
-        double a4[points * 1];
-        double a5[points * 1];
-        GATHER(double, a0, args[0], steps[0], steps + 6, 4, 0);
-        GATHER(double, a1, args[1], steps[1], steps + 7, 6, 0);
-        for (npy_intp point = 0; point < here; ++point) {
-            if (nonsmooth_ends_later(&work))
-                return;
-            dry_friction_solution_ii_admissible(1, (a0 + 4 * point), (a1 + 6 * point), (a2 + 2 * point), (a3 + 1 * point), (a4 + 1 * point), (a5 + 1 * point));
-        }
-        SCATTER(double, a2, args[2], steps[2], steps + 8, 2, 0);
-        SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
-        SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
-        SCATTER(double, a5, args[5], steps[5], NULL, 1, 0);
-    }
-}
+enum { most_points = 64, most_arrays = 9, on_stack = 4096 };
+
+/* Order of the entries of a block: points one after the other, or columns of all points. */
+enum layout { in_rows, in_columns, one_point };
+
+/* Core of one argument: entries of a point, axes, columns of a table. */
+typedef struct {
+    int size, axes, columns, type;
+} array;
 
 typedef struct {
     const char *name, *signature;
-    PyUFuncGenericFunction loop;
-    const char *types;
+    void (*call)(npy_intp count, char *const *arrays);
+    enum layout layout;
     int inputs, outputs;
+    array arrays[most_arrays];
 } wrapped;
 
+/* Where an argument lies in NumPy's arrays, and in a block. */
+typedef struct {
+    char *base, *block;
+    npy_intp step;
+    const npy_intp *strides;
+    int bytes; /* of an entry */
+} located;
+
+/* Place of a core entry of the first point, whatever its strides are. */
+static char *entry_of(const array *a, const located *l, int index)
+{
+    if (a->axes == 0)
+        return l->base;
+    return a->axes == 1 ? l->base + index * l->strides[0]
+                        : l->base + (index / a->columns) * l->strides[0] +
+                              (index % a->columns) * l->strides[1];
+}
+
+/* Whether the entries of all points lie as in a block of rows. */
+static int lies_in_rows(const array *a, const located *l)
+{
+    const npy_intp inner = a->axes == 0 ? l->bytes : l->strides[a->axes - 1];
+    return inner == l->bytes && l->step == a->size * l->bytes &&
+           (a->axes < 2 || l->strides[0] == a->columns * l->bytes);
+}
+
+static void copy(char *to, npy_intp to_step, const char *from, npy_intp from_step, npy_intp count,
+                 int bytes)
+{
+    if (to_step == bytes && from_step == bytes)
+        memcpy(to, from, (size_t)(count * bytes));
+    else
+        for (npy_intp i = 0; i < count; ++i)
+            if (bytes == 8)
+                memcpy(to + i * to_step, from + i * from_step, 8);
+            else
+                memcpy(to + i * to_step, from + i * from_step, (size_t)bytes);
+}
+
+/* Move `count` points between NumPy's array and the block: into it, or out of it. */
+static void move(const array *a, const located *l, npy_intp count, enum layout layout, int into)
+{
+    if (l->block == l->base)
+        return;
+    const npy_intp next = layout == in_columns ? count : 1;
+    const npy_intp step = layout == in_columns ? l->bytes : a->size * l->bytes;
+    for (int i = 0; i < a->size; ++i) {
+        char *const entry = entry_of(a, l, i), *const inside = l->block + i * next * l->bytes;
+        if (into)
+            copy(inside, step, entry, l->step, count, l->bytes);
+        else
+            copy(entry, l->step, inside, step, count, l->bytes);
+    }
+}
+
+static void out_of_memory(void)
+{
+    const PyGILState_STATE lock = PyGILState_Ensure();
+    PyErr_NoMemory();
+    PyGILState_Release(lock);
+}
+
+/* The loop of every function; NumPy hands it over as `data`. */
+static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps, void *data)
+{
+    const wrapped *const f = data;
+    const int count = f->inputs + f->outputs;
+    const npy_intp most = f->layout == one_point ? 1 : most_points;
+    const npy_intp points = dimensions[0] < most ? dimensions[0] : most;
+    located at[most_arrays];
+    char *blocks[most_arrays];
+    double stack[on_stack];
+    size_t total = 0;
+    for (int k = 0, axes = 0; k < count; axes += f->arrays[k++].axes) {
+        const int bytes = f->arrays[k].type == NPY_INT32 ? 4 : 8;
+        at[k] = (located){args[k], NULL, steps[k], steps + count + axes, bytes};
+        total += (size_t)(points * f->arrays[k].size);
+    }
+    double *const memory = total <= on_stack ? stack : malloc(total * sizeof(double));
+    if (!memory) {
+        out_of_memory();
+        return;
+    }
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start, here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            break;
+        double *rest = memory;
+        for (int k = 0; k < count; ++k) {
+            at[k].base = args[k] + start * steps[k];
+            const int direct = f->layout == in_rows && lies_in_rows(&f->arrays[k], &at[k]);
+            blocks[k] = at[k].block = direct ? at[k].base : (char *)rest;
+            rest += points * f->arrays[k].size;
+        }
+        for (int k = 0; k < f->inputs; ++k)
+            move(&f->arrays[k], &at[k], here, f->layout, 1);
+        f->call(here, blocks);
+        for (int k = f->inputs; k < count; ++k)
+            move(&f->arrays[k], &at[k], here, f->layout, 0);
+    }
+    if (memory != stack)
+        free(memory);
+}
+
+static void call_rigid_stop_spectrum_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_spectrum(((const double *)(void *)a[0] + 4 * i), ((double *)(void *)a[1] + 7 * i), NULL);
+}
+
+static void call_rigid_stop_spectrum_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_spectrum(((const double *)(void *)a[0] + 4 * i), ((double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 28 * i));
+}
+
+static void call_rigid_stop_flow_free_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_flow_free(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_rigid_stop_flow_contact_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_flow_contact(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_rigid_stop_fields_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_fields(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 40 * i));
+}
+
+static void call_rigid_stop_rows_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_rows(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 25 * i));
+}
+
+static void call_rigid_stop_resets_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_resets(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 60 * i));
+}
+
+static void call_rigid_stop_modes_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 10 * i), NULL);
+}
+
+static void call_rigid_stop_modes_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 10 * i), ((double *)(void *)a[3] + 180 * i));
+}
+
+static void call_rigid_stop_one_impact_equations_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), NULL, ((double *)(void *)a[3] + 2 * i), NULL, NULL);
+}
+
+static void call_rigid_stop_one_impact_equations_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), NULL, ((double *)(void *)a[3] + 2 * i), ((double *)(void *)a[4] + 4 * i), NULL);
+}
+
+static void call_rigid_stop_one_impact_equations_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((const double *)(void *)a[3] + 28 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 10 * i));
+}
+
+static void call_rigid_stop_one_impact_trace_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+}
+
+static void call_rigid_stop_one_impact_trace_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((const double *)(void *)a[3] + 28 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 7 * i));
+}
+
+static void call_rigid_stop_one_impact_passage_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), NULL, NULL, NULL, NULL, NULL);
+}
+
+static void call_rigid_stop_one_impact_passage_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), NULL, NULL, NULL, NULL);
+}
+
+static void call_rigid_stop_one_impact_passage_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), NULL, NULL, NULL);
+}
+
+static void call_rigid_stop_one_impact_passage_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 9 * i), NULL, NULL);
+}
+
+static void call_rigid_stop_one_impact_passage_5(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 16 * i), NULL);
+}
+
+static void call_rigid_stop_one_impact_passage_6(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 16 * i), ((double *)(void *)a[8] + 16 * i));
+}
+
+static void call_rigid_stop_one_impact_flow_free_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_flow_free(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_rigid_stop_one_impact_reduced_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 2 * i), NULL);
+}
+
+static void call_rigid_stop_one_impact_reduced_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        rigid_stop_one_impact_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 1 * i));
+}
+
+static void call_rigid_stop_one_impact_solve(npy_intp count, char *const *a)
+{
+    rigid_stop_one_impact_solve(count, (const double *)(void *)a[0], (double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (int32_t *)(void *)a[4], (int32_t *)(void *)a[5]);
+}
+
+static void call_rigid_stop_one_impact_admissible(npy_intp count, char *const *a)
+{
+    rigid_stop_one_impact_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (int32_t *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4]);
+}
+
+static void call_rigid_stop_one_impact_directions(npy_intp count, char *const *a)
+{
+    rigid_stop_one_impact_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
+}
+
+static void call_elastic_stop_spectrum_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_spectrum(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 12 * i), NULL);
+}
+
+static void call_elastic_stop_spectrum_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_spectrum(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 12 * i), ((double *)(void *)a[2] + 60 * i));
+}
+
+static void call_elastic_stop_flow_contact_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_flow_contact(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_elastic_stop_flow_free_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_flow_free(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_elastic_stop_fields_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_fields(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 40 * i));
+}
+
+static void call_elastic_stop_rows_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_rows(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 25 * i));
+}
+
+static void call_elastic_stop_resets_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_resets(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 20 * i));
+}
+
+static void call_elastic_stop_modes_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((double *)(void *)a[2] + 12 * i), NULL);
+}
+
+static void call_elastic_stop_modes_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((double *)(void *)a[2] + 12 * i), ((double *)(void *)a[3] + 200 * i));
+}
+
+static void call_elastic_stop_one_contact_equations_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_equations(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), NULL, ((double *)(void *)a[3] + 4 * i), NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_equations_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_equations(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), NULL, ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 16 * i), NULL);
+}
+
+static void call_elastic_stop_one_contact_equations_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_equations(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((const double *)(void *)a[3] + 60 * i), ((double *)(void *)a[4] + 4 * i), ((double *)(void *)a[5] + 16 * i), ((double *)(void *)a[6] + 24 * i));
+}
+
+static void call_elastic_stop_one_contact_trace_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_trace(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+}
+
+static void call_elastic_stop_one_contact_trace_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_trace(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((const double *)(void *)a[3] + 60 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 10 * i));
+}
+
+static void call_elastic_stop_one_contact_passage_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL, NULL, NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_passage_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), NULL, NULL, NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_passage_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), NULL, NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_passage_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 9 * i), NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_passage_5(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 32 * i), NULL);
+}
+
+static void call_elastic_stop_one_contact_passage_6(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 32 * i), ((double *)(void *)a[8] + 16 * i));
+}
+
+static void call_elastic_stop_one_contact_flow_contact_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_flow_contact(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_elastic_stop_one_contact_flow_free_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_flow_free(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_elastic_stop_one_contact_reduced_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_reduced_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 1 * i), NULL, NULL);
+}
+
+static void call_elastic_stop_one_contact_reduced_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 1 * i), NULL);
+}
+
+static void call_elastic_stop_one_contact_reduced_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 1 * i), ((double *)(void *)a[6] + 1 * i));
+}
+
+static void call_elastic_stop_one_contact_solve(npy_intp count, char *const *a)
+{
+    elastic_stop_one_contact_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+}
+
+static void call_elastic_stop_one_contact_admissible(npy_intp count, char *const *a)
+{
+    elastic_stop_one_contact_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (int32_t *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4]);
+}
+
+static void call_elastic_stop_one_contact_directions(npy_intp count, char *const *a)
+{
+    elastic_stop_one_contact_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
+}
+
+static void call_dry_friction_spectrum_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_spectrum(((const double *)(void *)a[0] + 2 * i), ((double *)(void *)a[1] + 7 * i), NULL);
+}
+
+static void call_dry_friction_spectrum_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_spectrum(((const double *)(void *)a[0] + 2 * i), ((double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 14 * i));
+}
+
+static void call_dry_friction_flow_slip_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_slip_slip(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_slip_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_slip_stick(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_slip_overshoot_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_slip_overshoot(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_stick_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_stick_slip(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_stick_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_stick_stick(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_stick_overshoot_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_stick_overshoot(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_overshoot_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_overshoot_slip(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_overshoot_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_overshoot_stick(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_flow_overshoot_overshoot_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_flow_overshoot_overshoot(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_fields_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_fields(((const double *)(void *)a[0] + 7 * i), ((double *)(void *)a[1] + 180 * i));
+}
+
+static void call_dry_friction_rows_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_rows(((const double *)(void *)a[0] + 7 * i), ((double *)(void *)a[1] + 85 * i));
+}
+
+static void call_dry_friction_resets_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_resets(((const double *)(void *)a[0] + 7 * i), ((double *)(void *)a[1] + 80 * i));
+}
+
+static void call_dry_friction_modes_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_modes(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 42 * i), NULL);
+}
+
+static void call_dry_friction_modes_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_modes(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 42 * i), ((double *)(void *)a[3] + 760 * i));
+}
+
+static void call_dry_friction_symmetric_equations_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), NULL, ((double *)(void *)a[3] + 5 * i), NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_equations_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), NULL, ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 25 * i), NULL);
+}
+
+static void call_dry_friction_symmetric_equations_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 5 * i), ((double *)(void *)a[5] + 25 * i), ((double *)(void *)a[6] + 20 * i));
+}
+
+static void call_dry_friction_symmetric_trace_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+}
+
+static void call_dry_friction_symmetric_trace_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 9 * i));
+}
+
+static void call_dry_friction_symmetric_passage_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL, NULL, NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_passage_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), NULL, NULL, NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_passage_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), NULL, NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_passage_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), ((double *)(void *)a[6] + 4 * i), NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_passage_5(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 32 * i), NULL);
+}
+
+static void call_dry_friction_symmetric_passage_6(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 32 * i), ((double *)(void *)a[8] + 16 * i));
+}
+
+static void call_dry_friction_symmetric_flow_slip_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_flow_slip_slip(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_symmetric_flow_slip_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_flow_slip_stick(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_symmetric_reduced_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), NULL, NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_reduced_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 1 * i), NULL, NULL);
+}
+
+static void call_dry_friction_symmetric_reduced_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 2 * i), NULL);
+}
+
+static void call_dry_friction_symmetric_reduced_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 4 * i));
+}
+
+static void call_dry_friction_global_stick_equations_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_equations_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 36 * i), NULL);
+}
+
+static void call_dry_friction_global_stick_equations_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 36 * i), ((double *)(void *)a[6] + 30 * i));
+}
+
+static void call_dry_friction_global_stick_trace_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+}
+
+static void call_dry_friction_global_stick_trace_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 11 * i));
+}
+
+static void call_dry_friction_global_stick_passage_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL, NULL, NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_passage_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL, NULL, NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_passage_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), NULL, NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_passage_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_passage_5(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), NULL);
+}
+
+static void call_dry_friction_global_stick_passage_6(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), ((double *)(void *)a[8] + 16 * i));
+}
+
+static void call_dry_friction_global_stick_flow_stick_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_flow_stick_stick(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_global_stick_flow_slip_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_flow_slip_stick(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_global_stick_flow_slip_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_flow_slip_slip(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_global_stick_flow_stick_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_flow_stick_slip(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_global_stick_reduced_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_reduced_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 2 * i), NULL);
+}
+
+static void call_dry_friction_global_stick_reduced_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
+}
+
+static void call_dry_friction_solution_ii_equations_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_equations_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 36 * i), NULL);
+}
+
+static void call_dry_friction_solution_ii_equations_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 36 * i), ((double *)(void *)a[6] + 24 * i));
+}
+
+static void call_dry_friction_solution_ii_trace_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+}
+
+static void call_dry_friction_solution_ii_trace_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 10 * i));
+}
+
+static void call_dry_friction_solution_ii_passage_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL, NULL, NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_passage_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL, NULL, NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_passage_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), NULL, NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_passage_4(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_passage_5(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), NULL);
+}
+
+static void call_dry_friction_solution_ii_passage_6(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), ((double *)(void *)a[8] + 16 * i));
+}
+
+static void call_dry_friction_solution_ii_flow_stick_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_flow_stick_stick(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_solution_ii_flow_slip_stick_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_flow_slip_stick(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_solution_ii_flow_slip_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_flow_slip_slip(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_solution_ii_flow_stick_slip_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_flow_stick_slip(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+}
+
+static void call_dry_friction_solution_ii_reduced_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_reduced_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 3 * i), NULL);
+}
+
+static void call_dry_friction_solution_ii_reduced_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 3 * i), ((double *)(void *)a[5] + 9 * i));
+}
+
+static void call_dry_friction_symmetric_solve(npy_intp count, char *const *a)
+{
+    dry_friction_symmetric_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+}
+
+static void call_dry_friction_symmetric_admissible(npy_intp count, char *const *a)
+{
+    dry_friction_symmetric_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (int32_t *)(void *)a[3], (double *)(void *)a[4], (double *)(void *)a[5]);
+}
+
+static void call_dry_friction_symmetric_directions(npy_intp count, char *const *a)
+{
+    dry_friction_symmetric_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
+}
+
+static void call_dry_friction_global_stick_solve(npy_intp count, char *const *a)
+{
+    dry_friction_global_stick_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+}
+
+static void call_dry_friction_global_stick_admissible(npy_intp count, char *const *a)
+{
+    dry_friction_global_stick_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (int32_t *)(void *)a[3], (double *)(void *)a[4], (double *)(void *)a[5]);
+}
+
+static void call_dry_friction_global_stick_directions(npy_intp count, char *const *a)
+{
+    dry_friction_global_stick_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
+}
+
+static void call_dry_friction_solution_ii_solve(npy_intp count, char *const *a)
+{
+    dry_friction_solution_ii_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+}
+
+static void call_dry_friction_solution_ii_admissible(npy_intp count, char *const *a)
+{
+    dry_friction_solution_ii_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (int32_t *)(void *)a[3], (double *)(void *)a[4], (double *)(void *)a[5]);
+}
+
 static const wrapped functions[] = {
-    {"rigid_stop_spectrum", "(4)->(7),(7,4)", loop_rigid_stop_spectrum,
-     types_rigid_stop_spectrum, 1, 2},
-    {"rigid_stop_flow_free", "(5),(7),(),(4)->(4)", loop_rigid_stop_flow_free,
-     types_rigid_stop_flow_free, 4, 1},
-    {"rigid_stop_flow_contact", "(5),(7),(),(4)->(4)", loop_rigid_stop_flow_contact,
-     types_rigid_stop_flow_contact, 4, 1},
-    {"rigid_stop_fields", "(5)->(8,5)", loop_rigid_stop_fields,
-     types_rigid_stop_fields, 1, 1},
-    {"rigid_stop_rows", "(5)->(5,5)", loop_rigid_stop_rows,
-     types_rigid_stop_rows, 1, 1},
-    {"rigid_stop_resets", "(5)->(12,5)", loop_rigid_stop_resets,
-     types_rigid_stop_resets, 1, 1},
-    {"rigid_stop_modes", "(5),(7)->(5,2),(36,5)", loop_rigid_stop_modes,
-     types_rigid_stop_modes, 2, 2},
-    {"rigid_stop_one_impact_residual", "(5),(7),(2)->(2)", loop_rigid_stop_one_impact_residual,
-     types_rigid_stop_one_impact_residual, 3, 1},
-    {"rigid_stop_one_impact_jacobian", "(5),(7),(2)->(2,2)", loop_rigid_stop_one_impact_jacobian,
-     types_rigid_stop_one_impact_jacobian, 3, 1},
-    {"rigid_stop_one_impact_residual_and_jacobian", "(5),(7),(2)->(2),(2,2)", loop_rigid_stop_one_impact_residual_and_jacobian,
-     types_rigid_stop_one_impact_residual_and_jacobian, 3, 2},
-    {"rigid_stop_one_impact_parameter_jacobian", "(5),(7),(7,4),(2)->(2,5)", loop_rigid_stop_one_impact_parameter_jacobian,
-     types_rigid_stop_one_impact_parameter_jacobian, 4, 1},
-    {"rigid_stop_one_impact_poincare_jacobian", "(5),(7),(2)->(3,3)", loop_rigid_stop_one_impact_poincare_jacobian,
-     types_rigid_stop_one_impact_poincare_jacobian, 3, 1},
-    {"rigid_stop_one_impact_saltations", "(5),(7),(2)->(4,4)", loop_rigid_stop_one_impact_saltations,
-     types_rigid_stop_one_impact_saltations, 3, 1},
-    {"rigid_stop_one_impact_monodromy", "(5),(7),(2)->(4,4)", loop_rigid_stop_one_impact_monodromy,
-     types_rigid_stop_one_impact_monodromy, 3, 1},
-    {"rigid_stop_one_impact_trace", "(5),(7),(2)->()", loop_rigid_stop_one_impact_trace,
-     types_rigid_stop_one_impact_trace, 3, 1},
-    {"rigid_stop_one_impact_trace_gradient", "(5),(7),(7,4),(2)->(7)", loop_rigid_stop_one_impact_trace_gradient,
-     types_rigid_stop_one_impact_trace_gradient, 4, 1},
-    {"rigid_stop_one_impact_states", "(5),(7),(2)->(2,4)", loop_rigid_stop_one_impact_states,
-     types_rigid_stop_one_impact_states, 3, 1},
-    {"rigid_stop_one_impact_boundary_functions", "(5),(7),(2)->(6),(2)", loop_rigid_stop_one_impact_boundary_functions,
-     types_rigid_stop_one_impact_boundary_functions, 3, 2},
-    {"rigid_stop_one_impact_flow_free", "(5),(7),(),(4)->(4)", loop_rigid_stop_one_impact_flow_free,
-     types_rigid_stop_one_impact_flow_free, 4, 1},
-    {"rigid_stop_one_impact_expand", "(5),(7)->(2),(1)", loop_rigid_stop_one_impact_expand,
-     types_rigid_stop_one_impact_expand, 2, 2},
-    {"rigid_stop_one_impact_solve", "(5)->(2),(),(),(),()", loop_rigid_stop_one_impact_solve,
-     types_rigid_stop_one_impact_solve, 1, 5},
-    {"rigid_stop_one_impact_admissible", "(5),(2)->(),(),()", loop_rigid_stop_one_impact_admissible,
-     types_rigid_stop_one_impact_admissible, 2, 3},
-    {"rigid_stop_one_impact_directions", "(5),(2)->(3,5)", loop_rigid_stop_one_impact_directions,
-     types_rigid_stop_one_impact_directions, 2, 1},
-    {"elastic_stop_spectrum", "(5)->(12),(12,5)", loop_elastic_stop_spectrum,
-     types_elastic_stop_spectrum, 1, 2},
-    {"elastic_stop_flow_contact", "(5),(12),(),(4)->(4)", loop_elastic_stop_flow_contact,
-     types_elastic_stop_flow_contact, 4, 1},
-    {"elastic_stop_flow_free", "(5),(12),(),(4)->(4)", loop_elastic_stop_flow_free,
-     types_elastic_stop_flow_free, 4, 1},
-    {"elastic_stop_fields", "(5)->(8,5)", loop_elastic_stop_fields,
-     types_elastic_stop_fields, 1, 1},
-    {"elastic_stop_rows", "(5)->(5,5)", loop_elastic_stop_rows,
-     types_elastic_stop_rows, 1, 1},
-    {"elastic_stop_resets", "(5)->(4,5)", loop_elastic_stop_resets,
-     types_elastic_stop_resets, 1, 1},
-    {"elastic_stop_modes", "(5),(12)->(6,2),(40,5)", loop_elastic_stop_modes,
-     types_elastic_stop_modes, 2, 2},
-    {"elastic_stop_one_contact_residual", "(6),(12),(4)->(4)", loop_elastic_stop_one_contact_residual,
-     types_elastic_stop_one_contact_residual, 3, 1},
-    {"elastic_stop_one_contact_jacobian", "(6),(12),(4)->(4,4)", loop_elastic_stop_one_contact_jacobian,
-     types_elastic_stop_one_contact_jacobian, 3, 1},
-    {"elastic_stop_one_contact_residual_and_jacobian", "(6),(12),(4)->(4),(4,4)", loop_elastic_stop_one_contact_residual_and_jacobian,
-     types_elastic_stop_one_contact_residual_and_jacobian, 3, 2},
-    {"elastic_stop_one_contact_parameter_jacobian", "(6),(12),(12,5),(4)->(4,6)", loop_elastic_stop_one_contact_parameter_jacobian,
-     types_elastic_stop_one_contact_parameter_jacobian, 4, 1},
-    {"elastic_stop_one_contact_poincare_jacobian", "(6),(12),(4)->(3,3)", loop_elastic_stop_one_contact_poincare_jacobian,
-     types_elastic_stop_one_contact_poincare_jacobian, 3, 1},
-    {"elastic_stop_one_contact_saltations", "(6),(12),(4)->(8,4)", loop_elastic_stop_one_contact_saltations,
-     types_elastic_stop_one_contact_saltations, 3, 1},
-    {"elastic_stop_one_contact_monodromy", "(6),(12),(4)->(4,4)", loop_elastic_stop_one_contact_monodromy,
-     types_elastic_stop_one_contact_monodromy, 3, 1},
-    {"elastic_stop_one_contact_trace", "(6),(12),(4)->()", loop_elastic_stop_one_contact_trace,
-     types_elastic_stop_one_contact_trace, 3, 1},
-    {"elastic_stop_one_contact_trace_gradient", "(6),(12),(12,5),(4)->(10)", loop_elastic_stop_one_contact_trace_gradient,
-     types_elastic_stop_one_contact_trace_gradient, 4, 1},
-    {"elastic_stop_one_contact_states", "(6),(12),(4)->(3,4)", loop_elastic_stop_one_contact_states,
-     types_elastic_stop_one_contact_states, 3, 1},
-    {"elastic_stop_one_contact_boundary_functions", "(6),(12),(4)->(12),(4)", loop_elastic_stop_one_contact_boundary_functions,
-     types_elastic_stop_one_contact_boundary_functions, 3, 2},
-    {"elastic_stop_one_contact_flow_contact", "(6),(12),(),(4)->(4)", loop_elastic_stop_one_contact_flow_contact,
-     types_elastic_stop_one_contact_flow_contact, 4, 1},
-    {"elastic_stop_one_contact_flow_free", "(6),(12),(),(4)->(4)", loop_elastic_stop_one_contact_flow_free,
-     types_elastic_stop_one_contact_flow_free, 4, 1},
-    {"elastic_stop_one_contact_reduced", "(6),(12),(1)->(1),(1,1)", loop_elastic_stop_one_contact_reduced,
-     types_elastic_stop_one_contact_reduced, 3, 2},
-    {"elastic_stop_one_contact_expand", "(6),(12),(1)->(4),(1)", loop_elastic_stop_one_contact_expand,
-     types_elastic_stop_one_contact_expand, 3, 2},
-    {"elastic_stop_one_contact_solve", "(6),(1)->(4),(),(),(),()", loop_elastic_stop_one_contact_solve,
-     types_elastic_stop_one_contact_solve, 2, 5},
-    {"elastic_stop_one_contact_admissible", "(6),(4)->(),(),()", loop_elastic_stop_one_contact_admissible,
-     types_elastic_stop_one_contact_admissible, 2, 3},
-    {"elastic_stop_one_contact_directions", "(6),(4)->(5,6)", loop_elastic_stop_one_contact_directions,
-     types_elastic_stop_one_contact_directions, 2, 1},
-    {"dry_friction_spectrum", "(2)->(7),(7,2)", loop_dry_friction_spectrum,
-     types_dry_friction_spectrum, 1, 2},
-    {"dry_friction_flow_slip_slip", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_slip_slip,
-     types_dry_friction_flow_slip_slip, 4, 1},
-    {"dry_friction_flow_slip_stick", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_slip_stick,
-     types_dry_friction_flow_slip_stick, 4, 1},
-    {"dry_friction_flow_slip_overshoot", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_slip_overshoot,
-     types_dry_friction_flow_slip_overshoot, 4, 1},
-    {"dry_friction_flow_stick_slip", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_stick_slip,
-     types_dry_friction_flow_stick_slip, 4, 1},
-    {"dry_friction_flow_stick_stick", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_stick_stick,
-     types_dry_friction_flow_stick_stick, 4, 1},
-    {"dry_friction_flow_stick_overshoot", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_stick_overshoot,
-     types_dry_friction_flow_stick_overshoot, 4, 1},
-    {"dry_friction_flow_overshoot_slip", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_overshoot_slip,
-     types_dry_friction_flow_overshoot_slip, 4, 1},
-    {"dry_friction_flow_overshoot_stick", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_overshoot_stick,
-     types_dry_friction_flow_overshoot_stick, 4, 1},
-    {"dry_friction_flow_overshoot_overshoot", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_overshoot_overshoot,
-     types_dry_friction_flow_overshoot_overshoot, 4, 1},
-    {"dry_friction_fields", "(7)->(36,5)", loop_dry_friction_fields,
-     types_dry_friction_fields, 1, 1},
-    {"dry_friction_rows", "(7)->(17,5)", loop_dry_friction_rows,
-     types_dry_friction_rows, 1, 1},
-    {"dry_friction_resets", "(7)->(16,5)", loop_dry_friction_resets,
-     types_dry_friction_resets, 1, 1},
-    {"dry_friction_modes", "(7),(7)->(21,2),(152,5)", loop_dry_friction_modes,
-     types_dry_friction_modes, 2, 2},
-    {"dry_friction_symmetric_residual", "(4),(7),(5)->(5)", loop_dry_friction_symmetric_residual,
-     types_dry_friction_symmetric_residual, 3, 1},
-    {"dry_friction_symmetric_jacobian", "(4),(7),(5)->(5,5)", loop_dry_friction_symmetric_jacobian,
-     types_dry_friction_symmetric_jacobian, 3, 1},
-    {"dry_friction_symmetric_residual_and_jacobian", "(4),(7),(5)->(5),(5,5)", loop_dry_friction_symmetric_residual_and_jacobian,
-     types_dry_friction_symmetric_residual_and_jacobian, 3, 2},
-    {"dry_friction_symmetric_parameter_jacobian", "(4),(7),(7,2),(5)->(5,4)", loop_dry_friction_symmetric_parameter_jacobian,
-     types_dry_friction_symmetric_parameter_jacobian, 4, 1},
-    {"dry_friction_symmetric_poincare_jacobian", "(4),(7),(5)->(2,2)", loop_dry_friction_symmetric_poincare_jacobian,
-     types_dry_friction_symmetric_poincare_jacobian, 3, 1},
-    {"dry_friction_symmetric_saltations", "(4),(7),(5)->(8,4)", loop_dry_friction_symmetric_saltations,
-     types_dry_friction_symmetric_saltations, 3, 1},
-    {"dry_friction_symmetric_monodromy", "(4),(7),(5)->(4,4)", loop_dry_friction_symmetric_monodromy,
-     types_dry_friction_symmetric_monodromy, 3, 1},
-    {"dry_friction_symmetric_trace", "(4),(7),(5)->()", loop_dry_friction_symmetric_trace,
-     types_dry_friction_symmetric_trace, 3, 1},
-    {"dry_friction_symmetric_trace_gradient", "(4),(7),(7,2),(5)->(9)", loop_dry_friction_symmetric_trace_gradient,
-     types_dry_friction_symmetric_trace_gradient, 4, 1},
-    {"dry_friction_symmetric_states", "(4),(7),(5)->(3,4)", loop_dry_friction_symmetric_states,
-     types_dry_friction_symmetric_states, 3, 1},
-    {"dry_friction_symmetric_boundary_functions", "(4),(7),(5)->(24),(3)", loop_dry_friction_symmetric_boundary_functions,
-     types_dry_friction_symmetric_boundary_functions, 3, 2},
-    {"dry_friction_symmetric_flow_slip_slip", "(4),(7),(),(4)->(4)", loop_dry_friction_symmetric_flow_slip_slip,
-     types_dry_friction_symmetric_flow_slip_slip, 4, 1},
-    {"dry_friction_symmetric_flow_slip_stick", "(4),(7),(),(4)->(4)", loop_dry_friction_symmetric_flow_slip_stick,
-     types_dry_friction_symmetric_flow_slip_stick, 4, 1},
-    {"dry_friction_symmetric_reduced", "(4),(7),(2)->(2),(2,2)", loop_dry_friction_symmetric_reduced,
-     types_dry_friction_symmetric_reduced, 3, 2},
-    {"dry_friction_symmetric_expand", "(4),(7),(2)->(5),(1)", loop_dry_friction_symmetric_expand,
-     types_dry_friction_symmetric_expand, 3, 2},
-    {"dry_friction_global_stick_residual", "(5),(7),(6)->(6)", loop_dry_friction_global_stick_residual,
-     types_dry_friction_global_stick_residual, 3, 1},
-    {"dry_friction_global_stick_jacobian", "(5),(7),(6)->(6,6)", loop_dry_friction_global_stick_jacobian,
-     types_dry_friction_global_stick_jacobian, 3, 1},
-    {"dry_friction_global_stick_residual_and_jacobian", "(5),(7),(6)->(6),(6,6)", loop_dry_friction_global_stick_residual_and_jacobian,
-     types_dry_friction_global_stick_residual_and_jacobian, 3, 2},
-    {"dry_friction_global_stick_parameter_jacobian", "(5),(7),(7,2),(6)->(6,5)", loop_dry_friction_global_stick_parameter_jacobian,
-     types_dry_friction_global_stick_parameter_jacobian, 4, 1},
-    {"dry_friction_global_stick_poincare_jacobian", "(5),(7),(6)->(2,2)", loop_dry_friction_global_stick_poincare_jacobian,
-     types_dry_friction_global_stick_poincare_jacobian, 3, 1},
-    {"dry_friction_global_stick_saltations", "(5),(7),(6)->(16,4)", loop_dry_friction_global_stick_saltations,
-     types_dry_friction_global_stick_saltations, 3, 1},
-    {"dry_friction_global_stick_monodromy", "(5),(7),(6)->(4,4)", loop_dry_friction_global_stick_monodromy,
-     types_dry_friction_global_stick_monodromy, 3, 1},
-    {"dry_friction_global_stick_trace", "(5),(7),(6)->()", loop_dry_friction_global_stick_trace,
-     types_dry_friction_global_stick_trace, 3, 1},
-    {"dry_friction_global_stick_trace_gradient", "(5),(7),(7,2),(6)->(11)", loop_dry_friction_global_stick_trace_gradient,
-     types_dry_friction_global_stick_trace_gradient, 4, 1},
-    {"dry_friction_global_stick_states", "(5),(7),(6)->(5,4)", loop_dry_friction_global_stick_states,
-     types_dry_friction_global_stick_states, 3, 1},
-    {"dry_friction_global_stick_boundary_functions", "(5),(7),(6)->(44),(4)", loop_dry_friction_global_stick_boundary_functions,
-     types_dry_friction_global_stick_boundary_functions, 3, 2},
-    {"dry_friction_global_stick_flow_stick_stick", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_stick_stick,
-     types_dry_friction_global_stick_flow_stick_stick, 4, 1},
-    {"dry_friction_global_stick_flow_slip_stick", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_slip_stick,
-     types_dry_friction_global_stick_flow_slip_stick, 4, 1},
-    {"dry_friction_global_stick_flow_slip_slip", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_slip_slip,
-     types_dry_friction_global_stick_flow_slip_slip, 4, 1},
-    {"dry_friction_global_stick_flow_stick_slip", "(5),(7),(),(4)->(4)", loop_dry_friction_global_stick_flow_stick_slip,
-     types_dry_friction_global_stick_flow_stick_slip, 4, 1},
-    {"dry_friction_global_stick_reduced", "(5),(7),(2)->(2),(2,2)", loop_dry_friction_global_stick_reduced,
-     types_dry_friction_global_stick_reduced, 3, 2},
-    {"dry_friction_global_stick_expand", "(5),(7),(2)->(6)", loop_dry_friction_global_stick_expand,
-     types_dry_friction_global_stick_expand, 3, 1},
-    {"dry_friction_solution_ii_residual", "(4),(7),(6)->(6)", loop_dry_friction_solution_ii_residual,
-     types_dry_friction_solution_ii_residual, 3, 1},
-    {"dry_friction_solution_ii_jacobian", "(4),(7),(6)->(6,6)", loop_dry_friction_solution_ii_jacobian,
-     types_dry_friction_solution_ii_jacobian, 3, 1},
-    {"dry_friction_solution_ii_residual_and_jacobian", "(4),(7),(6)->(6),(6,6)", loop_dry_friction_solution_ii_residual_and_jacobian,
-     types_dry_friction_solution_ii_residual_and_jacobian, 3, 2},
-    {"dry_friction_solution_ii_parameter_jacobian", "(4),(7),(7,2),(6)->(6,4)", loop_dry_friction_solution_ii_parameter_jacobian,
-     types_dry_friction_solution_ii_parameter_jacobian, 4, 1},
-    {"dry_friction_solution_ii_poincare_jacobian", "(4),(7),(6)->(2,2)", loop_dry_friction_solution_ii_poincare_jacobian,
-     types_dry_friction_solution_ii_poincare_jacobian, 3, 1},
-    {"dry_friction_solution_ii_saltations", "(4),(7),(6)->(16,4)", loop_dry_friction_solution_ii_saltations,
-     types_dry_friction_solution_ii_saltations, 3, 1},
-    {"dry_friction_solution_ii_monodromy", "(4),(7),(6)->(4,4)", loop_dry_friction_solution_ii_monodromy,
-     types_dry_friction_solution_ii_monodromy, 3, 1},
-    {"dry_friction_solution_ii_trace", "(4),(7),(6)->()", loop_dry_friction_solution_ii_trace,
-     types_dry_friction_solution_ii_trace, 3, 1},
-    {"dry_friction_solution_ii_trace_gradient", "(4),(7),(7,2),(6)->(10)", loop_dry_friction_solution_ii_trace_gradient,
-     types_dry_friction_solution_ii_trace_gradient, 4, 1},
-    {"dry_friction_solution_ii_states", "(4),(7),(6)->(5,4)", loop_dry_friction_solution_ii_states,
-     types_dry_friction_solution_ii_states, 3, 1},
-    {"dry_friction_solution_ii_boundary_functions", "(4),(7),(6)->(44),(4)", loop_dry_friction_solution_ii_boundary_functions,
-     types_dry_friction_solution_ii_boundary_functions, 3, 2},
-    {"dry_friction_solution_ii_flow_stick_stick", "(4),(7),(),(4)->(4)", loop_dry_friction_solution_ii_flow_stick_stick,
-     types_dry_friction_solution_ii_flow_stick_stick, 4, 1},
-    {"dry_friction_solution_ii_flow_slip_stick", "(4),(7),(),(4)->(4)", loop_dry_friction_solution_ii_flow_slip_stick,
-     types_dry_friction_solution_ii_flow_slip_stick, 4, 1},
-    {"dry_friction_solution_ii_flow_slip_slip", "(4),(7),(),(4)->(4)", loop_dry_friction_solution_ii_flow_slip_slip,
-     types_dry_friction_solution_ii_flow_slip_slip, 4, 1},
-    {"dry_friction_solution_ii_flow_stick_slip", "(4),(7),(),(4)->(4)", loop_dry_friction_solution_ii_flow_stick_slip,
-     types_dry_friction_solution_ii_flow_stick_slip, 4, 1},
-    {"dry_friction_solution_ii_reduced", "(4),(7),(3)->(3),(3,3)", loop_dry_friction_solution_ii_reduced,
-     types_dry_friction_solution_ii_reduced, 3, 2},
-    {"dry_friction_solution_ii_expand", "(4),(7),(3)->(6)", loop_dry_friction_solution_ii_expand,
-     types_dry_friction_solution_ii_expand, 3, 1},
-    {"dry_friction_symmetric_solve", "(4),(2)->(5),(),(),(),()", loop_dry_friction_symmetric_solve,
-     types_dry_friction_symmetric_solve, 2, 5},
-    {"dry_friction_symmetric_admissible", "(4),(5)->(1),(),(),()", loop_dry_friction_symmetric_admissible,
-     types_dry_friction_symmetric_admissible, 2, 4},
-    {"dry_friction_symmetric_directions", "(4),(5)->(6,4)", loop_dry_friction_symmetric_directions,
-     types_dry_friction_symmetric_directions, 2, 1},
-    {"dry_friction_global_stick_solve", "(5),(2)->(6),(),(),(),()", loop_dry_friction_global_stick_solve,
-     types_dry_friction_global_stick_solve, 2, 5},
-    {"dry_friction_global_stick_admissible", "(5),(6)->(2),(),(),()", loop_dry_friction_global_stick_admissible,
-     types_dry_friction_global_stick_admissible, 2, 4},
-    {"dry_friction_global_stick_directions", "(5),(6)->(7,5)", loop_dry_friction_global_stick_directions,
-     types_dry_friction_global_stick_directions, 2, 1},
-    {"dry_friction_solution_ii_solve", "(4),(3)->(6),(),(),(),()", loop_dry_friction_solution_ii_solve,
-     types_dry_friction_solution_ii_solve, 2, 5},
-    {"dry_friction_solution_ii_admissible", "(4),(6)->(2),(),(),()", loop_dry_friction_solution_ii_admissible,
-     types_dry_friction_solution_ii_admissible, 2, 4},
+    {"rigid_stop_spectrum_1", "(4)->(7)",
+     call_rigid_stop_spectrum_1, in_rows, 1, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_spectrum_2", "(4)->(7),(7,4)",
+     call_rigid_stop_spectrum_2, in_rows, 1, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {28, 2, 4, NPY_DOUBLE}}},
+    {"rigid_stop_flow_free_1", "(5),(7),(),(4)->(4)",
+     call_rigid_stop_flow_free_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_flow_contact_1", "(5),(7),(),(4)->(4)",
+     call_rigid_stop_flow_contact_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_fields_1", "(5)->(8,5)",
+     call_rigid_stop_fields_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {40, 2, 5, NPY_DOUBLE}}},
+    {"rigid_stop_rows_1", "(5)->(5,5)",
+     call_rigid_stop_rows_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}}},
+    {"rigid_stop_resets_1", "(5)->(12,5)",
+     call_rigid_stop_resets_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}}},
+    {"rigid_stop_modes_1", "(5),(7)->(5,2)",
+     call_rigid_stop_modes_1, in_rows, 2, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {10, 2, 2, NPY_DOUBLE}}},
+    {"rigid_stop_modes_2", "(5),(7)->(5,2),(36,5)",
+     call_rigid_stop_modes_2, in_rows, 2, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {10, 2, 2, NPY_DOUBLE}, {180, 2, 5, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_equations_1", "(5),(7),(2)->(2)",
+     call_rigid_stop_one_impact_equations_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_equations_2", "(5),(7),(2)->(2),(2,2)",
+     call_rigid_stop_one_impact_equations_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_equations_3", "(5),(7),(2),(7,4)->(2),(2,2),(2,5)",
+     call_rigid_stop_one_impact_equations_3, in_rows, 4, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {28, 2, 4, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {10, 2, 5, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_trace_1", "(5),(7),(2)->()",
+     call_rigid_stop_one_impact_trace_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_trace_2", "(5),(7),(2),(7,4)->(),(7)",
+     call_rigid_stop_one_impact_trace_2, in_rows, 4, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {28, 2, 4, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_passage_1", "(5),(7),(2)->(2,4)",
+     call_rigid_stop_one_impact_passage_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_passage_2", "(5),(7),(2)->(2,4),(6)",
+     call_rigid_stop_one_impact_passage_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_passage_3", "(5),(7),(2)->(2,4),(6),(2)",
+     call_rigid_stop_one_impact_passage_3, in_rows, 3, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_passage_4", "(5),(7),(2)->(2,4),(6),(2),(3,3)",
+     call_rigid_stop_one_impact_passage_4, in_rows, 3, 4,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_passage_5", "(5),(7),(2)->(2,4),(6),(2),(3,3),(4,4)",
+     call_rigid_stop_one_impact_passage_5, in_rows, 3, 5,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_passage_6", "(5),(7),(2)->(2,4),(6),(2),(3,3),(4,4),(4,4)",
+     call_rigid_stop_one_impact_passage_6, in_rows, 3, 6,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_flow_free_1", "(5),(7),(),(4)->(4)",
+     call_rigid_stop_one_impact_flow_free_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_reduced_1", "(5),(7)->(2)",
+     call_rigid_stop_one_impact_reduced_1, in_rows, 2, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_reduced_2", "(5),(7)->(2),(1)",
+     call_rigid_stop_one_impact_reduced_2, in_rows, 2, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_solve", "(5)->(2),(),(),(),()",
+     call_rigid_stop_one_impact_solve, in_columns, 1, 5,
+     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+    {"rigid_stop_one_impact_admissible", "(5),(2)->(),(),()",
+     call_rigid_stop_one_impact_admissible, one_point, 2, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_directions", "(5),(2)->(3,5)",
+     call_rigid_stop_one_impact_directions, in_columns, 2, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {15, 2, 5, NPY_DOUBLE}}},
+    {"elastic_stop_spectrum_1", "(5)->(12)",
+     call_elastic_stop_spectrum_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_spectrum_2", "(5)->(12),(12,5)",
+     call_elastic_stop_spectrum_2, in_rows, 1, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}}},
+    {"elastic_stop_flow_contact_1", "(5),(12),(),(4)->(4)",
+     call_elastic_stop_flow_contact_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_flow_free_1", "(5),(12),(),(4)->(4)",
+     call_elastic_stop_flow_free_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_fields_1", "(5)->(8,5)",
+     call_elastic_stop_fields_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {40, 2, 5, NPY_DOUBLE}}},
+    {"elastic_stop_rows_1", "(5)->(5,5)",
+     call_elastic_stop_rows_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}}},
+    {"elastic_stop_resets_1", "(5)->(4,5)",
+     call_elastic_stop_resets_1, in_rows, 1, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}}},
+    {"elastic_stop_modes_1", "(5),(12)->(6,2)",
+     call_elastic_stop_modes_1, in_rows, 2, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {12, 2, 2, NPY_DOUBLE}}},
+    {"elastic_stop_modes_2", "(5),(12)->(6,2),(40,5)",
+     call_elastic_stop_modes_2, in_rows, 2, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {12, 2, 2, NPY_DOUBLE}, {200, 2, 5, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_equations_1", "(6),(12),(4)->(4)",
+     call_elastic_stop_one_contact_equations_1, in_rows, 3, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_equations_2", "(6),(12),(4)->(4),(4,4)",
+     call_elastic_stop_one_contact_equations_2, in_rows, 3, 2,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_equations_3", "(6),(12),(4),(12,5)->(4),(4,4),(4,6)",
+     call_elastic_stop_one_contact_equations_3, in_rows, 4, 3,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}, {24, 2, 6, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_trace_1", "(6),(12),(4)->()",
+     call_elastic_stop_one_contact_trace_1, in_rows, 3, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_trace_2", "(6),(12),(4),(12,5)->(),(10)",
+     call_elastic_stop_one_contact_trace_2, in_rows, 4, 2,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {10, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_passage_1", "(6),(12),(4)->(3,4)",
+     call_elastic_stop_one_contact_passage_1, in_rows, 3, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_passage_2", "(6),(12),(4)->(3,4),(12)",
+     call_elastic_stop_one_contact_passage_2, in_rows, 3, 2,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_passage_3", "(6),(12),(4)->(3,4),(12),(4)",
+     call_elastic_stop_one_contact_passage_3, in_rows, 3, 3,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_passage_4", "(6),(12),(4)->(3,4),(12),(4),(3,3)",
+     call_elastic_stop_one_contact_passage_4, in_rows, 3, 4,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_passage_5", "(6),(12),(4)->(3,4),(12),(4),(3,3),(8,4)",
+     call_elastic_stop_one_contact_passage_5, in_rows, 3, 5,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_passage_6", "(6),(12),(4)->(3,4),(12),(4),(3,3),(8,4),(4,4)",
+     call_elastic_stop_one_contact_passage_6, in_rows, 3, 6,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_flow_contact_1", "(6),(12),(),(4)->(4)",
+     call_elastic_stop_one_contact_flow_contact_1, in_rows, 4, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_flow_free_1", "(6),(12),(),(4)->(4)",
+     call_elastic_stop_one_contact_flow_free_1, in_rows, 4, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_reduced_1", "(6),(12),(1)->(4)",
+     call_elastic_stop_one_contact_reduced_1, in_rows, 3, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_reduced_2", "(6),(12),(1)->(4),(1)",
+     call_elastic_stop_one_contact_reduced_2, in_rows, 3, 2,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_reduced_3", "(6),(12),(1)->(4),(1),(1)",
+     call_elastic_stop_one_contact_reduced_3, in_rows, 3, 3,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_reduced_4", "(6),(12),(1)->(4),(1),(1),(1,1)",
+     call_elastic_stop_one_contact_reduced_4, in_rows, 3, 4,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 2, 1, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_solve", "(6),(1)->(4),(),(),(),()",
+     call_elastic_stop_one_contact_solve, in_columns, 2, 5,
+     {{6, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+    {"elastic_stop_one_contact_admissible", "(6),(4)->(),(),()",
+     call_elastic_stop_one_contact_admissible, one_point, 2, 3,
+     {{6, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_directions", "(6),(4)->(5,6)",
+     call_elastic_stop_one_contact_directions, in_columns, 2, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {30, 2, 6, NPY_DOUBLE}}},
+    {"dry_friction_spectrum_1", "(2)->(7)",
+     call_dry_friction_spectrum_1, in_rows, 1, 1,
+     {{2, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_spectrum_2", "(2)->(7),(7,2)",
+     call_dry_friction_spectrum_2, in_rows, 1, 2,
+     {{2, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_flow_slip_slip_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_slip_slip_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_slip_stick_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_slip_stick_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_slip_overshoot_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_slip_overshoot_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_stick_slip_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_stick_slip_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_stick_stick_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_stick_stick_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_stick_overshoot_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_stick_overshoot_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_overshoot_slip_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_overshoot_slip_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_overshoot_stick_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_overshoot_stick_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_flow_overshoot_overshoot_1", "(7),(7),(),(4)->(4)",
+     call_dry_friction_flow_overshoot_overshoot_1, in_rows, 4, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_fields_1", "(7)->(36,5)",
+     call_dry_friction_fields_1, in_rows, 1, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {180, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_rows_1", "(7)->(17,5)",
+     call_dry_friction_rows_1, in_rows, 1, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {85, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_resets_1", "(7)->(16,5)",
+     call_dry_friction_resets_1, in_rows, 1, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {80, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_modes_1", "(7),(7)->(21,2)",
+     call_dry_friction_modes_1, in_rows, 2, 1,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {42, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_modes_2", "(7),(7)->(21,2),(152,5)",
+     call_dry_friction_modes_2, in_rows, 2, 2,
+     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {42, 2, 2, NPY_DOUBLE}, {760, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_equations_1", "(4),(7),(5)->(5)",
+     call_dry_friction_symmetric_equations_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_equations_2", "(4),(7),(5)->(5),(5,5)",
+     call_dry_friction_symmetric_equations_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_equations_3", "(4),(7),(5),(7,2)->(5),(5,5),(5,4)",
+     call_dry_friction_symmetric_equations_3, in_rows, 4, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_trace_1", "(4),(7),(5)->()",
+     call_dry_friction_symmetric_trace_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_trace_2", "(4),(7),(5),(7,2)->(),(9)",
+     call_dry_friction_symmetric_trace_2, in_rows, 4, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {9, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_passage_1", "(4),(7),(5)->(3,4)",
+     call_dry_friction_symmetric_passage_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_passage_2", "(4),(7),(5)->(3,4),(24)",
+     call_dry_friction_symmetric_passage_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_passage_3", "(4),(7),(5)->(3,4),(24),(3)",
+     call_dry_friction_symmetric_passage_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_passage_4", "(4),(7),(5)->(3,4),(24),(3),(2,2)",
+     call_dry_friction_symmetric_passage_4, in_rows, 3, 4,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_passage_5", "(4),(7),(5)->(3,4),(24),(3),(2,2),(8,4)",
+     call_dry_friction_symmetric_passage_5, in_rows, 3, 5,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_passage_6", "(4),(7),(5)->(3,4),(24),(3),(2,2),(8,4),(4,4)",
+     call_dry_friction_symmetric_passage_6, in_rows, 3, 6,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
+     call_dry_friction_symmetric_flow_slip_slip_1, in_rows, 4, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_flow_slip_stick_1", "(4),(7),(),(4)->(4)",
+     call_dry_friction_symmetric_flow_slip_stick_1, in_rows, 4, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_reduced_1", "(4),(7),(2)->(5)",
+     call_dry_friction_symmetric_reduced_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_reduced_2", "(4),(7),(2)->(5),(1)",
+     call_dry_friction_symmetric_reduced_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_reduced_3", "(4),(7),(2)->(5),(1),(2)",
+     call_dry_friction_symmetric_reduced_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_reduced_4", "(4),(7),(2)->(5),(1),(2),(2,2)",
+     call_dry_friction_symmetric_reduced_4, in_rows, 3, 4,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_equations_1", "(5),(7),(6)->(6)",
+     call_dry_friction_global_stick_equations_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_equations_2", "(5),(7),(6)->(6),(6,6)",
+     call_dry_friction_global_stick_equations_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_equations_3", "(5),(7),(6),(7,2)->(6),(6,6),(6,5)",
+     call_dry_friction_global_stick_equations_3, in_rows, 4, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}, {30, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_trace_1", "(5),(7),(6)->()",
+     call_dry_friction_global_stick_trace_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_trace_2", "(5),(7),(6),(7,2)->(),(11)",
+     call_dry_friction_global_stick_trace_2, in_rows, 4, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {11, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_passage_1", "(5),(7),(6)->(5,4)",
+     call_dry_friction_global_stick_passage_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_passage_2", "(5),(7),(6)->(5,4),(44)",
+     call_dry_friction_global_stick_passage_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_passage_3", "(5),(7),(6)->(5,4),(44),(4)",
+     call_dry_friction_global_stick_passage_3, in_rows, 3, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_passage_4", "(5),(7),(6)->(5,4),(44),(4),(2,2)",
+     call_dry_friction_global_stick_passage_4, in_rows, 3, 4,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_passage_5", "(5),(7),(6)->(5,4),(44),(4),(2,2),(16,4)",
+     call_dry_friction_global_stick_passage_5, in_rows, 3, 5,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_passage_6", "(5),(7),(6)->(5,4),(44),(4),(2,2),(16,4),(4,4)",
+     call_dry_friction_global_stick_passage_6, in_rows, 3, 6,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_flow_stick_stick_1", "(5),(7),(),(4)->(4)",
+     call_dry_friction_global_stick_flow_stick_stick_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_flow_slip_stick_1", "(5),(7),(),(4)->(4)",
+     call_dry_friction_global_stick_flow_slip_stick_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_flow_slip_slip_1", "(5),(7),(),(4)->(4)",
+     call_dry_friction_global_stick_flow_slip_slip_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_flow_stick_slip_1", "(5),(7),(),(4)->(4)",
+     call_dry_friction_global_stick_flow_stick_slip_1, in_rows, 4, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_reduced_1", "(5),(7),(2)->(6)",
+     call_dry_friction_global_stick_reduced_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_reduced_2", "(5),(7),(2)->(6),(2)",
+     call_dry_friction_global_stick_reduced_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_reduced_3", "(5),(7),(2)->(6),(2),(2,2)",
+     call_dry_friction_global_stick_reduced_3, in_rows, 3, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_equations_1", "(4),(7),(6)->(6)",
+     call_dry_friction_solution_ii_equations_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_equations_2", "(4),(7),(6)->(6),(6,6)",
+     call_dry_friction_solution_ii_equations_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_equations_3", "(4),(7),(6),(7,2)->(6),(6,6),(6,4)",
+     call_dry_friction_solution_ii_equations_3, in_rows, 4, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}, {24, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_trace_1", "(4),(7),(6)->()",
+     call_dry_friction_solution_ii_trace_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_trace_2", "(4),(7),(6),(7,2)->(),(10)",
+     call_dry_friction_solution_ii_trace_2, in_rows, 4, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {10, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_passage_1", "(4),(7),(6)->(5,4)",
+     call_dry_friction_solution_ii_passage_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_passage_2", "(4),(7),(6)->(5,4),(44)",
+     call_dry_friction_solution_ii_passage_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_passage_3", "(4),(7),(6)->(5,4),(44),(4)",
+     call_dry_friction_solution_ii_passage_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_passage_4", "(4),(7),(6)->(5,4),(44),(4),(2,2)",
+     call_dry_friction_solution_ii_passage_4, in_rows, 3, 4,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_passage_5", "(4),(7),(6)->(5,4),(44),(4),(2,2),(16,4)",
+     call_dry_friction_solution_ii_passage_5, in_rows, 3, 5,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_passage_6", "(4),(7),(6)->(5,4),(44),(4),(2,2),(16,4),(4,4)",
+     call_dry_friction_solution_ii_passage_6, in_rows, 3, 6,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_flow_stick_stick_1", "(4),(7),(),(4)->(4)",
+     call_dry_friction_solution_ii_flow_stick_stick_1, in_rows, 4, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_flow_slip_stick_1", "(4),(7),(),(4)->(4)",
+     call_dry_friction_solution_ii_flow_slip_stick_1, in_rows, 4, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
+     call_dry_friction_solution_ii_flow_slip_slip_1, in_rows, 4, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_flow_stick_slip_1", "(4),(7),(),(4)->(4)",
+     call_dry_friction_solution_ii_flow_stick_slip_1, in_rows, 4, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_reduced_1", "(4),(7),(3)->(6)",
+     call_dry_friction_solution_ii_reduced_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_reduced_2", "(4),(7),(3)->(6),(3)",
+     call_dry_friction_solution_ii_reduced_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_reduced_3", "(4),(7),(3)->(6),(3),(3,3)",
+     call_dry_friction_solution_ii_reduced_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_solve", "(4),(2)->(5),(),(),(),()",
+     call_dry_friction_symmetric_solve, in_columns, 2, 5,
+     {{4, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+    {"dry_friction_symmetric_admissible", "(4),(5)->(1),(),(),()",
+     call_dry_friction_symmetric_admissible, one_point, 2, 4,
+     {{4, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_directions", "(4),(5)->(6,4)",
+     call_dry_friction_symmetric_directions, in_columns, 2, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {24, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_solve", "(5),(2)->(6),(),(),(),()",
+     call_dry_friction_global_stick_solve, in_columns, 2, 5,
+     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+    {"dry_friction_global_stick_admissible", "(5),(6)->(2),(),(),()",
+     call_dry_friction_global_stick_admissible, one_point, 2, 4,
+     {{5, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_directions", "(5),(6)->(7,5)",
+     call_dry_friction_global_stick_directions, in_columns, 2, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {35, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_solve", "(4),(3)->(6),(),(),(),()",
+     call_dry_friction_solution_ii_solve, in_columns, 2, 5,
+     {{4, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+    {"dry_friction_solution_ii_admissible", "(4),(6)->(2),(),(),()",
+     call_dry_friction_solution_ii_admissible, one_point, 2, 4,
+     {{4, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
 };
 enum { function_count = sizeof functions / sizeof *functions };
 static PyUFuncGenericFunction loops[function_count];
 static void *data[function_count];
+static char types[function_count][most_arrays];
 
 static int add_all(PyObject *module)
 {
@@ -3381,18 +1327,21 @@ static int add_all(PyObject *module)
     import_umath1(-1);
     for (int i = 0; i < function_count; ++i) {
         const wrapped *const f = &functions[i];
-        loops[i] = f->loop;
+        loops[i] = loop;
+        data[i] = (void *)f;
+        for (int k = 0; k < f->inputs + f->outputs; ++k)
+            types[i][k] = (char)f->arrays[k].type;
         PyObject *const ufunc = PyUFunc_FromFuncAndDataAndSignature(
-            &loops[i], &data[i], (char *)f->types, 1, f->inputs, f->outputs, PyUFunc_None, f->name,
-            NULL, 0, f->signature);
+            &loops[i], &data[i], types[i], 1, f->inputs, f->outputs, PyUFunc_None, f->name, NULL,
+            0, f->signature);
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "76fb1bebde21ace6") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "90747bf74ee5ccb4") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "ac22722cc176f8d2") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "2611b2928ebfb50d") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "e3765aa45fa93668") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "bccb0032b771c299") < 0)
         return -1;
     return 0;
 }

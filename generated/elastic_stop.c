@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation ac22722cc176f8d2 */
+ * SymPy 1.14.0, derivation 2611b2928ebfb50d */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -10,9 +10,10 @@
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Takes parameters (5); gives spectrum (12), derivatives (12, 5), row by row.
+ * An output that is NULL is not wanted.
  * Operations: 310. Intermediate terms: 144. */
 void elastic_stop_spectrum(
-    const double parameters[5], double spectrum[12], double derivatives[60])
+    const double parameters[5], double *spectrum, double *derivatives)
 {
     const double k1 = parameters[0];
     const double k2 = parameters[1];
@@ -60,6 +61,22 @@ void elastic_stop_spectrum(
     const double p5 = -t18*t25;
     const double t27 = t0*t25;
     const double p6 = -k1*t27;
+    if (spectrum) {
+        spectrum[0] = gap1;
+        spectrum[1] = omega1;
+        spectrum[2] = omega2;
+        spectrum[3] = p1;
+        spectrum[4] = p2;
+        spectrum[5] = p3;
+        spectrum[6] = gap2;
+        spectrum[7] = omega3;
+        spectrum[8] = omega4;
+        spectrum[9] = p4;
+        spectrum[10] = p5;
+        spectrum[11] = p6;
+    }
+    if (!derivatives)
+        return;
     /* d/dk1 of: spectrum */
     const double t28 = -2*t0 + 2*t3;
     const double t29 = 8*t0*t18;
@@ -169,78 +186,68 @@ void elastic_stop_spectrum(
     const double t77 = gap2_by_m2*t46;
     const double p5_by_m2 = t18*t77;
     const double p6_by_m2 = t25*t75 + t51*t77;
-    spectrum[0] = gap1;
-    spectrum[1] = omega1;
-    spectrum[2] = omega2;
-    spectrum[3] = p1;
-    spectrum[4] = p2;
-    spectrum[5] = p3;
-    spectrum[6] = gap2;
-    spectrum[7] = omega3;
-    spectrum[8] = omega4;
-    spectrum[9] = p4;
-    spectrum[10] = p5;
-    spectrum[11] = p6;
-    derivatives[0] = gap1_by_k1;
-    derivatives[1] = gap1_by_k2;
-    derivatives[2] = gap1_by_k3;
-    derivatives[3] = gap1_by_m1;
-    derivatives[4] = gap1_by_m2;
-    derivatives[5] = omega1_by_k1;
-    derivatives[6] = omega1_by_k2;
-    derivatives[7] = omega1_by_k3;
-    derivatives[8] = omega1_by_m1;
-    derivatives[9] = omega1_by_m2;
-    derivatives[10] = omega2_by_k1;
-    derivatives[11] = omega2_by_k2;
-    derivatives[12] = omega2_by_k3;
-    derivatives[13] = omega2_by_m1;
-    derivatives[14] = omega2_by_m2;
-    derivatives[15] = p1_by_k1;
-    derivatives[16] = p1_by_k2;
-    derivatives[17] = p1_by_k3;
-    derivatives[18] = p1_by_m1;
-    derivatives[19] = p1_by_m2;
-    derivatives[20] = p2_by_k1;
-    derivatives[21] = p2_by_k2;
-    derivatives[22] = p2_by_k3;
-    derivatives[23] = p2_by_m1;
-    derivatives[24] = p2_by_m2;
-    derivatives[25] = p3_by_k1;
-    derivatives[26] = p3_by_k2;
-    derivatives[27] = p3_by_k3;
-    derivatives[28] = p3_by_m1;
-    derivatives[29] = p3_by_m2;
-    derivatives[30] = gap2_by_k1;
-    derivatives[31] = gap2_by_k2;
-    derivatives[32] = 0;
-    derivatives[33] = gap2_by_m1;
-    derivatives[34] = gap2_by_m2;
-    derivatives[35] = omega3_by_k1;
-    derivatives[36] = omega3_by_k2;
-    derivatives[37] = 0;
-    derivatives[38] = omega3_by_m1;
-    derivatives[39] = omega3_by_m2;
-    derivatives[40] = omega4_by_k1;
-    derivatives[41] = omega4_by_k2;
-    derivatives[42] = 0;
-    derivatives[43] = omega4_by_m1;
-    derivatives[44] = omega4_by_m2;
-    derivatives[45] = p4_by_k1;
-    derivatives[46] = p4_by_k2;
-    derivatives[47] = 0;
-    derivatives[48] = p4_by_m1;
-    derivatives[49] = p4_by_m2;
-    derivatives[50] = p5_by_k1;
-    derivatives[51] = p5_by_k2;
-    derivatives[52] = 0;
-    derivatives[53] = p5_by_m1;
-    derivatives[54] = p5_by_m2;
-    derivatives[55] = p6_by_k1;
-    derivatives[56] = p6_by_k2;
-    derivatives[57] = 0;
-    derivatives[58] = p6_by_m1;
-    derivatives[59] = p6_by_m2;
+    if (derivatives) {
+        derivatives[0] = gap1_by_k1;
+        derivatives[1] = gap1_by_k2;
+        derivatives[2] = gap1_by_k3;
+        derivatives[3] = gap1_by_m1;
+        derivatives[4] = gap1_by_m2;
+        derivatives[5] = omega1_by_k1;
+        derivatives[6] = omega1_by_k2;
+        derivatives[7] = omega1_by_k3;
+        derivatives[8] = omega1_by_m1;
+        derivatives[9] = omega1_by_m2;
+        derivatives[10] = omega2_by_k1;
+        derivatives[11] = omega2_by_k2;
+        derivatives[12] = omega2_by_k3;
+        derivatives[13] = omega2_by_m1;
+        derivatives[14] = omega2_by_m2;
+        derivatives[15] = p1_by_k1;
+        derivatives[16] = p1_by_k2;
+        derivatives[17] = p1_by_k3;
+        derivatives[18] = p1_by_m1;
+        derivatives[19] = p1_by_m2;
+        derivatives[20] = p2_by_k1;
+        derivatives[21] = p2_by_k2;
+        derivatives[22] = p2_by_k3;
+        derivatives[23] = p2_by_m1;
+        derivatives[24] = p2_by_m2;
+        derivatives[25] = p3_by_k1;
+        derivatives[26] = p3_by_k2;
+        derivatives[27] = p3_by_k3;
+        derivatives[28] = p3_by_m1;
+        derivatives[29] = p3_by_m2;
+        derivatives[30] = gap2_by_k1;
+        derivatives[31] = gap2_by_k2;
+        derivatives[32] = 0;
+        derivatives[33] = gap2_by_m1;
+        derivatives[34] = gap2_by_m2;
+        derivatives[35] = omega3_by_k1;
+        derivatives[36] = omega3_by_k2;
+        derivatives[37] = 0;
+        derivatives[38] = omega3_by_m1;
+        derivatives[39] = omega3_by_m2;
+        derivatives[40] = omega4_by_k1;
+        derivatives[41] = omega4_by_k2;
+        derivatives[42] = 0;
+        derivatives[43] = omega4_by_m1;
+        derivatives[44] = omega4_by_m2;
+        derivatives[45] = p4_by_k1;
+        derivatives[46] = p4_by_k2;
+        derivatives[47] = 0;
+        derivatives[48] = p4_by_m1;
+        derivatives[49] = p4_by_m2;
+        derivatives[50] = p5_by_k1;
+        derivatives[51] = p5_by_k2;
+        derivatives[52] = 0;
+        derivatives[53] = p5_by_m1;
+        derivatives[54] = p5_by_m2;
+        derivatives[55] = p6_by_k1;
+        derivatives[56] = p6_by_k2;
+        derivatives[57] = 0;
+        derivatives[58] = p6_by_m1;
+        derivatives[59] = p6_by_m2;
+    }
 }
 
 /* State after a time in contact.
@@ -262,7 +269,7 @@ void elastic_stop_flow_contact(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
     const double t2 = (1.0/(omega1));
@@ -311,7 +318,7 @@ void elastic_stop_flow_free(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = (1.0/(omega3));
     const double t1 = omega3*t;
     const double t2 = sin(t1);
@@ -345,52 +352,27 @@ void elastic_stop_fields(
     const double k1 = parameters[2];
     const double k2 = parameters[3];
     const double k3 = parameters[4];
-    /* outputs */
+    /* fields */
     const double t0 = (1.0/(m1));
     const double t1 = k1*t0;
     const double t2 = (1.0/(m2));
     const double t3 = k1*t2;
     const double t4 = -t2*(k1 + k2);
-    fields[0] = 0;
-    fields[1] = 0;
-    fields[2] = 1;
-    fields[3] = 0;
-    fields[4] = 0;
-    fields[5] = 0;
-    fields[6] = 0;
-    fields[7] = 0;
-    fields[8] = 1;
-    fields[9] = 0;
-    fields[10] = -t0*(k1 + k3);
-    fields[11] = t1;
-    fields[12] = 0;
-    fields[13] = 0;
-    fields[14] = k3*t0;
-    fields[15] = t3;
-    fields[16] = t4;
-    fields[17] = 0;
-    fields[18] = 0;
-    fields[19] = 0;
-    fields[20] = 0;
-    fields[21] = 0;
-    fields[22] = 1;
-    fields[23] = 0;
-    fields[24] = 0;
-    fields[25] = 0;
-    fields[26] = 0;
-    fields[27] = 0;
-    fields[28] = 1;
-    fields[29] = 0;
-    fields[30] = -t1;
-    fields[31] = t1;
-    fields[32] = 0;
-    fields[33] = 0;
-    fields[34] = 0;
-    fields[35] = t3;
-    fields[36] = t4;
-    fields[37] = 0;
-    fields[38] = 0;
-    fields[39] = 0;
+    static const unsigned char nonsmooth_fields_places[] = {
+        0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 4, 5, 6, 0, 0, 0, 0, 0, 1, 0, 0,
+        0, 0, 0, 1, 0, 7, 3, 0, 0, 0, 5, 6, 0, 0, 0,
+    };
+    double nonsmooth_fields_values[8];
+    nonsmooth_fields_values[0] = 0;
+    nonsmooth_fields_values[1] = 1;
+    nonsmooth_fields_values[2] = -t0*(k1 + k3);
+    nonsmooth_fields_values[3] = t1;
+    nonsmooth_fields_values[4] = k3*t0;
+    nonsmooth_fields_values[5] = t3;
+    nonsmooth_fields_values[6] = t4;
+    nonsmooth_fields_values[7] = -t1;
+    for (int i = 0; i < 40; ++i)
+        fields[i] = nonsmooth_fields_values[nonsmooth_fields_places[i]];
 }
 
 /* Affine functions of the state: gradients, constants last.
@@ -458,9 +440,10 @@ void elastic_stop_resets(
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
  * Takes parameters (5), spectrum (12); gives exponents (6, 2), coefficients (40, 5), row by row.
+ * An output that is NULL is not wanted.
  * Operations: 104. Intermediate terms: 20. */
 void elastic_stop_modes(
-    const double parameters[5], const double spectrum[12], double exponents[12], double coefficients[200])
+    const double parameters[5], const double spectrum[12], double *exponents, double *coefficients)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -475,7 +458,23 @@ void elastic_stop_modes(
     const double p4 = spectrum[9];
     const double p5 = spectrum[10];
     const double p6 = spectrum[11];
-    /* outputs */
+    if (exponents) {
+        exponents[0] = 0;
+        exponents[1] = 0;
+        exponents[2] = 0;
+        exponents[3] = omega1;
+        exponents[4] = 0;
+        exponents[5] = omega2;
+        exponents[6] = 0;
+        exponents[7] = 0;
+        exponents[8] = 0;
+        exponents[9] = omega3;
+        exponents[10] = 0;
+        exponents[11] = omega4;
+    }
+    if (!coefficients)
+        return;
+    /* coefficients */
     const double t0 = k1*k3;
     const double t1 = k2*k3 + t0;
     const double t2 = (1.0/((k1*k2 + t1)));
@@ -496,298 +495,84 @@ void elastic_stop_modes(
     const double t20 = 1 - p4;
     const double t21 = (1.0/(omega3));
     const double t24 = (1.0/(omega4));
-    exponents[0] = 0;
-    exponents[1] = 0;
-    exponents[2] = 0;
-    exponents[3] = omega1;
-    exponents[4] = 0;
-    exponents[5] = omega2;
-    exponents[6] = 0;
-    exponents[7] = 0;
-    exponents[8] = 0;
-    exponents[9] = omega3;
-    exponents[10] = 0;
-    exponents[11] = omega4;
-    coefficients[0] = 0;
-    coefficients[1] = 0;
-    coefficients[2] = 0;
-    coefficients[3] = 0;
-    coefficients[4] = t3;
-    coefficients[5] = 0;
-    coefficients[6] = 0;
-    coefficients[7] = 0;
-    coefficients[8] = 0;
-    coefficients[9] = t4;
-    coefficients[10] = 0;
-    coefficients[11] = 0;
-    coefficients[12] = 0;
-    coefficients[13] = 0;
-    coefficients[14] = 0;
-    coefficients[15] = 0;
-    coefficients[16] = 0;
-    coefficients[17] = 0;
-    coefficients[18] = 0;
-    coefficients[19] = 0;
-    coefficients[20] = p1;
-    coefficients[21] = p2;
-    coefficients[22] = 0;
-    coefficients[23] = 0;
-    coefficients[24] = -p1*t3 - t5;
-    coefficients[25] = p3;
-    coefficients[26] = -t6;
-    coefficients[27] = 0;
-    coefficients[28] = 0;
-    coefficients[29] = t4*t6 + t8;
-    coefficients[30] = 0;
-    coefficients[31] = 0;
-    coefficients[32] = p1;
-    coefficients[33] = p2;
-    coefficients[34] = 0;
-    coefficients[35] = 0;
-    coefficients[36] = 0;
-    coefficients[37] = p3;
-    coefficients[38] = -t6;
-    coefficients[39] = 0;
-    coefficients[40] = 0;
-    coefficients[41] = 0;
-    coefficients[42] = p1*t9;
-    coefficients[43] = p2*t9;
-    coefficients[44] = 0;
-    coefficients[45] = 0;
-    coefficients[46] = 0;
-    coefficients[47] = p3*t9;
-    coefficients[48] = -t6*t9;
-    coefficients[49] = 0;
-    coefficients[50] = -t10;
-    coefficients[51] = -t11;
-    coefficients[52] = 0;
-    coefficients[53] = 0;
-    coefficients[54] = t10*t3 + t11*t4;
-    coefficients[55] = -t12;
-    coefficients[56] = -t13;
-    coefficients[57] = 0;
-    coefficients[58] = 0;
-    coefficients[59] = t12*t3 + t13*t4;
-    coefficients[60] = -t6;
-    coefficients[61] = -p2;
-    coefficients[62] = 0;
-    coefficients[63] = 0;
-    coefficients[64] = t3*t6 + t5;
-    coefficients[65] = -p3;
-    coefficients[66] = p1;
-    coefficients[67] = 0;
-    coefficients[68] = 0;
-    coefficients[69] = -p1*t4 - t8;
-    coefficients[70] = 0;
-    coefficients[71] = 0;
-    coefficients[72] = -t6;
-    coefficients[73] = -p2;
-    coefficients[74] = 0;
-    coefficients[75] = 0;
-    coefficients[76] = 0;
-    coefficients[77] = -p3;
-    coefficients[78] = p1;
-    coefficients[79] = 0;
-    coefficients[80] = 0;
-    coefficients[81] = 0;
-    coefficients[82] = -t16*t6;
-    coefficients[83] = -p2*t16;
-    coefficients[84] = 0;
-    coefficients[85] = 0;
-    coefficients[86] = 0;
-    coefficients[87] = -p3*t16;
-    coefficients[88] = p1*t16;
-    coefficients[89] = 0;
-    coefficients[90] = omega2*t6;
-    coefficients[91] = t17;
-    coefficients[92] = 0;
-    coefficients[93] = 0;
-    coefficients[94] = -omega2*t1*t2*t6 - t17*t4;
-    coefficients[95] = t18;
-    coefficients[96] = -t19;
-    coefficients[97] = 0;
-    coefficients[98] = 0;
-    coefficients[99] = -t18*t3 + t19*t4;
-    coefficients[100] = 0;
-    coefficients[101] = 0;
-    coefficients[102] = 0;
-    coefficients[103] = 0;
-    coefficients[104] = 0;
-    coefficients[105] = 0;
-    coefficients[106] = 0;
-    coefficients[107] = 0;
-    coefficients[108] = 0;
-    coefficients[109] = 0;
-    coefficients[110] = 0;
-    coefficients[111] = 0;
-    coefficients[112] = 0;
-    coefficients[113] = 0;
-    coefficients[114] = 0;
-    coefficients[115] = 0;
-    coefficients[116] = 0;
-    coefficients[117] = 0;
-    coefficients[118] = 0;
-    coefficients[119] = 0;
-    coefficients[120] = p4;
-    coefficients[121] = p5;
-    coefficients[122] = 0;
-    coefficients[123] = 0;
-    coefficients[124] = 0;
-    coefficients[125] = p6;
-    coefficients[126] = t20;
-    coefficients[127] = 0;
-    coefficients[128] = 0;
-    coefficients[129] = 0;
-    coefficients[130] = 0;
-    coefficients[131] = 0;
-    coefficients[132] = p4;
-    coefficients[133] = p5;
-    coefficients[134] = 0;
-    coefficients[135] = 0;
-    coefficients[136] = 0;
-    coefficients[137] = p6;
-    coefficients[138] = t20;
-    coefficients[139] = 0;
-    coefficients[140] = 0;
-    coefficients[141] = 0;
-    coefficients[142] = p4*t21;
-    coefficients[143] = p5*t21;
-    coefficients[144] = 0;
-    coefficients[145] = 0;
-    coefficients[146] = 0;
-    coefficients[147] = p6*t21;
-    coefficients[148] = t20*t21;
-    coefficients[149] = 0;
-    coefficients[150] = -omega3*p4;
-    coefficients[151] = -omega3*p5;
-    coefficients[152] = 0;
-    coefficients[153] = 0;
-    coefficients[154] = 0;
-    coefficients[155] = -omega3*p6;
-    coefficients[156] = -omega3*t20;
-    coefficients[157] = 0;
-    coefficients[158] = 0;
-    coefficients[159] = 0;
-    coefficients[160] = t20;
-    coefficients[161] = -p5;
-    coefficients[162] = 0;
-    coefficients[163] = 0;
-    coefficients[164] = 0;
-    coefficients[165] = -p6;
-    coefficients[166] = p4;
-    coefficients[167] = 0;
-    coefficients[168] = 0;
-    coefficients[169] = 0;
-    coefficients[170] = 0;
-    coefficients[171] = 0;
-    coefficients[172] = t20;
-    coefficients[173] = -p5;
-    coefficients[174] = 0;
-    coefficients[175] = 0;
-    coefficients[176] = 0;
-    coefficients[177] = -p6;
-    coefficients[178] = p4;
-    coefficients[179] = 0;
-    coefficients[180] = 0;
-    coefficients[181] = 0;
-    coefficients[182] = t20*t24;
-    coefficients[183] = -p5*t24;
-    coefficients[184] = 0;
-    coefficients[185] = 0;
-    coefficients[186] = 0;
-    coefficients[187] = -p6*t24;
-    coefficients[188] = p4*t24;
-    coefficients[189] = 0;
-    coefficients[190] = -omega4*t20;
-    coefficients[191] = omega4*p5;
-    coefficients[192] = 0;
-    coefficients[193] = 0;
-    coefficients[194] = 0;
-    coefficients[195] = omega4*p6;
-    coefficients[196] = -omega4*p4;
-    coefficients[197] = 0;
-    coefficients[198] = 0;
-    coefficients[199] = 0;
+    if (coefficients) {
+        static const unsigned char nonsmooth_coefficients_places[] = {
+            0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4, 0, 0, 5,
+            6, 7, 0, 0, 8, 0, 0, 3, 4, 0, 0, 0, 6, 7, 0, 0, 0, 9, 10, 0, 0, 0, 11, 12, 0,
+            13, 14, 0, 0, 15, 16, 17, 0, 0, 18, 7, 19, 0, 0, 20, 21, 3, 0, 0, 22, 0, 0, 7, 19, 0,
+            0, 0, 21, 3, 0, 0, 0, 23, 24, 0, 0, 0, 25, 26, 0, 27, 28, 0, 0, 29, 30, 31, 0, 0, 32,
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 33, 34, 0, 0, 0,
+            35, 36, 0, 0, 0, 0, 0, 33, 34, 0, 0, 0, 35, 36, 0, 0, 0, 37, 38, 0, 0, 0, 39, 40, 0,
+            41, 42, 0, 0, 0, 43, 44, 0, 0, 0, 36, 45, 0, 0, 0, 46, 33, 0, 0, 0, 0, 0, 36, 45, 0,
+            0, 0, 46, 33, 0, 0, 0, 47, 48, 0, 0, 0, 49, 50, 0, 51, 52, 0, 0, 0, 53, 54, 0, 0, 0,
+        };
+        double nonsmooth_coefficients_values[55];
+        nonsmooth_coefficients_values[0] = 0;
+        nonsmooth_coefficients_values[1] = t3;
+        nonsmooth_coefficients_values[2] = t4;
+        nonsmooth_coefficients_values[3] = p1;
+        nonsmooth_coefficients_values[4] = p2;
+        nonsmooth_coefficients_values[5] = -p1*t3 - t5;
+        nonsmooth_coefficients_values[6] = p3;
+        nonsmooth_coefficients_values[7] = -t6;
+        nonsmooth_coefficients_values[8] = t4*t6 + t8;
+        nonsmooth_coefficients_values[9] = p1*t9;
+        nonsmooth_coefficients_values[10] = p2*t9;
+        nonsmooth_coefficients_values[11] = p3*t9;
+        nonsmooth_coefficients_values[12] = -t6*t9;
+        nonsmooth_coefficients_values[13] = -t10;
+        nonsmooth_coefficients_values[14] = -t11;
+        nonsmooth_coefficients_values[15] = t10*t3 + t11*t4;
+        nonsmooth_coefficients_values[16] = -t12;
+        nonsmooth_coefficients_values[17] = -t13;
+        nonsmooth_coefficients_values[18] = t12*t3 + t13*t4;
+        nonsmooth_coefficients_values[19] = -p2;
+        nonsmooth_coefficients_values[20] = t3*t6 + t5;
+        nonsmooth_coefficients_values[21] = -p3;
+        nonsmooth_coefficients_values[22] = -p1*t4 - t8;
+        nonsmooth_coefficients_values[23] = -t16*t6;
+        nonsmooth_coefficients_values[24] = -p2*t16;
+        nonsmooth_coefficients_values[25] = -p3*t16;
+        nonsmooth_coefficients_values[26] = p1*t16;
+        nonsmooth_coefficients_values[27] = omega2*t6;
+        nonsmooth_coefficients_values[28] = t17;
+        nonsmooth_coefficients_values[29] = -omega2*t1*t2*t6 - t17*t4;
+        nonsmooth_coefficients_values[30] = t18;
+        nonsmooth_coefficients_values[31] = -t19;
+        nonsmooth_coefficients_values[32] = -t18*t3 + t19*t4;
+        nonsmooth_coefficients_values[33] = p4;
+        nonsmooth_coefficients_values[34] = p5;
+        nonsmooth_coefficients_values[35] = p6;
+        nonsmooth_coefficients_values[36] = t20;
+        nonsmooth_coefficients_values[37] = p4*t21;
+        nonsmooth_coefficients_values[38] = p5*t21;
+        nonsmooth_coefficients_values[39] = p6*t21;
+        nonsmooth_coefficients_values[40] = t20*t21;
+        nonsmooth_coefficients_values[41] = -omega3*p4;
+        nonsmooth_coefficients_values[42] = -omega3*p5;
+        nonsmooth_coefficients_values[43] = -omega3*p6;
+        nonsmooth_coefficients_values[44] = -omega3*t20;
+        nonsmooth_coefficients_values[45] = -p5;
+        nonsmooth_coefficients_values[46] = -p6;
+        nonsmooth_coefficients_values[47] = t20*t24;
+        nonsmooth_coefficients_values[48] = -p5*t24;
+        nonsmooth_coefficients_values[49] = -p6*t24;
+        nonsmooth_coefficients_values[50] = p4*t24;
+        nonsmooth_coefficients_values[51] = -omega4*t20;
+        nonsmooth_coefficients_values[52] = omega4*p5;
+        nonsmooth_coefficients_values[53] = omega4*p6;
+        nonsmooth_coefficients_values[54] = -omega4*p4;
+        for (int i = 0; i < 200; ++i)
+            coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
+    }
 }
 
-/* Switching and periodicity equations.
- * Takes parameters (6), spectrum (12), unknowns (4); gives residual (4), row by row.
- * Operations: 121. Intermediate terms: 37. */
-void elastic_stop_one_contact_residual(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double residual[4])
-{
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* half of tau */
-    const double half_tau = (1.0/2.0)*tau;
-    /* functions of half_tau in contact */
-    const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
-    const double t1 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t1);
-    const double sin_omega2_half_tau = sin(t1);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* half of tau1 */
-    const double half_tau1 = (1.0/2.0)*tau1;
-    /* functions of half_tau1 in free */
-    const double t2 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t2);
-    const double sin_omega3_half_tau1 = sin(t2);
-    const double t3 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t3);
-    const double sin_omega4_half_tau1 = sin(t3);
-    /* outputs */
-    const double t4 = p1*u + p2*w;
-    const double t6 = k1*k2;
-    const double t7 = p1*t6;
-    const double t8 = k1*k3;
-    const double t9 = p2*t8;
-    const double t10 = t6*y;
-    const double t11 = k2*k3;
-    const double t12 = t11*y;
-    const double t13 = p2*t10 + p2*t12 + t7 + t9*y - t9;
-    const double t14 = (1.0/((t11 + t6 + t8)));
-    const double t15 = omega2*sin_omega2_half_tau*t14;
-    const double t16 = omega1*sin_omega1_half_tau*t14;
-    const double t17 = p3*u;
-    const double t18 = p1*w;
-    const double t19 = p1*t8;
-    const double t20 = p3*t6;
-    const double t21 = p4*u + p5*w;
-    const double t22 = p4 + p5*y;
-    const double t23 = omega4*sin_omega4_half_tau1;
-    const double t24 = omega3*sin_omega3_half_tau1;
-    const double t25 = p6*u;
-    const double t26 = p4*w;
-    residual[0] = cos_omega1_half_tau*t4 + cos_omega2_half_tau*(-t4 + u) - t13*t16 + t15*(t13 - t6);
-    residual[1] = cos_omega1_half_tau*(t17 - t18 + w) + cos_omega2_half_tau*(-t17 + t18) - t15*(p1*t12 + t19*y - t19 - t20 + t7*y) + t16*(k1*k2*p1*y + k1*k3*p1*y + k1*k3 + k2*k3*p1*y - t10 - t12 - t19 - t20 - t8*y);
-    residual[2] = -cos_omega3_half_tau1*t21 + cos_omega4_half_tau1*(t21 - u) - t22*t24 + t23*(t22 - 1);
-    residual[3] = cos_omega3_half_tau1*(-t25 + t26 - w) + cos_omega4_half_tau1*(t25 - t26) - t23*(p4*y - p6) + t24*(p4*y - p6 - y);
-}
-
-/* Derivatives of the equations by the unknowns.
- * Takes parameters (6), spectrum (12), unknowns (4); gives jacobian (4, 4), row by row.
- * Operations: 194. Intermediate terms: 56. */
-void elastic_stop_one_contact_jacobian(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double jacobian[16])
+/* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
+ * Takes parameters (6), spectrum (12), unknowns (4), spectrum_derivatives (12, 5); gives residual (4), jacobian (4, 4), parameter_jacobian (4, 6), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 776. Intermediate terms: 191. */
+void elastic_stop_one_contact_equations(
+    const double parameters[6], const double spectrum[12], const double unknowns[4], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -827,1153 +612,98 @@ void elastic_stop_one_contact_jacobian(
     const double t9 = half_tau1*omega4;
     const double cos_omega4_half_tau1 = cos(t9);
     const double sin_omega4_half_tau1 = sin(t9);
-    /* d/dtau of: functions of half_tau in contact */
-    const double t12 = (1.0/2.0)*omega1;
-    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12;
-    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12;
-    const double t13 = (1.0/2.0)*omega2;
-    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13;
-    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13;
-    /* d/dtau of: functions of half_tau1 in free */
-    const double t14 = (1.0/2.0)*omega3;
-    const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14;
-    const double sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t14;
-    const double t15 = (1.0/2.0)*omega4;
-    const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t15;
-    const double sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t15;
-    /* outputs */
-    const double t16 = k1*k2;
-    const double t17 = k1*k3;
-    const double t18 = k2*k3;
-    const double t19 = (1.0/((t16 + t17 + t18)));
-    const double t20 = p2*t16;
-    const double t21 = p2*t17;
-    const double t22 = p2*t18;
-    const double t23 = t20 + t21 + t22;
-    const double t24 = omega1*sin_omega1_half_tau;
-    const double t25 = 1 - p1;
-    const double t26 = p1*u + p2*w;
-    const double t29 = p1*t16;
-    const double t30 = t20*y + t21*y - t21 + t22*y + t29;
-    const double t31 = omega2*sin_omega2_half_tau_by_tau*t19;
-    const double t32 = omega1*sin_omega1_half_tau_by_tau*t19;
-    const double t34 = p1*t17;
-    const double t35 = p1*t18;
-    const double t36 = t29 + t34 + t35;
-    const double t37 = p3*u;
-    const double t38 = p1*w;
-    const double t39 = p3*t16;
-    const double t40 = omega3*sin_omega3_half_tau1;
-    const double t41 = p4 - 1;
-    const double t42 = p4*u + p5*w;
-    const double t43 = p5*y;
-    const double t44 = omega4*sin_omega4_half_tau1_by_tau;
-    const double t45 = omega3*sin_omega3_half_tau1_by_tau;
-    const double t46 = p6*u;
-    const double t47 = p4*w;
-    jacobian[0] = omega2*sin_omega2_half_tau*t19*t23 - t19*t23*t24;
-    jacobian[1] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t25;
-    jacobian[2] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-    jacobian[3] = cos_omega1_half_tau_by_tau*t26 + cos_omega2_half_tau_by_tau*(-t26 + u) - t30*t32 + t31*(-t16 + t30);
-    jacobian[4] = -omega2*sin_omega2_half_tau*t19*t36 + t19*t24*(-t16 - t17 - t18 + t36);
-    jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-    jacobian[6] = cos_omega1_half_tau*t25 + cos_omega2_half_tau*p1;
-    jacobian[7] = cos_omega1_half_tau_by_tau*(t37 - t38 + w) + cos_omega2_half_tau_by_tau*(-t37 + t38) - t31*(t29*y + t34*y - t34 + t35*y - t39) + t32*(k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t16*y - t17*y + t17 - t18*y - t34 - t39);
-    jacobian[8] = omega4*p5*sin_omega4_half_tau1 - p5*t40;
-    jacobian[9] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t41;
-    jacobian[10] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-    jacobian[11] = -cos_omega3_half_tau1_by_tau*t42 + cos_omega4_half_tau1_by_tau*(t42 - u) + t44*(t41 + t43) - t45*(p4 + t43);
-    jacobian[12] = -omega4*p4*sin_omega4_half_tau1 + t40*t41;
-    jacobian[13] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
-    jacobian[14] = cos_omega3_half_tau1*t41 - cos_omega4_half_tau1*p4;
-    jacobian[15] = cos_omega3_half_tau1_by_tau*(-t46 + t47 - w) + cos_omega4_half_tau1_by_tau*(t46 - t47) - t44*(p4*y - p6) + t45*(p4*y - p6 - y);
-}
-
-/* Equations and their derivatives by the unknowns, sharing all intermediate terms.
- * Takes parameters (6), spectrum (12), unknowns (4); gives residual (4), jacobian (4, 4), row by row.
- * Operations: 219. Intermediate terms: 71. */
-void elastic_stop_one_contact_residual_and_jacobian(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double residual[4], double jacobian[16])
-{
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* half of tau */
-    const double half_tau = (1.0/2.0)*tau;
-    /* functions of half_tau in contact */
-    const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
-    const double t3 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t3);
-    const double sin_omega2_half_tau = sin(t3);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* half of tau1 */
-    const double half_tau1 = (1.0/2.0)*tau1;
-    /* functions of half_tau1 in free */
-    const double t6 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t6);
-    const double sin_omega3_half_tau1 = sin(t6);
-    const double t9 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t9);
-    const double sin_omega4_half_tau1 = sin(t9);
-    /* d/dtau of: functions of half_tau in contact */
-    const double t12 = (1.0/2.0)*omega1;
-    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12;
-    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12;
-    const double t13 = (1.0/2.0)*omega2;
-    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13;
-    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13;
-    /* d/dtau of: functions of half_tau1 in free */
-    const double t14 = (1.0/2.0)*omega3;
-    const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14;
-    const double sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t14;
-    const double t15 = (1.0/2.0)*omega4;
-    const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t15;
-    const double sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t15;
-    /* outputs */
-    const double t16 = p1*u + p2*w;
-    const double t18 = -t16 + u;
-    const double t19 = k1*k2;
-    const double t21 = p1*t19;
-    const double t22 = k1*k3;
-    const double t23 = p2*t22;
-    const double t24 = t19*y;
-    const double t25 = k2*k3;
-    const double t26 = t25*y;
-    const double t27 = p2*t24 + p2*t26 + t21 + t23*y - t23;
-    const double t28 = -t19 + t27;
-    const double t29 = (1.0/((t19 + t22 + t25)));
-    const double t30 = omega2*t29;
-    const double t31 = sin_omega2_half_tau*t30;
-    const double t32 = omega1*t29;
-    const double t33 = sin_omega1_half_tau*t32;
-    const double t34 = p3*u;
-    const double t35 = p1*w;
-    const double t36 = t34 - t35 + w;
-    const double t37 = -t34 + t35;
-    const double t39 = p1*t22;
-    const double t40 = p3*t19;
-    const double t41 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t22*y + t22 - t24 - t26 - t39 - t40;
-    const double t42 = p1*t26 + t21*y + t39*y - t39 - t40;
-    const double t43 = p4*u + p5*w;
-    const double t45 = t43 - u;
-    const double t46 = p4 + p5*y;
-    const double t47 = t46 - 1;
-    const double t48 = omega4*sin_omega4_half_tau1;
-    const double t49 = omega3*sin_omega3_half_tau1;
-    const double t50 = p6*u;
-    const double t51 = p4*w;
-    const double t52 = -t50 + t51 - w;
-    const double t53 = t50 - t51;
-    const double t54 = p4*y - p6 - y;
-    const double t55 = p4*y - p6;
-    const double t56 = p2*t19 + p2*t25 + t23;
-    const double t57 = 1 - p1;
-    const double t58 = sin_omega2_half_tau_by_tau*t30;
-    const double t59 = sin_omega1_half_tau_by_tau*t32;
-    const double t60 = p1*t25 + t21 + t39;
-    const double t61 = p4 - 1;
-    const double t62 = omega4*sin_omega4_half_tau1_by_tau;
-    const double t63 = omega3*sin_omega3_half_tau1_by_tau;
-    residual[0] = cos_omega1_half_tau*t16 + cos_omega2_half_tau*t18 - t27*t33 + t28*t31;
-    residual[1] = cos_omega1_half_tau*t36 + cos_omega2_half_tau*t37 - t31*t42 + t33*t41;
-    residual[2] = -cos_omega3_half_tau1*t43 + cos_omega4_half_tau1*t45 - t46*t49 + t47*t48;
-    residual[3] = cos_omega3_half_tau1*t52 + cos_omega4_half_tau1*t53 - t48*t55 + t49*t54;
-    jacobian[0] = omega2*sin_omega2_half_tau*t29*t56 - t33*t56;
-    jacobian[1] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t57;
-    jacobian[2] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-    jacobian[3] = cos_omega1_half_tau_by_tau*t16 + cos_omega2_half_tau_by_tau*t18 - t27*t59 + t28*t58;
-    jacobian[4] = -t31*t60 + t33*(-t19 - t22 - t25 + t60);
-    jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-    jacobian[6] = cos_omega1_half_tau*t57 + cos_omega2_half_tau*p1;
-    jacobian[7] = cos_omega1_half_tau_by_tau*t36 + cos_omega2_half_tau_by_tau*t37 + t41*t59 - t42*t58;
-    jacobian[8] = omega4*p5*sin_omega4_half_tau1 - p5*t49;
-    jacobian[9] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t61;
-    jacobian[10] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-    jacobian[11] = -cos_omega3_half_tau1_by_tau*t43 + cos_omega4_half_tau1_by_tau*t45 - t46*t63 + t47*t62;
-    jacobian[12] = -p4*t48 + t49*t61;
-    jacobian[13] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
-    jacobian[14] = cos_omega3_half_tau1*t61 - cos_omega4_half_tau1*p4;
-    jacobian[15] = cos_omega3_half_tau1_by_tau*t52 + cos_omega4_half_tau1_by_tau*t53 + t54*t63 - t55*t62;
-}
-
-/* Total derivatives of the equations by the parameters, through the spectrum too.
- * Takes parameters (6), spectrum (12), spectrum_derivatives (12, 5), unknowns (4); gives parameter_jacobian (4, 6), row by row.
- * Operations: 655. Intermediate terms: 170. */
-void elastic_stop_one_contact_parameter_jacobian(
-    const double parameters[6], const double spectrum[12], const double spectrum_derivatives[60], const double unknowns[4], double parameter_jacobian[24])
-{
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double omega1_by_k1 = spectrum_derivatives[5];
-    const double omega1_by_k2 = spectrum_derivatives[6];
-    const double omega1_by_k3 = spectrum_derivatives[7];
-    const double omega1_by_m1 = spectrum_derivatives[8];
-    const double omega1_by_m2 = spectrum_derivatives[9];
-    const double omega2_by_k1 = spectrum_derivatives[10];
-    const double omega2_by_k2 = spectrum_derivatives[11];
-    const double omega2_by_k3 = spectrum_derivatives[12];
-    const double omega2_by_m1 = spectrum_derivatives[13];
-    const double omega2_by_m2 = spectrum_derivatives[14];
-    const double p1_by_k1 = spectrum_derivatives[15];
-    const double p1_by_k2 = spectrum_derivatives[16];
-    const double p1_by_k3 = spectrum_derivatives[17];
-    const double p1_by_m1 = spectrum_derivatives[18];
-    const double p1_by_m2 = spectrum_derivatives[19];
-    const double p2_by_k1 = spectrum_derivatives[20];
-    const double p2_by_k2 = spectrum_derivatives[21];
-    const double p2_by_k3 = spectrum_derivatives[22];
-    const double p2_by_m1 = spectrum_derivatives[23];
-    const double p2_by_m2 = spectrum_derivatives[24];
-    const double p3_by_k1 = spectrum_derivatives[25];
-    const double p3_by_k2 = spectrum_derivatives[26];
-    const double p3_by_k3 = spectrum_derivatives[27];
-    const double p3_by_m1 = spectrum_derivatives[28];
-    const double p3_by_m2 = spectrum_derivatives[29];
-    const double omega3_by_k1 = spectrum_derivatives[35];
-    const double omega3_by_k2 = spectrum_derivatives[36];
-    const double omega3_by_k3 = spectrum_derivatives[37];
-    const double omega3_by_m1 = spectrum_derivatives[38];
-    const double omega3_by_m2 = spectrum_derivatives[39];
-    const double omega4_by_k1 = spectrum_derivatives[40];
-    const double omega4_by_k2 = spectrum_derivatives[41];
-    const double omega4_by_k3 = spectrum_derivatives[42];
-    const double omega4_by_m1 = spectrum_derivatives[43];
-    const double omega4_by_m2 = spectrum_derivatives[44];
-    const double p4_by_k1 = spectrum_derivatives[45];
-    const double p4_by_k2 = spectrum_derivatives[46];
-    const double p4_by_k3 = spectrum_derivatives[47];
-    const double p4_by_m1 = spectrum_derivatives[48];
-    const double p4_by_m2 = spectrum_derivatives[49];
-    const double p5_by_k1 = spectrum_derivatives[50];
-    const double p5_by_k2 = spectrum_derivatives[51];
-    const double p5_by_k3 = spectrum_derivatives[52];
-    const double p5_by_m1 = spectrum_derivatives[53];
-    const double p5_by_m2 = spectrum_derivatives[54];
-    const double p6_by_k1 = spectrum_derivatives[55];
-    const double p6_by_k2 = spectrum_derivatives[56];
-    const double p6_by_k3 = spectrum_derivatives[57];
-    const double p6_by_m1 = spectrum_derivatives[58];
-    const double p6_by_m2 = spectrum_derivatives[59];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* half of tau */
-    const double half_tau = (1.0/2.0)*tau;
-    /* functions of half_tau in contact */
-    const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
-    const double t3 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t3);
-    const double sin_omega2_half_tau = sin(t3);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* half of tau1 */
-    const double half_tau1 = (1.0/2.0)*tau1;
-    /* functions of half_tau1 in free */
-    const double t6 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t6);
-    const double sin_omega3_half_tau1 = sin(t6);
-    const double t9 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t9);
-    const double sin_omega4_half_tau1 = sin(t9);
-    /* d/dm1 of: functions of half_tau in contact */
-    const double t12 = half_tau*omega1_by_m1;
-    const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t12;
-    const double sin_omega1_half_tau_by_m1 = cos_omega1_half_tau*t12;
-    const double t13 = half_tau*omega2_by_m1;
-    const double cos_omega2_half_tau_by_m1 = -sin_omega2_half_tau*t13;
-    const double sin_omega2_half_tau_by_m1 = cos_omega2_half_tau*t13;
-    /* d/dm2 of: functions of half_tau in contact */
-    const double t14 = half_tau*omega1_by_m2;
-    const double cos_omega1_half_tau_by_m2 = -sin_omega1_half_tau*t14;
-    const double sin_omega1_half_tau_by_m2 = cos_omega1_half_tau*t14;
-    const double t15 = half_tau*omega2_by_m2;
-    const double cos_omega2_half_tau_by_m2 = -sin_omega2_half_tau*t15;
-    const double sin_omega2_half_tau_by_m2 = cos_omega2_half_tau*t15;
-    /* d/dk1 of: functions of half_tau in contact */
-    const double t16 = half_tau*omega1_by_k1;
-    const double cos_omega1_half_tau_by_k1 = -sin_omega1_half_tau*t16;
-    const double sin_omega1_half_tau_by_k1 = cos_omega1_half_tau*t16;
-    const double t17 = half_tau*omega2_by_k1;
-    const double cos_omega2_half_tau_by_k1 = -sin_omega2_half_tau*t17;
-    const double sin_omega2_half_tau_by_k1 = cos_omega2_half_tau*t17;
-    /* d/dk2 of: functions of half_tau in contact */
-    const double t18 = half_tau*omega1_by_k2;
-    const double cos_omega1_half_tau_by_k2 = -sin_omega1_half_tau*t18;
-    const double sin_omega1_half_tau_by_k2 = cos_omega1_half_tau*t18;
-    const double t19 = half_tau*omega2_by_k2;
-    const double cos_omega2_half_tau_by_k2 = -sin_omega2_half_tau*t19;
-    const double sin_omega2_half_tau_by_k2 = cos_omega2_half_tau*t19;
-    /* d/dk3 of: functions of half_tau in contact */
-    const double t20 = half_tau*omega1_by_k3;
-    const double cos_omega1_half_tau_by_k3 = -sin_omega1_half_tau*t20;
-    const double sin_omega1_half_tau_by_k3 = cos_omega1_half_tau*t20;
-    const double t21 = half_tau*omega2_by_k3;
-    const double cos_omega2_half_tau_by_k3 = -sin_omega2_half_tau*t21;
-    const double sin_omega2_half_tau_by_k3 = cos_omega2_half_tau*t21;
-    /* d/dm1 of: functions of half_tau1 in free */
-    const double t22 = half_tau1*omega3_by_m1;
-    const double cos_omega3_half_tau1_by_m1 = -sin_omega3_half_tau1*t22;
-    const double sin_omega3_half_tau1_by_m1 = cos_omega3_half_tau1*t22;
-    const double t23 = half_tau1*omega4_by_m1;
-    const double cos_omega4_half_tau1_by_m1 = -sin_omega4_half_tau1*t23;
-    const double sin_omega4_half_tau1_by_m1 = cos_omega4_half_tau1*t23;
-    /* d/dm2 of: functions of half_tau1 in free */
-    const double t24 = half_tau1*omega3_by_m2;
-    const double cos_omega3_half_tau1_by_m2 = -sin_omega3_half_tau1*t24;
-    const double sin_omega3_half_tau1_by_m2 = cos_omega3_half_tau1*t24;
-    const double t25 = half_tau1*omega4_by_m2;
-    const double cos_omega4_half_tau1_by_m2 = -sin_omega4_half_tau1*t25;
-    const double sin_omega4_half_tau1_by_m2 = cos_omega4_half_tau1*t25;
-    /* d/dk1 of: functions of half_tau1 in free */
-    const double t26 = half_tau1*omega3_by_k1;
-    const double cos_omega3_half_tau1_by_k1 = -sin_omega3_half_tau1*t26;
-    const double sin_omega3_half_tau1_by_k1 = cos_omega3_half_tau1*t26;
-    const double t27 = half_tau1*omega4_by_k1;
-    const double cos_omega4_half_tau1_by_k1 = -sin_omega4_half_tau1*t27;
-    const double sin_omega4_half_tau1_by_k1 = cos_omega4_half_tau1*t27;
-    /* d/dk2 of: functions of half_tau1 in free */
-    const double t28 = half_tau1*omega3_by_k2;
-    const double cos_omega3_half_tau1_by_k2 = -sin_omega3_half_tau1*t28;
-    const double sin_omega3_half_tau1_by_k2 = cos_omega3_half_tau1*t28;
-    const double t29 = half_tau1*omega4_by_k2;
-    const double cos_omega4_half_tau1_by_k2 = -sin_omega4_half_tau1*t29;
-    const double sin_omega4_half_tau1_by_k2 = cos_omega4_half_tau1*t29;
-    /* d/dk3 of: functions of half_tau1 in free */
-    const double t30 = half_tau1*omega3_by_k3;
-    const double cos_omega3_half_tau1_by_k3 = -sin_omega3_half_tau1*t30;
-    const double sin_omega3_half_tau1_by_k3 = cos_omega3_half_tau1*t30;
-    const double t31 = half_tau1*omega4_by_k3;
-    const double cos_omega4_half_tau1_by_k3 = -sin_omega4_half_tau1*t31;
-    const double sin_omega4_half_tau1_by_k3 = cos_omega4_half_tau1*t31;
-    /* d/dT of: functions of half_tau1 in free */
-    const double t32 = (1.0/2.0)*omega3;
-    const double cos_omega3_half_tau1_by_T = -sin_omega3_half_tau1*t32;
-    const double sin_omega3_half_tau1_by_T = cos_omega3_half_tau1*t32;
-    const double t33 = (1.0/2.0)*omega4;
-    const double cos_omega4_half_tau1_by_T = -sin_omega4_half_tau1*t33;
-    const double sin_omega4_half_tau1_by_T = cos_omega4_half_tau1*t33;
-    /* outputs */
-    const double t34 = p1*u + p2*w;
-    const double t36 = -t34 + u;
-    const double t37 = k1*k2;
-    const double t38 = k1*k3;
-    const double t39 = k2*k3;
-    const double t40 = t37 + t38 + t39;
-    const double t41 = (1.0/(t40));
-    const double t42 = omega2*sin_omega2_half_tau;
-    const double t43 = t41*t42;
-    const double t44 = omega1*sin_omega1_half_tau;
-    const double t45 = t41*t44;
-    const double t46 = cos_omega1_half_tau*u - cos_omega2_half_tau*u + t37*t43 - t37*t45;
-    const double t47 = t37*y;
-    const double t48 = t38*y;
-    const double t49 = t39*y;
-    const double t50 = -t38 + t47 + t48 + t49;
-    const double t51 = t41*t50;
-    const double t52 = cos_omega1_half_tau*w - cos_omega2_half_tau*w + t42*t51 - t44*t51;
-    const double t53 = p1*t37 - p2*t38 + p2*t47 + p2*t48 + p2*t49;
-    const double t54 = -t37 + t53;
-    const double t55 = t41*t54;
+    /* residual */
+    const double t40 = p1*u + p2*w;
+    const double t42 = -t40 + u;
+    const double t43 = k1*k2;
+    const double t45 = p1*t43;
+    const double t46 = k1*k3;
+    const double t47 = p2*t46;
+    const double t48 = t43*y;
+    const double t49 = k2*k3;
+    const double t50 = t49*y;
+    const double t51 = p2*t48 + p2*t50 + t45 + t47*y - t47;
+    const double t52 = -t43 + t51;
+    const double t53 = t43 + t46 + t49;
+    const double t54 = (1.0/(t53));
+    const double t55 = omega2*t54;
     const double t56 = sin_omega2_half_tau*t55;
-    const double t57 = omega2*t55;
-    const double t58 = t41*t53;
-    const double t59 = sin_omega1_half_tau*t58;
-    const double t60 = omega1*t58;
-    const double t61 = k2*p1;
-    const double t62 = k3*p2;
-    const double t63 = k2*y;
-    const double t64 = p2*t63;
-    const double t65 = t62*y;
-    const double t66 = t61 - t62 + t64 + t65;
-    const double t67 = (1.0/(t40*t40));
-    const double t68 = t67*(-k2 - k3);
-    const double t69 = t42*t54;
-    const double t70 = t44*t53;
-    const double t71 = k1*p1;
-    const double t72 = k1*p2;
-    const double t73 = t72*y;
-    const double t74 = t65 + t71 + t73;
-    const double t75 = t67*(-k1 - k3);
-    const double t76 = t64 - t72 + t73;
-    const double t77 = t67*(-k1 - k2);
-    const double t78 = p3*u;
-    const double t79 = p1*w;
-    const double t80 = t78 - t79 + w;
-    const double t81 = -t78 + t79;
-    const double t83 = p1*t38;
-    const double t84 = p3*t37;
-    const double t85 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t50 - t83 - t84;
-    const double t86 = t41*t85;
-    const double t87 = sin_omega1_half_tau*t86;
-    const double t88 = omega1*t86;
-    const double t89 = p1*t47 + p1*t48 + p1*t49 - t83 - t84;
-    const double t90 = t41*t89;
-    const double t91 = sin_omega2_half_tau*t90;
-    const double t92 = omega2*t90;
-    const double t93 = k3*p1;
-    const double t94 = k2*p3;
-    const double t95 = -k3*p1*y + k3*y;
-    const double t96 = t61*y;
-    const double t97 = t93*y;
-    const double t98 = t44*t85;
-    const double t99 = t42*t89;
-    const double t100 = k1*p3;
-    const double t101 = k1*y;
-    const double t102 = t71*y;
-    const double t103 = t102 - t71 + t96;
-    const double t104 = p4*u + p5*w;
-    const double t106 = t104 - u;
-    const double t107 = omega3*sin_omega3_half_tau1;
-    const double t108 = -cos_omega3_half_tau1*u + cos_omega4_half_tau1*u + omega4*sin_omega4_half_tau1 - t107;
-    const double t109 = cos_omega3_half_tau1*w - cos_omega4_half_tau1*w - omega4*sin_omega4_half_tau1*y + t107*y;
-    const double t111 = p4 + p5*y;
-    const double t112 = t111 - 1;
-    const double t113 = sin_omega4_half_tau1*t112;
-    const double t114 = omega4*t112;
-    const double t115 = sin_omega3_half_tau1*t111;
-    const double t116 = omega3*t111;
-    const double t117 = p6*u;
-    const double t118 = p4*w;
-    const double t119 = -t117 + t118 - w;
-    const double t120 = t117 - t118;
-    const double t121 = p4*y - p6 - y;
-    const double t122 = sin_omega3_half_tau1*t121;
-    const double t123 = omega3*t121;
-    const double t124 = p4*y - p6;
-    const double t125 = sin_omega4_half_tau1*t124;
-    const double t126 = omega4*t124;
-    parameter_jacobian[0] = cos_omega1_half_tau_by_m1*t34 + cos_omega2_half_tau_by_m1*t36 - omega1_by_m1*t59 + omega2_by_m1*t56 + p1_by_m1*t46 + p2_by_m1*t52 - sin_omega1_half_tau_by_m1*t60 + sin_omega2_half_tau_by_m1*t57;
-    parameter_jacobian[1] = cos_omega1_half_tau_by_m2*t34 + cos_omega2_half_tau_by_m2*t36 - omega1_by_m2*t59 + omega2_by_m2*t56 + p1_by_m2*t46 + p2_by_m2*t52 - sin_omega1_half_tau_by_m2*t60 + sin_omega2_half_tau_by_m2*t57;
-    parameter_jacobian[2] = cos_omega1_half_tau_by_k1*t34 + cos_omega2_half_tau_by_k1*t36 - omega1_by_k1*t59 + omega2_by_k1*t56 + p1_by_k1*t46 + p2_by_k1*t52 - sin_omega1_half_tau_by_k1*t60 + sin_omega2_half_tau_by_k1*t57 + t43*(-k2 + t66) - t45*t66 + t68*t69 - t68*t70;
-    parameter_jacobian[3] = cos_omega1_half_tau_by_k2*t34 + cos_omega2_half_tau_by_k2*t36 - omega1_by_k2*t59 + omega2_by_k2*t56 + p1_by_k2*t46 + p2_by_k2*t52 - sin_omega1_half_tau_by_k2*t60 + sin_omega2_half_tau_by_k2*t57 + t43*(-k1 + t74) - t45*t74 + t69*t75 - t70*t75;
-    parameter_jacobian[4] = cos_omega1_half_tau_by_k3*t34 + cos_omega2_half_tau_by_k3*t36 - omega1_by_k3*t59 + omega2_by_k3*t56 + p1_by_k3*t46 + p2_by_k3*t52 - sin_omega1_half_tau_by_k3*t60 + sin_omega2_half_tau_by_k3*t57 + t43*t76 - t45*t76 + t69*t77 - t70*t77;
-    parameter_jacobian[5] = 0;
-    parameter_jacobian[6] = cos_omega1_half_tau_by_m1*t80 + cos_omega2_half_tau_by_m1*t81 + omega1_by_m1*t87 - omega2_by_m1*t91 - p1_by_m1*t52 + p3_by_m1*t46 + sin_omega1_half_tau_by_m1*t88 - sin_omega2_half_tau_by_m1*t92;
-    parameter_jacobian[7] = cos_omega1_half_tau_by_m2*t80 + cos_omega2_half_tau_by_m2*t81 + omega1_by_m2*t87 - omega2_by_m2*t91 - p1_by_m2*t52 + p3_by_m2*t46 + sin_omega1_half_tau_by_m2*t88 - sin_omega2_half_tau_by_m2*t92;
-    parameter_jacobian[8] = cos_omega1_half_tau_by_k1*t80 + cos_omega2_half_tau_by_k1*t81 + omega1_by_k1*t87 - omega2_by_k1*t91 - p1_by_k1*t52 + p3_by_k1*t46 + sin_omega1_half_tau_by_k1*t88 - sin_omega2_half_tau_by_k1*t92 - t43*(-t93 - t94 + t96 + t97) + t45*(k2*p1*y + k3 - t63 - t93 - t94 - t95) + t68*t98 - t68*t99;
-    parameter_jacobian[9] = cos_omega1_half_tau_by_k2*t80 + cos_omega2_half_tau_by_k2*t81 + omega1_by_k2*t87 - omega2_by_k2*t91 - p1_by_k2*t52 + p3_by_k2*t46 + sin_omega1_half_tau_by_k2*t88 - sin_omega2_half_tau_by_k2*t92 - t43*(-t100 + t102 + t97) + t45*(k1*p1*y - t100 - t101 - t95) + t75*t98 - t75*t99;
-    parameter_jacobian[10] = cos_omega1_half_tau_by_k3*t80 + cos_omega2_half_tau_by_k3*t81 + omega1_by_k3*t87 - omega2_by_k3*t91 - p1_by_k3*t52 + p3_by_k3*t46 + sin_omega1_half_tau_by_k3*t88 - sin_omega2_half_tau_by_k3*t92 - t103*t43 + t45*(k1 - t101 + t103 - t63) + t77*t98 - t77*t99;
-    parameter_jacobian[11] = 0;
-    parameter_jacobian[12] = -cos_omega3_half_tau1_by_m1*t104 + cos_omega4_half_tau1_by_m1*t106 - omega3_by_m1*t115 + omega4_by_m1*t113 + p4_by_m1*t108 - p5_by_m1*t109 - sin_omega3_half_tau1_by_m1*t116 + sin_omega4_half_tau1_by_m1*t114;
-    parameter_jacobian[13] = -cos_omega3_half_tau1_by_m2*t104 + cos_omega4_half_tau1_by_m2*t106 - omega3_by_m2*t115 + omega4_by_m2*t113 + p4_by_m2*t108 - p5_by_m2*t109 - sin_omega3_half_tau1_by_m2*t116 + sin_omega4_half_tau1_by_m2*t114;
-    parameter_jacobian[14] = -cos_omega3_half_tau1_by_k1*t104 + cos_omega4_half_tau1_by_k1*t106 - omega3_by_k1*t115 + omega4_by_k1*t113 + p4_by_k1*t108 - p5_by_k1*t109 - sin_omega3_half_tau1_by_k1*t116 + sin_omega4_half_tau1_by_k1*t114;
-    parameter_jacobian[15] = -cos_omega3_half_tau1_by_k2*t104 + cos_omega4_half_tau1_by_k2*t106 - omega3_by_k2*t115 + omega4_by_k2*t113 + p4_by_k2*t108 - p5_by_k2*t109 - sin_omega3_half_tau1_by_k2*t116 + sin_omega4_half_tau1_by_k2*t114;
-    parameter_jacobian[16] = -cos_omega3_half_tau1_by_k3*t104 + cos_omega4_half_tau1_by_k3*t106 - omega3_by_k3*t115 + omega4_by_k3*t113 + p4_by_k3*t108 - p5_by_k3*t109 - sin_omega3_half_tau1_by_k3*t116 + sin_omega4_half_tau1_by_k3*t114;
-    parameter_jacobian[17] = -cos_omega3_half_tau1_by_T*t104 + cos_omega4_half_tau1_by_T*t106 - sin_omega3_half_tau1_by_T*t116 + sin_omega4_half_tau1_by_T*t114;
-    parameter_jacobian[18] = cos_omega3_half_tau1_by_m1*t119 + cos_omega4_half_tau1_by_m1*t120 + omega3_by_m1*t122 - omega4_by_m1*t125 + p4_by_m1*t109 + p6_by_m1*t108 + sin_omega3_half_tau1_by_m1*t123 - sin_omega4_half_tau1_by_m1*t126;
-    parameter_jacobian[19] = cos_omega3_half_tau1_by_m2*t119 + cos_omega4_half_tau1_by_m2*t120 + omega3_by_m2*t122 - omega4_by_m2*t125 + p4_by_m2*t109 + p6_by_m2*t108 + sin_omega3_half_tau1_by_m2*t123 - sin_omega4_half_tau1_by_m2*t126;
-    parameter_jacobian[20] = cos_omega3_half_tau1_by_k1*t119 + cos_omega4_half_tau1_by_k1*t120 + omega3_by_k1*t122 - omega4_by_k1*t125 + p4_by_k1*t109 + p6_by_k1*t108 + sin_omega3_half_tau1_by_k1*t123 - sin_omega4_half_tau1_by_k1*t126;
-    parameter_jacobian[21] = cos_omega3_half_tau1_by_k2*t119 + cos_omega4_half_tau1_by_k2*t120 + omega3_by_k2*t122 - omega4_by_k2*t125 + p4_by_k2*t109 + p6_by_k2*t108 + sin_omega3_half_tau1_by_k2*t123 - sin_omega4_half_tau1_by_k2*t126;
-    parameter_jacobian[22] = cos_omega3_half_tau1_by_k3*t119 + cos_omega4_half_tau1_by_k3*t120 + omega3_by_k3*t122 - omega4_by_k3*t125 + p4_by_k3*t109 + p6_by_k3*t108 + sin_omega3_half_tau1_by_k3*t123 - sin_omega4_half_tau1_by_k3*t126;
-    parameter_jacobian[23] = cos_omega3_half_tau1_by_T*t119 + cos_omega4_half_tau1_by_T*t120 + sin_omega3_half_tau1_by_T*t123 - sin_omega4_half_tau1_by_T*t126;
-}
-
-/* Jacobian of the Poincare map in the section's coordinates.
- * Takes parameters (6), spectrum (12), unknowns (4); gives poincare_jacobian (3, 3), row by row.
- * Operations: 372. Intermediate terms: 127. */
-void elastic_stop_one_contact_poincare_jacobian(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double poincare_jacobian[9])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* functions of tau in contact */
-    const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
-    const double t1 = omega2*tau;
-    const double cos_omega2_tau = cos(t1);
-    const double sin_omega2_tau = sin(t1);
-    /* contact for tau, until first-leaves-stop */
-    const double t2 = k1*k3;
-    const double t3 = k2*k3 + t2;
-    const double t4 = (1.0/((k1*k2 + t3)));
-    const double t5 = t3*t4;
-    const double t6 = p1*t5;
-    const double t7 = t2*t4;
-    const double t8 = p2*t7;
-    const double t9 = p1 - 1;
-    const double t10 = (1.0/(omega1));
-    const double t11 = sin_omega1_tau*t10;
-    const double t13 = sin_omega2_tau/omega2;
-    const double t14 = p1*t11 - t13*t9;
-    const double t15 = p2*sin_omega1_tau*t10 - p2*t13;
-    const double t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-    const double x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5;
-    const double t18 = p3*t5;
-    const double t20 = p1*t7;
-    const double t21 = p3*sin_omega1_tau*t10 - p3*t13;
-    const double t22 = p1*t13 - t11*t9;
-    const double t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-    const double t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7;
-    const double t25 = omega1*sin_omega1_tau;
-    const double t26 = omega2*p2*sin_omega2_tau - p2*t25;
-    const double t27 = omega2*sin_omega2_tau;
-    const double v1_1 = -p1*t25 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y + t27*t9;
-    const double t28 = -p1*t27 + t25*t9;
-    const double v2_1 = -p3*t25 + p3*t27 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t28*y;
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* functions of tau1 in free */
-    const double t29 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t29);
-    const double sin_omega3_tau1 = sin(t29);
-    const double t30 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t30);
-    const double sin_omega4_tau1 = sin(t30);
-    /* free for tau1, until first-reaches-stop */
-    const double t31 = (1.0/(omega3));
-    const double t32 = sin_omega3_tau1*t31;
-    const double t33 = 1 - p4;
-    const double t34 = sin_omega4_tau1/omega4;
-    const double t35 = p4*t32 + t33*t34;
-    const double t36 = p5*sin_omega3_tau1*t31 - p5*t34;
-    const double t37 = cos_omega3_tau1*p4 + cos_omega4_tau1*t33;
-    const double t38 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-    const double x1_2 = t35*v1_1 + t36*v2_1 + t37*x1_1 + t38*x2_1;
-    const double t39 = p6*sin_omega3_tau1*t31 - p6*t34;
-    const double t40 = p4*t34 + t32*t33;
-    const double t41 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
-    const double t42 = cos_omega3_tau1*t33 + cos_omega4_tau1*p4;
-    const double x2_2 = t39*v1_1 + t40*v2_1 + t41*x1_1 + t42*x2_1;
-    const double t43 = omega3*sin_omega3_tau1;
-    const double t44 = omega4*sin_omega4_tau1;
-    const double t45 = -p4*t43 - t33*t44;
-    const double t46 = omega4*p5*sin_omega4_tau1 - p5*t43;
-    const double v1_2 = t37*v1_1 + t38*v2_1 + t45*x1_1 + t46*x2_1;
-    const double t47 = omega4*p6*sin_omega4_tau1 - p6*t43;
-    const double t48 = -p4*t44 - t33*t43;
-    const double v2_2 = t41*v1_1 + t42*v2_1 + t47*x1_1 + t48*x2_1;
-    /* Phi along tau */
-    const double carried_x1_1_by_y = t16;
-    const double carried_x1_1_by_u = t14;
-    const double carried_x1_1_by_w = t15;
-    const double carried_x2_1_by_y = t23;
-    const double carried_x2_1_by_u = t21;
-    const double carried_x2_1_by_w = t22;
-    const double carried_v1_1_by_y = t26;
-    const double carried_v1_1_by_u = t17;
-    const double carried_v1_1_by_w = t16;
-    const double carried_v2_1_by_y = t28;
-    const double carried_v2_1_by_u = t24;
-    const double carried_v2_1_by_w = t23;
-    /* rate of the exit boundary after tau */
-    const double rate_1 = -v1_1;
-    /* derivatives of the time to the boundary after tau */
-    const double t49 = (1.0/(rate_1));
-    const double delay_tau_by_y = carried_x1_1_by_y*t49;
-    const double delay_tau_by_u = carried_x1_1_by_u*t49;
-    const double delay_tau_by_w = carried_x1_1_by_w*t49;
-    /* perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
-    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
-    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
-    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
-    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
-    const double t50 = (1.0/(m1));
-    const double t51 = k1*t50;
-    const double t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1;
-    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52;
-    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52;
-    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52;
-    const double t53 = (1.0/(m2));
-    const double t54 = k1*t53;
-    const double t55 = t53*(k1 + k2);
-    const double t56 = t54*x1_1 - t55*x2_1;
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56;
-    /* Phi along tau1 */
-    const double carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y;
-    const double carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u;
-    const double carried_x1_2_by_w = t35*v1_1_on_boundary_by_w + t36*v2_1_on_boundary_by_w + t37*x1_1_on_boundary_by_w + t38*x2_1_on_boundary_by_w;
-    const double carried_x2_2_by_y = t39*v1_1_on_boundary_by_y + t40*v2_1_on_boundary_by_y + t41*x1_1_on_boundary_by_y + t42*x2_1_on_boundary_by_y;
-    const double carried_x2_2_by_u = t39*v1_1_on_boundary_by_u + t40*v2_1_on_boundary_by_u + t41*x1_1_on_boundary_by_u + t42*x2_1_on_boundary_by_u;
-    const double carried_x2_2_by_w = t39*v1_1_on_boundary_by_w + t40*v2_1_on_boundary_by_w + t41*x1_1_on_boundary_by_w + t42*x2_1_on_boundary_by_w;
-    const double carried_v1_2_by_y = t37*v1_1_on_boundary_by_y + t38*v2_1_on_boundary_by_y + t45*x1_1_on_boundary_by_y + t46*x2_1_on_boundary_by_y;
-    const double carried_v1_2_by_u = t37*v1_1_on_boundary_by_u + t38*v2_1_on_boundary_by_u + t45*x1_1_on_boundary_by_u + t46*x2_1_on_boundary_by_u;
-    const double carried_v1_2_by_w = t37*v1_1_on_boundary_by_w + t38*v2_1_on_boundary_by_w + t45*x1_1_on_boundary_by_w + t46*x2_1_on_boundary_by_w;
-    const double carried_v2_2_by_y = t41*v1_1_on_boundary_by_y + t42*v2_1_on_boundary_by_y + t47*x1_1_on_boundary_by_y + t48*x2_1_on_boundary_by_y;
-    const double carried_v2_2_by_u = t41*v1_1_on_boundary_by_u + t42*v2_1_on_boundary_by_u + t47*x1_1_on_boundary_by_u + t48*x2_1_on_boundary_by_u;
-    const double carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w;
-    /* derivatives of the time to the boundary after tau1 */
-    const double t57 = (1.0/(v1_2));
-    const double delay_tau1_by_y = -carried_x1_2_by_y*t57;
-    const double delay_tau1_by_u = -carried_x1_2_by_u*t57;
-    const double delay_tau1_by_w = -carried_x1_2_by_w*t57;
-    /* perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
-    const double x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2;
-    const double x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2;
-    const double t58 = k1*t50*x2_2 - t51*x1_2;
-    const double v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t58;
-    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t58;
-    const double v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t58;
-    const double t59 = t54*x1_2 - t55*x2_2;
-    const double v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t59;
-    const double v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t59;
-    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t59;
-    poincare_jacobian[0] = x2_2_on_boundary_by_y;
-    poincare_jacobian[1] = x2_2_on_boundary_by_u;
-    poincare_jacobian[2] = x2_2_on_boundary_by_w;
-    poincare_jacobian[3] = v1_2_on_boundary_by_y;
-    poincare_jacobian[4] = v1_2_on_boundary_by_u;
-    poincare_jacobian[5] = v1_2_on_boundary_by_w;
-    poincare_jacobian[6] = v2_2_on_boundary_by_y;
-    poincare_jacobian[7] = v2_2_on_boundary_by_u;
-    poincare_jacobian[8] = v2_2_on_boundary_by_w;
-}
-
-/* Saltation matrices of the transitions, one below the other.
- * Takes parameters (6), spectrum (12), unknowns (4); gives saltations (8, 4), row by row.
- * Operations: 239. Intermediate terms: 63. */
-void elastic_stop_one_contact_saltations(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double saltations[32])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* functions of tau in contact */
-    const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
-    const double t1 = omega2*tau;
-    const double cos_omega2_tau = cos(t1);
-    const double sin_omega2_tau = sin(t1);
-    /* contact for tau, until first-leaves-stop */
-    const double t2 = k1*k3;
-    const double t3 = k2*k3 + t2;
-    const double t4 = (1.0/((k1*k2 + t3)));
-    const double t5 = t3*t4;
-    const double t6 = p1*t5;
-    const double t7 = t2*t4;
-    const double t8 = p2*t7;
-    const double t9 = p1 - 1;
-    const double t10 = (1.0/(omega1));
-    const double t11 = sin_omega1_tau*t10;
-    const double t13 = sin_omega2_tau/omega2;
-    const double t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t15 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-    const double x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*y + t15 + t5 + u*(p1*t11 - t13*t9) + w*(p2*sin_omega1_tau*t10 - p2*t13);
-    const double t16 = p3*t5;
-    const double t18 = p1*t7;
-    const double t19 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-    const double t20 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(-t16 + t7*t9) + cos_omega2_tau*(t16 - t18) + t19*y + t20 + t7 + u*(p3*sin_omega1_tau*t10 - p3*t13) + w*(p1*t13 - t11*t9);
-    const double t21 = omega1*sin_omega1_tau;
-    const double t22 = omega2*sin_omega2_tau;
-    const double v1_1 = -p1*t21 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t14*w + t15*u + t22*t9 + y*(omega2*p2*sin_omega2_tau - p2*t21);
-    const double v2_1 = -p3*t21 + p3*t22 + sin_omega1_tau*(omega1*t16 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t16 + omega2*t18) + t19*w + t20*u + y*(-p1*t22 + t21*t9);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* functions of tau1 in free */
-    const double t23 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t23);
-    const double sin_omega3_tau1 = sin(t23);
-    const double t24 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t24);
-    const double sin_omega4_tau1 = sin(t24);
-    /* free for tau1, until first-reaches-stop */
-    const double t25 = (1.0/(omega3));
-    const double t26 = sin_omega3_tau1*t25;
-    const double t27 = 1 - p4;
-    const double t28 = sin_omega4_tau1/omega4;
-    const double t29 = cos_omega3_tau1*p4 + cos_omega4_tau1*t27;
-    const double t30 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-    const double x1_2 = t29*x1_1 + t30*x2_1 + v1_1*(p4*t26 + t27*t28) + v2_1*(p5*sin_omega3_tau1*t25 - p5*t28);
-    const double x2_2 = v1_1*(p6*sin_omega3_tau1*t25 - p6*t28) + v2_1*(p4*t28 + t26*t27) + x1_1*(cos_omega3_tau1*p6 - cos_omega4_tau1*p6) + x2_1*(cos_omega3_tau1*t27 + cos_omega4_tau1*p4);
-    const double t31 = omega3*sin_omega3_tau1;
-    const double v1_2 = t29*v1_1 + t30*v2_1 + x1_1*(-omega4*sin_omega4_tau1*t27 - p4*t31) + x2_1*(omega4*p5*sin_omega4_tau1 - p5*t31);
-    /* vector fields at transition 1 */
-    const double t32 = (1.0/(m1));
-    const double t33 = k3*t32;
-    const double t34 = k1*t32;
-    const double t35 = t32*(k1 + k3);
-    const double before_v1_1 = t33 + t34*x2_1 - t35*x1_1;
-    const double t36 = (1.0/(m2));
-    const double t37 = k1*t36;
-    const double t38 = t36*(k1 + k2);
-    const double before_v2_1 = t37*x1_1 - t38*x2_1;
-    const double behind_v1_1 = k1*t32*x2_1 - t34*x1_1;
-    const double behind_v2_1 = before_v2_1;
-    /* vector fields at transition 2 */
-    const double before_v1_2 = k1*t32*x2_2 - t34*x1_2;
-    const double before_v2_2 = t37*x1_2 - t38*x2_2;
-    const double behind_v1_2 = t33 + t34*x2_2 - t35*x1_2;
-    const double behind_v2_2 = before_v2_2;
-    /* outputs */
-    const double t41 = (1.0/(v1_1));
-    const double t42 = (1.0/(v1_2));
-    saltations[0] = 1;
-    saltations[1] = 0;
-    saltations[2] = 0;
-    saltations[3] = 0;
-    saltations[4] = 0;
-    saltations[5] = 1;
-    saltations[6] = 0;
-    saltations[7] = 0;
-    saltations[8] = -t41*(before_v1_1 - behind_v1_1);
-    saltations[9] = 0;
-    saltations[10] = 1;
-    saltations[11] = 0;
-    saltations[12] = -t41*(before_v2_1 - behind_v2_1);
-    saltations[13] = 0;
-    saltations[14] = 0;
-    saltations[15] = 1;
-    saltations[16] = 1;
-    saltations[17] = 0;
-    saltations[18] = 0;
-    saltations[19] = 0;
-    saltations[20] = 0;
-    saltations[21] = 1;
-    saltations[22] = 0;
-    saltations[23] = 0;
-    saltations[24] = t42*(-before_v1_2 + behind_v1_2);
-    saltations[25] = 0;
-    saltations[26] = 1;
-    saltations[27] = 0;
-    saltations[28] = t42*(-before_v2_2 + behind_v2_2);
-    saltations[29] = 0;
-    saltations[30] = 0;
-    saltations[31] = 1;
-}
-
-/* Monodromy matrix: the product of flows and saltation matrices over a period.
- * Takes parameters (6), spectrum (12), unknowns (4); gives monodromy (4, 4), row by row.
- * Operations: 395. Intermediate terms: 135. */
-void elastic_stop_one_contact_monodromy(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double monodromy[16])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* functions of tau in contact */
-    const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
-    const double t1 = omega2*tau;
-    const double cos_omega2_tau = cos(t1);
-    const double sin_omega2_tau = sin(t1);
-    /* contact for tau, until first-leaves-stop */
-    const double t2 = k1*k3;
-    const double t3 = k2*k3 + t2;
-    const double t4 = (1.0/((k1*k2 + t3)));
-    const double t5 = t3*t4;
-    const double t6 = p1*t5;
-    const double t7 = t2*t4;
-    const double t8 = p2*t7;
-    const double t9 = p1 - 1;
-    const double t10 = (1.0/(omega1));
-    const double t11 = sin_omega1_tau*t10;
-    const double t13 = sin_omega2_tau/omega2;
-    const double t14 = p1*t11 - t13*t9;
-    const double t15 = p2*sin_omega1_tau*t10 - p2*t13;
-    const double t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-    const double x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5;
-    const double t18 = p3*t5;
-    const double t20 = p1*t7;
-    const double t21 = p3*sin_omega1_tau*t10 - p3*t13;
-    const double t22 = p1*t13 - t11*t9;
-    const double t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-    const double t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7;
-    const double t25 = omega1*sin_omega1_tau;
-    const double t26 = omega2*p2*sin_omega2_tau - p2*t25;
-    const double t27 = p1*t25;
-    const double t28 = omega2*sin_omega2_tau;
-    const double t29 = -t28*t9;
-    const double v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y - t27 - t29;
-    const double t30 = -p1*t28 + t25*t9;
-    const double t31 = p3*t25;
-    const double v2_1 = p3*t28 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t30*y - t31;
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* functions of tau1 in free */
-    const double t32 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t32);
-    const double sin_omega3_tau1 = sin(t32);
-    const double t33 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t33);
-    const double sin_omega4_tau1 = sin(t33);
-    /* free for tau1, until first-reaches-stop */
-    const double t34 = (1.0/(omega3));
-    const double t35 = sin_omega3_tau1*t34;
-    const double t36 = 1 - p4;
-    const double t37 = sin_omega4_tau1/omega4;
-    const double t38 = p4*t35 + t36*t37;
-    const double t39 = p5*sin_omega3_tau1*t34 - p5*t37;
-    const double t40 = cos_omega3_tau1*p4 + cos_omega4_tau1*t36;
-    const double t41 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-    const double x1_2 = t38*v1_1 + t39*v2_1 + t40*x1_1 + t41*x2_1;
-    const double t42 = p6*sin_omega3_tau1*t34 - p6*t37;
-    const double t43 = p4*t37 + t35*t36;
-    const double t44 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
-    const double t45 = cos_omega3_tau1*t36 + cos_omega4_tau1*p4;
-    const double x2_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1;
-    const double t46 = omega3*sin_omega3_tau1;
-    const double t47 = omega4*sin_omega4_tau1;
-    const double t48 = -p4*t46 - t36*t47;
-    const double t49 = omega4*p5*sin_omega4_tau1 - p5*t46;
-    const double v1_2 = t40*v1_1 + t41*v2_1 + t48*x1_1 + t49*x2_1;
-    /* vector fields at transition 1 */
-    const double t50 = (1.0/(m1));
-    const double t51 = k3*t50;
-    const double t52 = k1*t50;
-    const double t53 = t50*(k1 + k3);
-    const double before_v1_1 = t51 + t52*x2_1 - t53*x1_1;
-    const double t54 = (1.0/(m2));
-    const double t55 = k1*t54;
-    const double t56 = t54*(k1 + k2);
-    const double before_v2_1 = t55*x1_1 - t56*x2_1;
-    const double behind_v1_1 = k1*t50*x2_1 - t52*x1_1;
-    const double behind_v2_1 = before_v2_1;
-    /* vector fields at transition 2 */
-    const double before_v1_2 = k1*t50*x2_2 - t52*x1_2;
-    const double before_v2_2 = t55*x1_2 - t56*x2_2;
-    const double behind_v1_2 = t51 + t52*x2_2 - t53*x1_2;
-    const double behind_v2_2 = before_v2_2;
-    /* Phi of phase 1 */
-    const double phi_1_00 = t17;
-    const double phi_1_01 = t16;
-    const double phi_1_02 = t14;
-    const double phi_1_03 = t15;
-    const double phi_1_10 = t24;
-    const double phi_1_11 = t23;
-    const double phi_1_12 = t21;
-    const double phi_1_13 = t22;
-    const double phi_1_20 = -t27 - t29;
-    const double phi_1_21 = t26;
-    const double phi_1_22 = t17;
-    const double phi_1_23 = t16;
-    const double phi_1_30 = omega2*p3*sin_omega2_tau - t31;
-    const double phi_1_31 = t30;
-    const double phi_1_32 = t24;
-    const double phi_1_33 = t23;
-    /* saltation of phase 1 */
-    const double t59 = (1.0/(v1_1));
-    const double t60 = t59*(before_v1_1 - behind_v1_1);
-    const double saltation_1_20 = -phi_1_00*t60 + phi_1_20;
-    const double saltation_1_21 = -phi_1_01*t60 + phi_1_21;
-    const double saltation_1_22 = -phi_1_02*t60 + phi_1_22;
-    const double saltation_1_23 = -phi_1_03*t60 + phi_1_23;
-    const double t61 = t59*(before_v2_1 - behind_v2_1);
-    const double saltation_1_30 = -phi_1_00*t61 + phi_1_30;
-    const double saltation_1_31 = -phi_1_01*t61 + phi_1_31;
-    const double saltation_1_32 = -phi_1_02*t61 + phi_1_32;
-    const double saltation_1_33 = -phi_1_03*t61 + phi_1_33;
-    /* Phi of phase 2 */
-    const double phi_2_00 = phi_1_00*t40 + phi_1_10*t41 + saltation_1_20*t38 + saltation_1_30*t39;
-    const double phi_2_01 = phi_1_01*t40 + phi_1_11*t41 + saltation_1_21*t38 + saltation_1_31*t39;
-    const double phi_2_02 = phi_1_02*t40 + phi_1_12*t41 + saltation_1_22*t38 + saltation_1_32*t39;
-    const double phi_2_03 = phi_1_03*t40 + phi_1_13*t41 + saltation_1_23*t38 + saltation_1_33*t39;
-    const double phi_2_10 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43;
-    const double phi_2_11 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43;
-    const double phi_2_12 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43;
-    const double phi_2_13 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43;
-    const double phi_2_20 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t40 + saltation_1_30*t41;
-    const double phi_2_21 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t40 + saltation_1_31*t41;
-    const double phi_2_22 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t40 + saltation_1_32*t41;
-    const double phi_2_23 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t40 + saltation_1_33*t41;
-    const double t62 = omega4*p6*sin_omega4_tau1 - p6*t46;
-    const double t63 = -p4*t47 - t36*t46;
-    const double phi_2_30 = phi_1_00*t62 + phi_1_10*t63 + saltation_1_20*t44 + saltation_1_30*t45;
-    const double phi_2_31 = phi_1_01*t62 + phi_1_11*t63 + saltation_1_21*t44 + saltation_1_31*t45;
-    const double phi_2_32 = phi_1_02*t62 + phi_1_12*t63 + saltation_1_22*t44 + saltation_1_32*t45;
-    const double phi_2_33 = phi_1_03*t62 + phi_1_13*t63 + saltation_1_23*t44 + saltation_1_33*t45;
-    /* saltation of phase 2 */
-    const double t64 = (1.0/(v1_2));
-    const double t65 = t64*(-before_v1_2 + behind_v1_2);
-    const double saltation_2_20 = phi_2_00*t65 + phi_2_20;
-    const double saltation_2_21 = phi_2_01*t65 + phi_2_21;
-    const double saltation_2_22 = phi_2_02*t65 + phi_2_22;
-    const double saltation_2_23 = phi_2_03*t65 + phi_2_23;
-    const double t66 = t64*(-before_v2_2 + behind_v2_2);
-    const double saltation_2_30 = phi_2_00*t66 + phi_2_30;
-    const double saltation_2_31 = phi_2_01*t66 + phi_2_31;
-    const double saltation_2_32 = phi_2_02*t66 + phi_2_32;
-    const double saltation_2_33 = phi_2_03*t66 + phi_2_33;
-    monodromy[0] = phi_2_00;
-    monodromy[1] = phi_2_01;
-    monodromy[2] = phi_2_02;
-    monodromy[3] = phi_2_03;
-    monodromy[4] = phi_2_10;
-    monodromy[5] = phi_2_11;
-    monodromy[6] = phi_2_12;
-    monodromy[7] = phi_2_13;
-    monodromy[8] = saltation_2_20;
-    monodromy[9] = saltation_2_21;
-    monodromy[10] = saltation_2_22;
-    monodromy[11] = saltation_2_23;
-    monodromy[12] = saltation_2_30;
-    monodromy[13] = saltation_2_31;
-    monodromy[14] = saltation_2_32;
-    monodromy[15] = saltation_2_33;
-}
-
-/* Trace of the Poincare map's Jacobian.
- * Takes parameters (6), spectrum (12), unknowns (4); gives trace, row by row.
- * Operations: 320. Intermediate terms: 113. */
-void elastic_stop_one_contact_trace(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double *trace)
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* functions of tau in contact */
-    const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
-    const double t1 = omega2*tau;
-    const double cos_omega2_tau = cos(t1);
-    const double sin_omega2_tau = sin(t1);
-    /* contact for tau, until first-leaves-stop */
-    const double t2 = k1*k3;
-    const double t3 = k2*k3 + t2;
-    const double t4 = (1.0/((k1*k2 + t3)));
-    const double t5 = t3*t4;
-    const double t6 = p1*t5;
-    const double t7 = t2*t4;
-    const double t8 = p2*t7;
-    const double t9 = p1 - 1;
-    const double t10 = (1.0/(omega1));
-    const double t11 = sin_omega1_tau*t10;
-    const double t13 = sin_omega2_tau/omega2;
-    const double t14 = p1*t11 - t13*t9;
-    const double t15 = p2*sin_omega1_tau*t10 - p2*t13;
-    const double t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-    const double x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5;
-    const double t18 = p3*t5;
-    const double t20 = p1*t7;
-    const double t21 = p3*sin_omega1_tau*t10 - p3*t13;
-    const double t22 = p1*t13 - t11*t9;
-    const double t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-    const double t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7;
-    const double t25 = omega1*sin_omega1_tau;
-    const double t26 = omega2*p2*sin_omega2_tau - p2*t25;
-    const double t27 = omega2*sin_omega2_tau;
-    const double v1_1 = -p1*t25 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y + t27*t9;
-    const double t28 = -p1*t27 + t25*t9;
-    const double v2_1 = -p3*t25 + p3*t27 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t28*y;
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* functions of tau1 in free */
-    const double t29 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t29);
-    const double sin_omega3_tau1 = sin(t29);
-    const double t30 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t30);
-    const double sin_omega4_tau1 = sin(t30);
-    /* free for tau1, until first-reaches-stop */
-    const double t31 = (1.0/(omega3));
-    const double t32 = sin_omega3_tau1*t31;
-    const double t33 = 1 - p4;
-    const double t34 = sin_omega4_tau1/omega4;
-    const double t35 = p4*t32 + t33*t34;
-    const double t36 = p5*sin_omega3_tau1*t31 - p5*t34;
-    const double t37 = cos_omega3_tau1*p4 + cos_omega4_tau1*t33;
-    const double t38 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-    const double x1_2 = t35*v1_1 + t36*v2_1 + t37*x1_1 + t38*x2_1;
-    const double t39 = p6*sin_omega3_tau1*t31 - p6*t34;
-    const double t40 = p4*t34 + t32*t33;
-    const double t41 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
-    const double t42 = cos_omega3_tau1*t33 + cos_omega4_tau1*p4;
-    const double x2_2 = t39*v1_1 + t40*v2_1 + t41*x1_1 + t42*x2_1;
-    const double t43 = omega3*sin_omega3_tau1;
-    const double t44 = omega4*sin_omega4_tau1;
-    const double t45 = -p4*t43 - t33*t44;
-    const double t46 = omega4*p5*sin_omega4_tau1 - p5*t43;
-    const double v1_2 = t37*v1_1 + t38*v2_1 + t45*x1_1 + t46*x2_1;
-    const double t47 = omega4*p6*sin_omega4_tau1 - p6*t43;
-    const double t48 = -p4*t44 - t33*t43;
-    const double v2_2 = t41*v1_1 + t42*v2_1 + t47*x1_1 + t48*x2_1;
-    /* Phi along tau */
-    const double carried_x1_1_by_y = t16;
-    const double carried_x1_1_by_u = t14;
-    const double carried_x1_1_by_w = t15;
-    const double carried_x2_1_by_y = t23;
-    const double carried_x2_1_by_u = t21;
-    const double carried_x2_1_by_w = t22;
-    const double carried_v1_1_by_y = t26;
-    const double carried_v1_1_by_u = t17;
-    const double carried_v1_1_by_w = t16;
-    const double carried_v2_1_by_y = t28;
-    const double carried_v2_1_by_u = t24;
-    const double carried_v2_1_by_w = t23;
-    /* rate of the exit boundary after tau */
-    const double rate_1 = -v1_1;
-    /* derivatives of the time to the boundary after tau */
-    const double t49 = (1.0/(rate_1));
-    const double delay_tau_by_y = carried_x1_1_by_y*t49;
-    const double delay_tau_by_u = carried_x1_1_by_u*t49;
-    const double delay_tau_by_w = carried_x1_1_by_w*t49;
-    /* perturbation on the boundary after tau */
-    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
-    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
-    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
-    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
-    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
-    const double t50 = (1.0/(m1));
-    const double t51 = k1*t50;
-    const double t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1;
-    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52;
-    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52;
-    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52;
-    const double t53 = (1.0/(m2));
-    const double t54 = k1*t53;
-    const double t55 = t53*(k1 + k2);
-    const double t56 = t54*x1_1 - t55*x2_1;
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56;
-    /* Phi along tau1 */
-    const double carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y;
-    const double carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u;
-    const double carried_x1_2_by_w = t35*v1_1_on_boundary_by_w + t36*v2_1_on_boundary_by_w + t37*x1_1_on_boundary_by_w + t38*x2_1_on_boundary_by_w;
-    const double carried_x2_2_by_y = t39*v1_1_on_boundary_by_y + t40*v2_1_on_boundary_by_y + t41*x1_1_on_boundary_by_y + t42*x2_1_on_boundary_by_y;
-    const double carried_v1_2_by_u = t37*v1_1_on_boundary_by_u + t38*v2_1_on_boundary_by_u + t45*x1_1_on_boundary_by_u + t46*x2_1_on_boundary_by_u;
-    const double carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w;
-    /* derivatives of the time to the boundary after tau1 */
-    const double t57 = (1.0/(v1_2));
-    const double delay_tau1_by_y = -carried_x1_2_by_y*t57;
-    const double delay_tau1_by_u = -carried_x1_2_by_u*t57;
-    const double delay_tau1_by_w = -carried_x1_2_by_w*t57;
-    /* perturbation on the boundary after tau1 */
-    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
-    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(k1*t50*x2_2 - t51*x1_2);
-    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(t54*x1_2 - t55*x2_2);
-    *trace = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
-}
-
-/* Derivatives of the trace by the unknowns, then in total by the parameters.
- * Takes parameters (6), spectrum (12), spectrum_derivatives (12, 5), unknowns (4); gives trace_gradient (10), row by row.
- * Operations: 1643. Intermediate terms: 317. */
-void elastic_stop_one_contact_trace_gradient(
-    const double parameters[6], const double spectrum[12], const double spectrum_derivatives[60], const double unknowns[4], double trace_gradient[10])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
+    const double t57 = omega1*t54;
+    const double t58 = sin_omega1_half_tau*t57;
+    const double t59 = p3*u;
+    const double t60 = p1*w;
+    const double t61 = t59 - t60 + w;
+    const double t62 = -t59 + t60;
+    const double t63 = p1*t46;
+    const double t64 = p3*t43;
+    const double t66 = t46*y - t46 + t48 + t50;
+    const double t67 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t63 - t64 - t66;
+    const double t68 = p1*t50 + t45*y + t63*y - t63 - t64;
+    const double t69 = p4*u + p5*w;
+    const double t71 = t69 - u;
+    const double t72 = p4 + p5*y;
+    const double t73 = t72 - 1;
+    const double t74 = omega4*sin_omega4_half_tau1;
+    const double t75 = omega3*sin_omega3_half_tau1;
+    const double t76 = p6*u;
+    const double t77 = p4*w;
+    const double t78 = -t76 + t77 - w;
+    const double t79 = t76 - t77;
+    const double t80 = p4*y - p6 - y;
+    const double t81 = p4*y - p6;
+    if (residual) {
+        residual[0] = cos_omega1_half_tau*t40 + cos_omega2_half_tau*t42 - t51*t58 + t52*t56;
+        residual[1] = cos_omega1_half_tau*t61 + cos_omega2_half_tau*t62 - t56*t68 + t58*t67;
+        residual[2] = -cos_omega3_half_tau1*t69 + cos_omega4_half_tau1*t71 - t72*t75 + t73*t74;
+        residual[3] = cos_omega3_half_tau1*t78 + cos_omega4_half_tau1*t79 - t74*t81 + t75*t80;
+    }
+    if (!jacobian && !parameter_jacobian)
+        return;
+    /* d/dtau of: functions of half_tau in contact */
+    const double t12 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12;
+    const double t13 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13;
+    /* d/dtau of: functions of half_tau1 in free */
+    const double t14 = (1.0/2.0)*omega3;
+    const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14;
+    const double t16 = cos_omega3_half_tau1*t14;
+    const double sin_omega3_half_tau1_by_tau = -t16;
+    const double t17 = (1.0/2.0)*omega4;
+    const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t17;
+    const double t19 = cos_omega4_half_tau1*t17;
+    const double sin_omega4_half_tau1_by_tau = -t19;
+    /* jacobian */
+    const double t82 = p2*t43 + p2*t49 + t47;
+    const double t83 = 1 - p1;
+    const double t84 = sin_omega2_half_tau_by_tau*t55;
+    const double t85 = sin_omega1_half_tau_by_tau*t57;
+    const double t86 = p1*t49 + t45 + t63;
+    const double t87 = p4 - 1;
+    const double t88 = omega4*sin_omega4_half_tau1_by_tau;
+    const double t89 = omega3*sin_omega3_half_tau1_by_tau;
+    if (jacobian) {
+        jacobian[0] = omega2*sin_omega2_half_tau*t54*t82 - t58*t82;
+        jacobian[1] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t83;
+        jacobian[2] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+        jacobian[3] = cos_omega1_half_tau_by_tau*t40 + cos_omega2_half_tau_by_tau*t42 - t51*t85 + t52*t84;
+        jacobian[4] = -t56*t86 + t58*(-t43 - t46 - t49 + t86);
+        jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+        jacobian[6] = cos_omega1_half_tau*t83 + cos_omega2_half_tau*p1;
+        jacobian[7] = cos_omega1_half_tau_by_tau*t61 + cos_omega2_half_tau_by_tau*t62 + t67*t85 - t68*t84;
+        jacobian[8] = omega4*p5*sin_omega4_half_tau1 - p5*t75;
+        jacobian[9] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t87;
+        jacobian[10] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
+        jacobian[11] = -cos_omega3_half_tau1_by_tau*t69 + cos_omega4_half_tau1_by_tau*t71 - t72*t89 + t73*t88;
+        jacobian[12] = -p4*t74 + t75*t87;
+        jacobian[13] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
+        jacobian[14] = cos_omega3_half_tau1*t87 - cos_omega4_half_tau1*p4;
+        jacobian[15] = cos_omega3_half_tau1_by_tau*t78 + cos_omega4_half_tau1_by_tau*t79 + t80*t89 - t81*t88;
+    }
+    if (!parameter_jacobian)
+        return;
     const double omega1_by_k1 = spectrum_derivatives[5];
     const double omega1_by_k2 = spectrum_derivatives[6];
     const double omega1_by_k3 = spectrum_derivatives[7];
@@ -2024,6 +754,185 @@ void elastic_stop_one_contact_trace_gradient(
     const double p6_by_k3 = spectrum_derivatives[57];
     const double p6_by_m1 = spectrum_derivatives[58];
     const double p6_by_m2 = spectrum_derivatives[59];
+    /* d/dm1 of: functions of half_tau in contact */
+    const double t20 = half_tau*omega1_by_m1;
+    const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t20;
+    const double sin_omega1_half_tau_by_m1 = cos_omega1_half_tau*t20;
+    const double t21 = half_tau*omega2_by_m1;
+    const double cos_omega2_half_tau_by_m1 = -sin_omega2_half_tau*t21;
+    const double sin_omega2_half_tau_by_m1 = cos_omega2_half_tau*t21;
+    /* d/dm2 of: functions of half_tau in contact */
+    const double t22 = half_tau*omega1_by_m2;
+    const double cos_omega1_half_tau_by_m2 = -sin_omega1_half_tau*t22;
+    const double sin_omega1_half_tau_by_m2 = cos_omega1_half_tau*t22;
+    const double t23 = half_tau*omega2_by_m2;
+    const double cos_omega2_half_tau_by_m2 = -sin_omega2_half_tau*t23;
+    const double sin_omega2_half_tau_by_m2 = cos_omega2_half_tau*t23;
+    /* d/dk1 of: functions of half_tau in contact */
+    const double t24 = half_tau*omega1_by_k1;
+    const double cos_omega1_half_tau_by_k1 = -sin_omega1_half_tau*t24;
+    const double sin_omega1_half_tau_by_k1 = cos_omega1_half_tau*t24;
+    const double t25 = half_tau*omega2_by_k1;
+    const double cos_omega2_half_tau_by_k1 = -sin_omega2_half_tau*t25;
+    const double sin_omega2_half_tau_by_k1 = cos_omega2_half_tau*t25;
+    /* d/dk2 of: functions of half_tau in contact */
+    const double t26 = half_tau*omega1_by_k2;
+    const double cos_omega1_half_tau_by_k2 = -sin_omega1_half_tau*t26;
+    const double sin_omega1_half_tau_by_k2 = cos_omega1_half_tau*t26;
+    const double t27 = half_tau*omega2_by_k2;
+    const double cos_omega2_half_tau_by_k2 = -sin_omega2_half_tau*t27;
+    const double sin_omega2_half_tau_by_k2 = cos_omega2_half_tau*t27;
+    /* d/dk3 of: functions of half_tau in contact */
+    const double t28 = half_tau*omega1_by_k3;
+    const double cos_omega1_half_tau_by_k3 = -sin_omega1_half_tau*t28;
+    const double sin_omega1_half_tau_by_k3 = cos_omega1_half_tau*t28;
+    const double t29 = half_tau*omega2_by_k3;
+    const double cos_omega2_half_tau_by_k3 = -sin_omega2_half_tau*t29;
+    const double sin_omega2_half_tau_by_k3 = cos_omega2_half_tau*t29;
+    /* d/dm1 of: functions of half_tau1 in free */
+    const double t30 = half_tau1*omega3_by_m1;
+    const double cos_omega3_half_tau1_by_m1 = -sin_omega3_half_tau1*t30;
+    const double sin_omega3_half_tau1_by_m1 = cos_omega3_half_tau1*t30;
+    const double t31 = half_tau1*omega4_by_m1;
+    const double cos_omega4_half_tau1_by_m1 = -sin_omega4_half_tau1*t31;
+    const double sin_omega4_half_tau1_by_m1 = cos_omega4_half_tau1*t31;
+    /* d/dm2 of: functions of half_tau1 in free */
+    const double t32 = half_tau1*omega3_by_m2;
+    const double cos_omega3_half_tau1_by_m2 = -sin_omega3_half_tau1*t32;
+    const double sin_omega3_half_tau1_by_m2 = cos_omega3_half_tau1*t32;
+    const double t33 = half_tau1*omega4_by_m2;
+    const double cos_omega4_half_tau1_by_m2 = -sin_omega4_half_tau1*t33;
+    const double sin_omega4_half_tau1_by_m2 = cos_omega4_half_tau1*t33;
+    /* d/dk1 of: functions of half_tau1 in free */
+    const double t34 = half_tau1*omega3_by_k1;
+    const double cos_omega3_half_tau1_by_k1 = -sin_omega3_half_tau1*t34;
+    const double sin_omega3_half_tau1_by_k1 = cos_omega3_half_tau1*t34;
+    const double t35 = half_tau1*omega4_by_k1;
+    const double cos_omega4_half_tau1_by_k1 = -sin_omega4_half_tau1*t35;
+    const double sin_omega4_half_tau1_by_k1 = cos_omega4_half_tau1*t35;
+    /* d/dk2 of: functions of half_tau1 in free */
+    const double t36 = half_tau1*omega3_by_k2;
+    const double cos_omega3_half_tau1_by_k2 = -sin_omega3_half_tau1*t36;
+    const double sin_omega3_half_tau1_by_k2 = cos_omega3_half_tau1*t36;
+    const double t37 = half_tau1*omega4_by_k2;
+    const double cos_omega4_half_tau1_by_k2 = -sin_omega4_half_tau1*t37;
+    const double sin_omega4_half_tau1_by_k2 = cos_omega4_half_tau1*t37;
+    /* d/dk3 of: functions of half_tau1 in free */
+    const double t38 = half_tau1*omega3_by_k3;
+    const double cos_omega3_half_tau1_by_k3 = -sin_omega3_half_tau1*t38;
+    const double sin_omega3_half_tau1_by_k3 = cos_omega3_half_tau1*t38;
+    const double t39 = half_tau1*omega4_by_k3;
+    const double cos_omega4_half_tau1_by_k3 = -sin_omega4_half_tau1*t39;
+    const double sin_omega4_half_tau1_by_k3 = cos_omega4_half_tau1*t39;
+    /* d/dT of: functions of half_tau1 in free */
+    const double cos_omega3_half_tau1_by_T = -cos_omega3_half_tau1_by_tau;
+    const double sin_omega3_half_tau1_by_T = t16;
+    const double cos_omega4_half_tau1_by_T = -cos_omega4_half_tau1_by_tau;
+    const double sin_omega4_half_tau1_by_T = t19;
+    /* parameter_jacobian */
+    const double t90 = cos_omega1_half_tau*u - cos_omega2_half_tau*u + t43*t56 - t43*t58;
+    const double t91 = cos_omega1_half_tau*w - cos_omega2_half_tau*w + t56*t66 - t58*t66;
+    const double t92 = sin_omega2_half_tau*t54;
+    const double t93 = t52*t92;
+    const double t94 = t52*t55;
+    const double t95 = sin_omega1_half_tau*t54;
+    const double t96 = t51*t95;
+    const double t97 = t51*t57;
+    const double t98 = k2*p1;
+    const double t99 = k3*p2;
+    const double t100 = k2*y;
+    const double t101 = p2*t100;
+    const double t102 = t99*y;
+    const double t103 = t101 + t102 + t98 - t99;
+    const double t104 = (1.0/(t53*t53));
+    const double t105 = t104*(-k2 - k3);
+    const double t106 = omega2*sin_omega2_half_tau;
+    const double t107 = t106*t52;
+    const double t108 = omega1*sin_omega1_half_tau;
+    const double t109 = t108*t51;
+    const double t110 = k1*p1;
+    const double t111 = k1*p2;
+    const double t112 = t111*y;
+    const double t113 = t102 + t110 + t112;
+    const double t114 = t104*(-k1 - k3);
+    const double t115 = t101 - t111 + t112;
+    const double t116 = t104*(-k1 - k2);
+    const double t118 = t67*t95;
+    const double t119 = t57*t67;
+    const double t120 = t68*t92;
+    const double t121 = t55*t68;
+    const double t122 = k3*p1;
+    const double t123 = k2*p3;
+    const double t124 = -k3*p1*y + k3*y;
+    const double t125 = t98*y;
+    const double t126 = t122*y;
+    const double t127 = t108*t67;
+    const double t128 = t106*t68;
+    const double t129 = k1*p3;
+    const double t130 = k1*y;
+    const double t131 = t110*y;
+    const double t132 = -t110 + t125 + t131;
+    const double t133 = -cos_omega3_half_tau1*u + cos_omega4_half_tau1*u + omega4*sin_omega4_half_tau1 - t75;
+    const double t134 = cos_omega3_half_tau1*w - cos_omega4_half_tau1*w - omega4*sin_omega4_half_tau1*y + t75*y;
+    const double t136 = sin_omega4_half_tau1*t73;
+    const double t137 = omega4*t73;
+    const double t138 = sin_omega3_half_tau1*t72;
+    const double t139 = omega3*t72;
+    const double t140 = sin_omega3_half_tau1*t80;
+    const double t141 = omega3*t80;
+    const double t142 = sin_omega4_half_tau1*t81;
+    const double t143 = omega4*t81;
+    if (parameter_jacobian) {
+        parameter_jacobian[0] = cos_omega1_half_tau_by_m1*t40 + cos_omega2_half_tau_by_m1*t42 - omega1_by_m1*t96 + omega2_by_m1*t93 + p1_by_m1*t90 + p2_by_m1*t91 - sin_omega1_half_tau_by_m1*t97 + sin_omega2_half_tau_by_m1*t94;
+        parameter_jacobian[1] = cos_omega1_half_tau_by_m2*t40 + cos_omega2_half_tau_by_m2*t42 - omega1_by_m2*t96 + omega2_by_m2*t93 + p1_by_m2*t90 + p2_by_m2*t91 - sin_omega1_half_tau_by_m2*t97 + sin_omega2_half_tau_by_m2*t94;
+        parameter_jacobian[2] = cos_omega1_half_tau_by_k1*t40 + cos_omega2_half_tau_by_k1*t42 - omega1_by_k1*t96 + omega2_by_k1*t93 + p1_by_k1*t90 + p2_by_k1*t91 - sin_omega1_half_tau_by_k1*t97 + sin_omega2_half_tau_by_k1*t94 - t103*t58 + t105*t107 - t105*t109 + t56*(-k2 + t103);
+        parameter_jacobian[3] = cos_omega1_half_tau_by_k2*t40 + cos_omega2_half_tau_by_k2*t42 - omega1_by_k2*t96 + omega2_by_k2*t93 + p1_by_k2*t90 + p2_by_k2*t91 - sin_omega1_half_tau_by_k2*t97 + sin_omega2_half_tau_by_k2*t94 + t107*t114 - t109*t114 - t113*t58 + t56*(-k1 + t113);
+        parameter_jacobian[4] = cos_omega1_half_tau_by_k3*t40 + cos_omega2_half_tau_by_k3*t42 - omega1_by_k3*t96 + omega2_by_k3*t93 + p1_by_k3*t90 + p2_by_k3*t91 - sin_omega1_half_tau_by_k3*t97 + sin_omega2_half_tau_by_k3*t94 + t107*t116 - t109*t116 + t115*t56 - t115*t58;
+        parameter_jacobian[5] = 0;
+        parameter_jacobian[6] = cos_omega1_half_tau_by_m1*t61 + cos_omega2_half_tau_by_m1*t62 + omega1_by_m1*t118 - omega2_by_m1*t120 - p1_by_m1*t91 + p3_by_m1*t90 + sin_omega1_half_tau_by_m1*t119 - sin_omega2_half_tau_by_m1*t121;
+        parameter_jacobian[7] = cos_omega1_half_tau_by_m2*t61 + cos_omega2_half_tau_by_m2*t62 + omega1_by_m2*t118 - omega2_by_m2*t120 - p1_by_m2*t91 + p3_by_m2*t90 + sin_omega1_half_tau_by_m2*t119 - sin_omega2_half_tau_by_m2*t121;
+        parameter_jacobian[8] = cos_omega1_half_tau_by_k1*t61 + cos_omega2_half_tau_by_k1*t62 + omega1_by_k1*t118 - omega2_by_k1*t120 - p1_by_k1*t91 + p3_by_k1*t90 + sin_omega1_half_tau_by_k1*t119 - sin_omega2_half_tau_by_k1*t121 + t105*t127 - t105*t128 - t56*(-t122 - t123 + t125 + t126) + t58*(k2*p1*y + k3 - t100 - t122 - t123 - t124);
+        parameter_jacobian[9] = cos_omega1_half_tau_by_k2*t61 + cos_omega2_half_tau_by_k2*t62 + omega1_by_k2*t118 - omega2_by_k2*t120 - p1_by_k2*t91 + p3_by_k2*t90 + sin_omega1_half_tau_by_k2*t119 - sin_omega2_half_tau_by_k2*t121 + t114*t127 - t114*t128 - t56*(t126 - t129 + t131) + t58*(k1*p1*y - t124 - t129 - t130);
+        parameter_jacobian[10] = cos_omega1_half_tau_by_k3*t61 + cos_omega2_half_tau_by_k3*t62 + omega1_by_k3*t118 - omega2_by_k3*t120 - p1_by_k3*t91 + p3_by_k3*t90 + sin_omega1_half_tau_by_k3*t119 - sin_omega2_half_tau_by_k3*t121 + t116*t127 - t116*t128 - t132*t56 + t58*(k1 - t100 - t130 + t132);
+        parameter_jacobian[11] = 0;
+        parameter_jacobian[12] = -cos_omega3_half_tau1_by_m1*t69 + cos_omega4_half_tau1_by_m1*t71 - omega3_by_m1*t138 + omega4_by_m1*t136 + p4_by_m1*t133 - p5_by_m1*t134 - sin_omega3_half_tau1_by_m1*t139 + sin_omega4_half_tau1_by_m1*t137;
+        parameter_jacobian[13] = -cos_omega3_half_tau1_by_m2*t69 + cos_omega4_half_tau1_by_m2*t71 - omega3_by_m2*t138 + omega4_by_m2*t136 + p4_by_m2*t133 - p5_by_m2*t134 - sin_omega3_half_tau1_by_m2*t139 + sin_omega4_half_tau1_by_m2*t137;
+        parameter_jacobian[14] = -cos_omega3_half_tau1_by_k1*t69 + cos_omega4_half_tau1_by_k1*t71 - omega3_by_k1*t138 + omega4_by_k1*t136 + p4_by_k1*t133 - p5_by_k1*t134 - sin_omega3_half_tau1_by_k1*t139 + sin_omega4_half_tau1_by_k1*t137;
+        parameter_jacobian[15] = -cos_omega3_half_tau1_by_k2*t69 + cos_omega4_half_tau1_by_k2*t71 - omega3_by_k2*t138 + omega4_by_k2*t136 + p4_by_k2*t133 - p5_by_k2*t134 - sin_omega3_half_tau1_by_k2*t139 + sin_omega4_half_tau1_by_k2*t137;
+        parameter_jacobian[16] = -cos_omega3_half_tau1_by_k3*t69 + cos_omega4_half_tau1_by_k3*t71 - omega3_by_k3*t138 + omega4_by_k3*t136 + p4_by_k3*t133 - p5_by_k3*t134 - sin_omega3_half_tau1_by_k3*t139 + sin_omega4_half_tau1_by_k3*t137;
+        parameter_jacobian[17] = -cos_omega3_half_tau1_by_T*t69 + cos_omega4_half_tau1_by_T*t71 - sin_omega3_half_tau1_by_T*t139 + sin_omega4_half_tau1_by_T*t137;
+        parameter_jacobian[18] = cos_omega3_half_tau1_by_m1*t78 + cos_omega4_half_tau1_by_m1*t79 + omega3_by_m1*t140 - omega4_by_m1*t142 + p4_by_m1*t134 + p6_by_m1*t133 + sin_omega3_half_tau1_by_m1*t141 - sin_omega4_half_tau1_by_m1*t143;
+        parameter_jacobian[19] = cos_omega3_half_tau1_by_m2*t78 + cos_omega4_half_tau1_by_m2*t79 + omega3_by_m2*t140 - omega4_by_m2*t142 + p4_by_m2*t134 + p6_by_m2*t133 + sin_omega3_half_tau1_by_m2*t141 - sin_omega4_half_tau1_by_m2*t143;
+        parameter_jacobian[20] = cos_omega3_half_tau1_by_k1*t78 + cos_omega4_half_tau1_by_k1*t79 + omega3_by_k1*t140 - omega4_by_k1*t142 + p4_by_k1*t134 + p6_by_k1*t133 + sin_omega3_half_tau1_by_k1*t141 - sin_omega4_half_tau1_by_k1*t143;
+        parameter_jacobian[21] = cos_omega3_half_tau1_by_k2*t78 + cos_omega4_half_tau1_by_k2*t79 + omega3_by_k2*t140 - omega4_by_k2*t142 + p4_by_k2*t134 + p6_by_k2*t133 + sin_omega3_half_tau1_by_k2*t141 - sin_omega4_half_tau1_by_k2*t143;
+        parameter_jacobian[22] = cos_omega3_half_tau1_by_k3*t78 + cos_omega4_half_tau1_by_k3*t79 + omega3_by_k3*t140 - omega4_by_k3*t142 + p4_by_k3*t134 + p6_by_k3*t133 + sin_omega3_half_tau1_by_k3*t141 - sin_omega4_half_tau1_by_k3*t143;
+        parameter_jacobian[23] = cos_omega3_half_tau1_by_T*t78 + cos_omega4_half_tau1_by_T*t79 + sin_omega3_half_tau1_by_T*t141 - sin_omega4_half_tau1_by_T*t143;
+    }
+}
+
+/* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
+ * Takes parameters (6), spectrum (12), unknowns (4), spectrum_derivatives (12, 5); gives trace, trace_gradient (10), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 1672. Intermediate terms: 325. */
+void elastic_stop_one_contact_trace(
+    const double parameters[6], const double spectrum[12], const double unknowns[4], const double *spectrum_derivatives, double *trace, double *trace_gradient)
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double k3 = parameters[4];
+    const double T = parameters[5];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[7];
+    const double omega4 = spectrum[8];
+    const double p4 = spectrum[9];
+    const double p5 = spectrum[10];
+    const double p6 = spectrum[11];
     const double y = unknowns[0];
     const double u = unknowns[1];
     const double w = unknowns[2];
@@ -2163,17 +1072,81 @@ void elastic_stop_one_contact_trace_gradient(
     const double carried_x1_2_by_y = t60*v1_1_on_boundary_by_y + t61*v2_1_on_boundary_by_y + t62*x1_1_on_boundary_by_y + t63*x2_1_on_boundary_by_y;
     const double carried_x1_2_by_u = t60*v1_1_on_boundary_by_u + t61*v2_1_on_boundary_by_u + t62*x1_1_on_boundary_by_u + t63*x2_1_on_boundary_by_u;
     const double carried_x1_2_by_w = t60*v1_1_on_boundary_by_w + t61*v2_1_on_boundary_by_w + t62*x1_1_on_boundary_by_w + t63*x2_1_on_boundary_by_w;
+    const double carried_x2_2_by_y = t65*v1_1_on_boundary_by_y + t66*v2_1_on_boundary_by_y + t67*x1_1_on_boundary_by_y + t68*x2_1_on_boundary_by_y;
+    const double carried_v1_2_by_u = t62*v1_1_on_boundary_by_u + t63*v2_1_on_boundary_by_u - t71*x1_1_on_boundary_by_u + t74*x2_1_on_boundary_by_u;
+    const double carried_v2_2_by_w = t67*v1_1_on_boundary_by_w + t68*v2_1_on_boundary_by_w + t76*x1_1_on_boundary_by_w - t77*x2_1_on_boundary_by_w;
     /* derivatives of the time to the boundary after tau1 */
     const double t89 = (1.0/(v1_2));
     const double delay_tau1_by_y = -carried_x1_2_by_y*t89;
     const double delay_tau1_by_u = -carried_x1_2_by_u*t89;
     const double delay_tau1_by_w = -carried_x1_2_by_w*t89;
+    /* perturbation on the boundary after tau1 */
+    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
+    const double t90 = t80*x1_2;
+    const double t91 = k1*t80*x2_2 - k1*t90;
+    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t91;
+    const double t92 = t84*x1_2;
+    const double t93 = t84*x2_2;
+    const double t94 = k1*t92 - t86*t93;
+    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t94;
+    if (trace) {
+        *trace = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
+    }
+    if (!trace_gradient)
+        return;
+    const double omega1_by_k1 = spectrum_derivatives[5];
+    const double omega1_by_k2 = spectrum_derivatives[6];
+    const double omega1_by_k3 = spectrum_derivatives[7];
+    const double omega1_by_m1 = spectrum_derivatives[8];
+    const double omega1_by_m2 = spectrum_derivatives[9];
+    const double omega2_by_k1 = spectrum_derivatives[10];
+    const double omega2_by_k2 = spectrum_derivatives[11];
+    const double omega2_by_k3 = spectrum_derivatives[12];
+    const double omega2_by_m1 = spectrum_derivatives[13];
+    const double omega2_by_m2 = spectrum_derivatives[14];
+    const double p1_by_k1 = spectrum_derivatives[15];
+    const double p1_by_k2 = spectrum_derivatives[16];
+    const double p1_by_k3 = spectrum_derivatives[17];
+    const double p1_by_m1 = spectrum_derivatives[18];
+    const double p1_by_m2 = spectrum_derivatives[19];
+    const double p2_by_k1 = spectrum_derivatives[20];
+    const double p2_by_k2 = spectrum_derivatives[21];
+    const double p2_by_k3 = spectrum_derivatives[22];
+    const double p2_by_m1 = spectrum_derivatives[23];
+    const double p2_by_m2 = spectrum_derivatives[24];
+    const double p3_by_k1 = spectrum_derivatives[25];
+    const double p3_by_k2 = spectrum_derivatives[26];
+    const double p3_by_k3 = spectrum_derivatives[27];
+    const double p3_by_m1 = spectrum_derivatives[28];
+    const double p3_by_m2 = spectrum_derivatives[29];
+    const double omega3_by_k1 = spectrum_derivatives[35];
+    const double omega3_by_k2 = spectrum_derivatives[36];
+    const double omega3_by_k3 = spectrum_derivatives[37];
+    const double omega3_by_m1 = spectrum_derivatives[38];
+    const double omega3_by_m2 = spectrum_derivatives[39];
+    const double omega4_by_k1 = spectrum_derivatives[40];
+    const double omega4_by_k2 = spectrum_derivatives[41];
+    const double omega4_by_k3 = spectrum_derivatives[42];
+    const double omega4_by_m1 = spectrum_derivatives[43];
+    const double omega4_by_m2 = spectrum_derivatives[44];
+    const double p4_by_k1 = spectrum_derivatives[45];
+    const double p4_by_k2 = spectrum_derivatives[46];
+    const double p4_by_k3 = spectrum_derivatives[47];
+    const double p4_by_m1 = spectrum_derivatives[48];
+    const double p4_by_m2 = spectrum_derivatives[49];
+    const double p5_by_k1 = spectrum_derivatives[50];
+    const double p5_by_k2 = spectrum_derivatives[51];
+    const double p5_by_k3 = spectrum_derivatives[52];
+    const double p5_by_m1 = spectrum_derivatives[53];
+    const double p5_by_m2 = spectrum_derivatives[54];
+    const double p6_by_k1 = spectrum_derivatives[55];
+    const double p6_by_k2 = spectrum_derivatives[56];
+    const double p6_by_k3 = spectrum_derivatives[57];
+    const double p6_by_m1 = spectrum_derivatives[58];
+    const double p6_by_m2 = spectrum_derivatives[59];
     /* back through: derivatives of the time to the boundary after tau1 */
-    const double t90 = t84*x1_2;
-    const double t91 = t84*x2_2;
-    const double slope_by_delay_tau1_by_w = k1*t90 - t86*t91;
-    const double t92 = t80*x1_2;
-    const double slope_by_delay_tau1_by_u = k1*t80*x2_2 - k1*t92;
+    const double slope_by_delay_tau1_by_w = t94;
+    const double slope_by_delay_tau1_by_u = t91;
     /* back through: Phi along tau1 */
     const double slope_by_carried_x1_2_by_w = -slope_by_delay_tau1_by_w*t89;
     const double slope_by_carried_x1_2_by_u = -slope_by_delay_tau1_by_u*t89;
@@ -2196,196 +1169,201 @@ void elastic_stop_one_contact_trace_gradient(
     const double slope_by_delay_tau_by_u = slope_by_v1_1_on_boundary_by_u*t83 + slope_by_v2_1_on_boundary_by_u*t88 + slope_by_x1_1_on_boundary_by_u*v1_1 + slope_by_x2_1_on_boundary_by_u*v2_1;
     const double slope_by_delay_tau_by_y = slope_by_v1_1_on_boundary_by_y*t83 + slope_by_v2_1_on_boundary_by_y*t88 + slope_by_x1_1_on_boundary_by_y*v1_1 + slope_by_x2_1_on_boundary_by_y*v2_1;
     /* back through: rate of the exit boundary after tau */
-    const double t93 = (1.0/(rate_1*rate_1));
-    const double slope_by_rate_1 = -carried_x1_1_by_u*slope_by_delay_tau_by_u*t93 - carried_x1_1_by_w*slope_by_delay_tau_by_w*t93 - carried_x1_1_by_y*slope_by_delay_tau_by_y*t93;
+    const double t95 = (1.0/(rate_1*rate_1));
+    const double slope_by_rate_1 = -carried_x1_1_by_u*slope_by_delay_tau_by_u*t95 - carried_x1_1_by_w*slope_by_delay_tau_by_w*t95 - carried_x1_1_by_y*slope_by_delay_tau_by_y*t95;
     /* back through: Phi along tau */
     const double slope_by_carried_x1_1_by_w = slope_by_delay_tau_by_w*t79 + slope_by_x1_1_on_boundary_by_w;
     const double slope_by_carried_x1_1_by_u = slope_by_delay_tau_by_u*t79 + slope_by_x1_1_on_boundary_by_u;
     const double slope_by_carried_x1_1_by_y = slope_by_delay_tau_by_y*t79 + slope_by_x1_1_on_boundary_by_y;
     /* back through: free for tau1, until first-reaches-stop */
-    const double t94 = (1.0/(v1_2*v1_2));
-    const double slope_by_v1_2 = carried_x1_2_by_u*slope_by_delay_tau1_by_u*t94 + carried_x1_2_by_w*slope_by_delay_tau1_by_w*t94 + carried_x1_2_by_y*t94*v2_2;
-    const double t95 = k1*t80;
-    const double t96 = delay_tau1_by_u*t95;
-    const double slope_by_x2_2 = -delay_tau1_by_w*t84*t86 + t96;
-    const double slope_by_x1_2 = delay_tau1_by_w*k1*t84 - t96;
+    const double t96 = (1.0/(v1_2*v1_2));
+    const double slope_by_v1_2 = carried_x1_2_by_u*slope_by_delay_tau1_by_u*t96 + carried_x1_2_by_w*slope_by_delay_tau1_by_w*t96 + carried_x1_2_by_y*t96*v2_2;
+    const double t97 = k1*t80;
+    const double t98 = delay_tau1_by_u*t97;
+    const double slope_by_x2_2 = -delay_tau1_by_w*t84*t86 + t98;
+    const double slope_by_x1_2 = delay_tau1_by_w*k1*t84 - t98;
     /* back through: functions of tau1 in free */
-    const double t97 = p4*x2_1;
-    const double t98 = p5*v2_1_on_boundary_by_u;
-    const double t99 = p5*t58;
-    const double t100 = p5*x2_1;
-    const double t101 = t57*x1_1;
-    const double t102 = p5*v2_1;
-    const double t103 = p4*v2_1;
-    const double t104 = p6*v1_1;
-    const double t105 = p4*v2_1_on_boundary_by_y;
-    const double t106 = p5*x2_1_on_boundary_by_u;
-    const double t107 = p6*x1_1_on_boundary_by_w;
-    const double t108 = p4*x2_1_on_boundary_by_w;
-    const double t109 = p6*v1_1_on_boundary_by_y;
-    const double t110 = t57*x1_1_on_boundary_by_u;
-    const double slope_by_sin_omega4_tau1 = delay_tau1_by_y*(omega4*p6*x1_1 - omega4*t97) + omega4*t106 + omega4*t107 - omega4*t108 - omega4*t110 + slope_by_carried_x1_2_by_u*(t57*t58*v1_1_on_boundary_by_u - t58*t98) + slope_by_carried_x1_2_by_w*(t57*t58*v1_1_on_boundary_by_w - t99*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t57*t58*v1_1_on_boundary_by_y - t99*v2_1_on_boundary_by_y) + slope_by_v1_2*(omega4*t100 - omega4*t101) + slope_by_x1_2*(-t102*t58 + t57*t58*v1_1) + slope_by_x2_2*(t103*t58 - t104*t58) + t105*t58 - t109*t58;
-    const double t111 = p5*x2_1_on_boundary_by_w;
-    const double t112 = p5*x2_1_on_boundary_by_y;
-    const double t113 = p6*x1_1;
-    const double t114 = t57*v1_1_on_boundary_by_u;
-    const double t115 = p6*v1_1_on_boundary_by_w;
-    const double t116 = p6*x1_1_on_boundary_by_y;
-    const double slope_by_cos_omega4_tau1 = delay_tau1_by_y*(t103 - t104) + p4*v2_1_on_boundary_by_w + p4*x2_1_on_boundary_by_y + slope_by_carried_x1_2_by_u*(-t106 + t57*x1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t111 + t57*x1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t112 + t57*x1_1_on_boundary_by_y) + slope_by_v1_2*(-t102 + t57*v1_1) + slope_by_x1_2*(-t100 + t57*x1_1) + slope_by_x2_2*(-t113 + t97) + t114 - t115 - t116 - t98;
-    const double t117 = t57*x2_1;
-    const double t118 = p4*v1_1_on_boundary_by_u;
-    const double t119 = p4*t55;
-    const double t120 = p5*t55;
-    const double t121 = p4*x1_1;
-    const double t122 = p4*v1_1;
-    const double t123 = t57*v2_1;
-    const double t124 = t57*v2_1_on_boundary_by_y;
-    const double t125 = p4*x1_1_on_boundary_by_u;
-    const double t126 = t57*x2_1_on_boundary_by_w;
-    const double slope_by_sin_omega3_tau1 = delay_tau1_by_y*(-omega3*t113 - omega3*t117) - omega3*t106 - omega3*t107 - omega3*t125 - omega3*t126 + slope_by_carried_x1_2_by_u*(t118*t55 + t55*t98) + slope_by_carried_x1_2_by_w*(t119*v1_1_on_boundary_by_w + t120*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t119*v1_1_on_boundary_by_y + t120*v2_1_on_boundary_by_y) + slope_by_v1_2*(-omega3*t100 - omega3*t121) + slope_by_x1_2*(t102*t55 + t122*t55) + slope_by_x2_2*(t104*t55 + t123*t55) + t109*t55 + t124*t55;
-    const double slope_by_cos_omega3_tau1 = delay_tau1_by_y*(t104 + t123) + slope_by_carried_x1_2_by_u*(t106 + t125) + slope_by_carried_x1_2_by_w*(p4*x1_1_on_boundary_by_w + t111) + slope_by_carried_x1_2_by_y*(p4*x1_1_on_boundary_by_y + t112) + slope_by_v1_2*(t102 + t122) + slope_by_x1_2*(t100 + t121) + slope_by_x2_2*(t113 + t117) + t115 + t116 + t118 + t57*v2_1_on_boundary_by_w + t57*x2_1_on_boundary_by_y + t98;
+    const double t99 = p4*x2_1;
+    const double t100 = p5*v2_1_on_boundary_by_u;
+    const double t101 = p5*t58;
+    const double t102 = p5*x2_1;
+    const double t103 = t57*x1_1;
+    const double t104 = p5*v2_1;
+    const double t105 = p4*v2_1;
+    const double t106 = p6*v1_1;
+    const double t107 = p4*v2_1_on_boundary_by_y;
+    const double t108 = p5*x2_1_on_boundary_by_u;
+    const double t109 = p6*x1_1_on_boundary_by_w;
+    const double t110 = p4*x2_1_on_boundary_by_w;
+    const double t111 = p6*v1_1_on_boundary_by_y;
+    const double t112 = t57*x1_1_on_boundary_by_u;
+    const double slope_by_sin_omega4_tau1 = delay_tau1_by_y*(omega4*p6*x1_1 - omega4*t99) + omega4*t108 + omega4*t109 - omega4*t110 - omega4*t112 + slope_by_carried_x1_2_by_u*(-t100*t58 + t57*t58*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t101*v2_1_on_boundary_by_w + t57*t58*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t101*v2_1_on_boundary_by_y + t57*t58*v1_1_on_boundary_by_y) + slope_by_v1_2*(omega4*t102 - omega4*t103) + slope_by_x1_2*(-t104*t58 + t57*t58*v1_1) + slope_by_x2_2*(t105*t58 - t106*t58) + t107*t58 - t111*t58;
+    const double t113 = p5*x2_1_on_boundary_by_w;
+    const double t114 = p5*x2_1_on_boundary_by_y;
+    const double t115 = p6*x1_1;
+    const double t116 = t57*v1_1_on_boundary_by_u;
+    const double t117 = p6*v1_1_on_boundary_by_w;
+    const double t118 = p6*x1_1_on_boundary_by_y;
+    const double slope_by_cos_omega4_tau1 = delay_tau1_by_y*(t105 - t106) + p4*v2_1_on_boundary_by_w + p4*x2_1_on_boundary_by_y + slope_by_carried_x1_2_by_u*(-t108 + t57*x1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t113 + t57*x1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t114 + t57*x1_1_on_boundary_by_y) + slope_by_v1_2*(-t104 + t57*v1_1) + slope_by_x1_2*(-t102 + t57*x1_1) + slope_by_x2_2*(-t115 + t99) - t100 + t116 - t117 - t118;
+    const double t119 = t57*x2_1;
+    const double t120 = p4*v1_1_on_boundary_by_u;
+    const double t121 = p4*t55;
+    const double t122 = p5*t55;
+    const double t123 = p4*x1_1;
+    const double t124 = p4*v1_1;
+    const double t125 = t57*v2_1;
+    const double t126 = t57*v2_1_on_boundary_by_y;
+    const double t127 = p4*x1_1_on_boundary_by_u;
+    const double t128 = t57*x2_1_on_boundary_by_w;
+    const double slope_by_sin_omega3_tau1 = delay_tau1_by_y*(-omega3*t115 - omega3*t119) - omega3*t108 - omega3*t109 - omega3*t127 - omega3*t128 + slope_by_carried_x1_2_by_u*(t100*t55 + t120*t55) + slope_by_carried_x1_2_by_w*(t121*v1_1_on_boundary_by_w + t122*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t121*v1_1_on_boundary_by_y + t122*v2_1_on_boundary_by_y) + slope_by_v1_2*(-omega3*t102 - omega3*t123) + slope_by_x1_2*(t104*t55 + t124*t55) + slope_by_x2_2*(t106*t55 + t125*t55) + t111*t55 + t126*t55;
+    const double slope_by_cos_omega3_tau1 = delay_tau1_by_y*(t106 + t125) + slope_by_carried_x1_2_by_u*(t108 + t127) + slope_by_carried_x1_2_by_w*(p4*x1_1_on_boundary_by_w + t113) + slope_by_carried_x1_2_by_y*(p4*x1_1_on_boundary_by_y + t114) + slope_by_v1_2*(t104 + t124) + slope_by_x1_2*(t102 + t123) + slope_by_x2_2*(t115 + t119) + t100 + t117 + t118 + t120 + t57*v2_1_on_boundary_by_w + t57*x2_1_on_boundary_by_y;
     /* back through: tau1 completes the period */
-    const double t127 = sin_omega3_tau1*slope_by_cos_omega3_tau1;
-    const double t128 = sin_omega4_tau1*slope_by_cos_omega4_tau1;
-    const double slope_by_tau1 = cos_omega3_tau1*omega3*slope_by_sin_omega3_tau1 + cos_omega4_tau1*omega4*slope_by_sin_omega4_tau1 - omega3*t127 - omega4*t128;
+    const double t129 = sin_omega3_tau1*slope_by_cos_omega3_tau1;
+    const double t130 = sin_omega4_tau1*slope_by_cos_omega4_tau1;
+    const double slope_by_tau1 = cos_omega3_tau1*omega3*slope_by_sin_omega3_tau1 + cos_omega4_tau1*omega4*slope_by_sin_omega4_tau1 - omega3*t129 - omega4*t130;
     /* back through: contact for tau, until first-leaves-stop */
     const double slope_by_v2_1 = delay_tau1_by_y*t68 + delay_tau_by_u*slope_by_x2_1_on_boundary_by_u + delay_tau_by_w*slope_by_x2_1_on_boundary_by_w + delay_tau_by_y*slope_by_x2_1_on_boundary_by_y + slope_by_v1_2*t63 + slope_by_x1_2*t61 + slope_by_x2_2*t66;
     const double slope_by_v1_1 = delay_tau1_by_y*t67 + delay_tau_by_u*slope_by_x1_1_on_boundary_by_u + delay_tau_by_w*slope_by_x1_1_on_boundary_by_w + delay_tau_by_y*slope_by_x1_1_on_boundary_by_y - slope_by_rate_1 + slope_by_v1_2*t62 + slope_by_x1_2*t60 + slope_by_x2_2*t65;
-    const double t129 = delay_tau_by_u*slope_by_v1_1_on_boundary_by_u;
-    const double t130 = delay_tau_by_w*slope_by_v1_1_on_boundary_by_w;
-    const double t131 = delay_tau_by_y*slope_by_v1_1_on_boundary_by_y;
-    const double t132 = delay_tau_by_u*slope_by_v2_1_on_boundary_by_u;
-    const double t133 = t84*t86;
-    const double t134 = delay_tau_by_w*slope_by_v2_1_on_boundary_by_w;
-    const double t135 = delay_tau_by_y*slope_by_v2_1_on_boundary_by_y;
-    const double slope_by_x2_1 = -delay_tau1_by_y*t77 + slope_by_v1_2*t74 + slope_by_x1_2*t63 + slope_by_x2_2*t68 + t129*t95 + t130*t95 + t131*t95 - t132*t133 - t133*t134 - t133*t135;
-    const double t136 = k1*t84;
-    const double t137 = t80*t81;
-    const double slope_by_x1_1 = delay_tau1_by_y*t76 - slope_by_v1_2*t71 + slope_by_x1_2*t62 + slope_by_x2_2*t67 - t129*t137 - t130*t137 - t131*t137 + t132*t136 + t134*t136 + t135*t136;
+    const double t131 = delay_tau_by_u*slope_by_v1_1_on_boundary_by_u;
+    const double t132 = delay_tau_by_w*slope_by_v1_1_on_boundary_by_w;
+    const double t133 = delay_tau_by_y*slope_by_v1_1_on_boundary_by_y;
+    const double t134 = delay_tau_by_u*slope_by_v2_1_on_boundary_by_u;
+    const double t135 = t84*t86;
+    const double t136 = delay_tau_by_w*slope_by_v2_1_on_boundary_by_w;
+    const double t137 = delay_tau_by_y*slope_by_v2_1_on_boundary_by_y;
+    const double slope_by_x2_1 = -delay_tau1_by_y*t77 + slope_by_v1_2*t74 + slope_by_x1_2*t63 + slope_by_x2_2*t68 + t131*t97 + t132*t97 + t133*t97 - t134*t135 - t135*t136 - t135*t137;
+    const double t138 = k1*t84;
+    const double t139 = t80*t81;
+    const double slope_by_x1_1 = delay_tau1_by_y*t76 - slope_by_v1_2*t71 + slope_by_x1_2*t62 + slope_by_x2_2*t67 - t131*t139 - t132*t139 - t133*t139 + t134*t138 + t136*t138 + t137*t138;
     /* back through: functions of tau in contact */
-    const double t138 = p1*y;
-    const double t139 = p2*w;
-    const double t140 = p1*w;
-    const double t141 = p3*u;
-    const double t142 = p1*slope_by_x2_1_on_boundary_by_w;
-    const double t143 = p2*slope_by_v1_1_on_boundary_by_y;
-    const double t144 = p1*slope_by_v2_1_on_boundary_by_y;
-    const double t145 = p2*slope_by_carried_x1_1_by_w;
-    const double t146 = p3*slope_by_x2_1_on_boundary_by_u;
-    const double slope_by_sin_omega2_tau = omega2*t143 - omega2*t144 - slope_by_carried_x1_1_by_u*t14*t18 + slope_by_v1_1*(omega2*p2*y - t38 - t41) + slope_by_v2_1*(-omega2*t138 + t45 + t46) + slope_by_x1_1*(-t139*t18 - t14*t18*u) + slope_by_x2_1*(t140*t18 - t141*t18) + t142*t18 - t145*t18 - t146*t18;
-    const double t147 = p2*y;
-    const double t148 = -p1 - t147;
-    const double t149 = p2*slope_by_carried_x1_1_by_y;
-    const double t150 = p2*slope_by_v1_1_on_boundary_by_w;
-    const double t151 = p3*slope_by_v2_1_on_boundary_by_u;
-    const double slope_by_cos_omega2_tau = p1*slope_by_v2_1_on_boundary_by_w + p1*slope_by_x2_1_on_boundary_by_y + slope_by_v1_1*(-t139 - t14*u) - slope_by_v1_1_on_boundary_by_u*t14 + slope_by_v2_1*(t140 - t141) + slope_by_x1_1*(t148 + t15 + 1) + slope_by_x2_1*(p1*y - p3 - t30) - t149 - t150 - t151;
-    const double t152 = -t14*y;
-    const double t153 = p1*u;
-    const double t154 = -t14*w;
-    const double t155 = -slope_by_x2_1_on_boundary_by_w*t14;
-    const double t156 = -slope_by_v2_1_on_boundary_by_y*t14;
-    const double slope_by_sin_omega1_tau = -omega1*t143 - omega1*t156 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t147 - t36 + t37) + slope_by_v2_1*(-omega1*t152 - t42 + t44) + slope_by_x1_1*(t139*t16 + t153*t16) + slope_by_x2_1*(t141*t16 + t154*t16) + t145*t16 + t146*t16 + t155*t16;
-    const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t139 + t153) + slope_by_v2_1*(t141 + t154) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t148) + slope_by_x2_1*(p3 + t152 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t149 + t150 + t151;
-    /* outputs */
-    const double t157 = sin_omega1_tau*slope_by_cos_omega1_tau;
-    const double t158 = sin_omega2_tau*slope_by_cos_omega2_tau;
-    const double t159 = (1.0/(m1*m1));
-    const double t160 = k1*t159;
-    const double t161 = p3*sin_omega1_tau;
-    const double t162 = (1.0/(omega1*omega1));
-    const double t163 = sin_omega1_tau*t162;
-    const double t164 = cos_omega1_tau*slope_by_sin_omega1_tau*tau - sin_omega1_tau*t143 - sin_omega1_tau*t156 - slope_by_carried_x1_1_by_u*t162*t17 + slope_by_v1_1*(sin_omega1_tau*t13 - sin_omega1_tau*t147 - t17) + slope_by_v2_1*(-sin_omega1_tau*t152 + sin_omega1_tau*(t26 + t43) - t161) + slope_by_x1_1*(-t139*t163 - t153*t163) + slope_by_x2_1*(-t141*t163 - t154*t163) - slope_by_x2_1_on_boundary_by_u*t161*t162 - t145*t163 - t155*t163 - t157*tau;
-    const double t165 = (1.0/(omega2*omega2));
-    const double t166 = sin_omega2_tau*t165;
-    const double t167 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + sin_omega2_tau*t143 - sin_omega2_tau*t144 - slope_by_carried_x1_1_by_u*t165*t20 + slope_by_v1_1*(sin_omega2_tau*t147 + sin_omega2_tau*(-t12 - t14*t7*t9) - t20) + slope_by_v2_1*(-sin_omega2_tau*t138 + sin_omega2_tau*t30 + t31) + slope_by_x1_1*(t139*t166 + t14*t166*u) + slope_by_x2_1*(p3*sin_omega2_tau*t165*u - t140*t166) + slope_by_x2_1_on_boundary_by_u*t165*t31 - t142*t166 + t145*t166 - t158*tau;
-    const double t168 = sin_omega3_tau1/(omega3*omega3);
-    const double t169 = p4*t168;
-    const double t170 = p5*t168;
-    const double t171 = cos_omega3_tau1*slope_by_sin_omega3_tau1*tau1 + delay_tau1_by_y*(-sin_omega3_tau1*t113 - sin_omega3_tau1*t117) - sin_omega3_tau1*t106 - sin_omega3_tau1*t107 - sin_omega3_tau1*t125 - sin_omega3_tau1*t126 + slope_by_carried_x1_2_by_u*(-t118*t168 - t168*t98) + slope_by_carried_x1_2_by_w*(-t169*v1_1_on_boundary_by_w - t170*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t169*v1_1_on_boundary_by_y - t170*v2_1_on_boundary_by_y) + slope_by_v1_2*(-sin_omega3_tau1*t100 - sin_omega3_tau1*t121) + slope_by_x1_2*(-t102*t168 - t122*t168) + slope_by_x2_2*(-t104*t168 - t123*t168) - t109*t168 - t124*t168 - t127*tau1;
-    const double t172 = (1.0/(omega4*omega4));
-    const double t173 = sin_omega4_tau1*t172;
-    const double t174 = p5*t173;
-    const double t175 = t173*t57;
-    const double t176 = cos_omega4_tau1*slope_by_sin_omega4_tau1*tau1 + delay_tau1_by_y*(p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t97) + sin_omega4_tau1*t106 + sin_omega4_tau1*t107 - sin_omega4_tau1*t108 - sin_omega4_tau1*t110 + slope_by_carried_x1_2_by_u*(-t114*t173 + t173*t98) + slope_by_carried_x1_2_by_w*(t174*v2_1_on_boundary_by_w - t175*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t174*v2_1_on_boundary_by_y - t175*v1_1_on_boundary_by_y) + slope_by_v1_2*(sin_omega4_tau1*t100 - sin_omega4_tau1*t101) + slope_by_x1_2*(t102*t173 - t173*t57*v1_1) + slope_by_x2_2*(p6*sin_omega4_tau1*t172*v1_1 - t103*t173) - t105*t173 + t109*t173 - t128*tau1;
-    const double t177 = -sin_omega1_tau*t16 + t22;
-    const double t179 = cos_omega1_tau - cos_omega2_tau;
-    const double t180 = t10*t39 - t10*t47 + t179*u - t39 + t47;
-    const double t182 = t39 - t47;
-    const double t183 = t11*t47;
-    const double t184 = t11*t39;
-    const double t185 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t177*u + t179;
-    const double t186 = cos_omega1_tau*t11;
-    const double t187 = cos_omega2_tau*t11;
-    const double t188 = -slope_by_carried_x1_1_by_u*t177 + slope_by_v1_1*t180 + slope_by_v1_1_on_boundary_by_u*t179 + slope_by_v2_1*(-t179*w + t182*y + t183 - t184) - slope_by_v2_1_on_boundary_by_w*t179 + slope_by_v2_1_on_boundary_by_y*t182 + slope_by_x1_1*t185 + slope_by_x2_1*(t177*w - t179*y + t186 - t187) + slope_by_x2_1_on_boundary_by_w*t177 - slope_by_x2_1_on_boundary_by_y*t179;
-    const double t190 = -slope_by_carried_x1_1_by_w*t177 + slope_by_carried_x1_1_by_y*t179 + slope_by_v1_1*(t179*w - t182*y - t183 + t184) + slope_by_v1_1_on_boundary_by_w*t179 - slope_by_v1_1_on_boundary_by_y*t182 + slope_by_x1_1*(-t177*w + t179*y - t186 + t187);
-    const double t191 = slope_by_v2_1*t180 + slope_by_v2_1_on_boundary_by_u*t179 + slope_by_x2_1*t185 - slope_by_x2_1_on_boundary_by_u*t177;
-    const double t192 = cos_omega3_tau1 - cos_omega4_tau1;
-    const double t194 = t69 - t70;
-    const double t195 = -sin_omega3_tau1*t55 + t59;
-    const double t197 = t192*x1_1_on_boundary_by_y - t195*v1_1_on_boundary_by_y;
-    const double t199 = t192*v1_1 - t194*x1_1;
-    const double t200 = t192*x1_1 - t195*v1_1;
-    const double t201 = delay_tau1_by_y*(-t192*v2_1 + t194*x2_1) + slope_by_carried_x1_2_by_u*(t192*x1_1_on_boundary_by_u - t195*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x1_1_on_boundary_by_w - t195*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*t197 + slope_by_v1_2*t199 + slope_by_x1_2*t200 + slope_by_x2_2*(-t192*x2_1 + t195*v2_1) + t192*v1_1_on_boundary_by_u - t192*v2_1_on_boundary_by_w - t192*x2_1_on_boundary_by_y - t194*x1_1_on_boundary_by_u + t194*x2_1_on_boundary_by_w + t195*v2_1_on_boundary_by_y;
-    const double t202 = slope_by_carried_x1_2_by_u*(t192*x2_1_on_boundary_by_u - t195*v2_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x2_1_on_boundary_by_w - t195*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t192*x2_1_on_boundary_by_y - t195*v2_1_on_boundary_by_y) + slope_by_v1_2*(t192*v2_1 - t194*x2_1) + slope_by_x1_2*(t192*x2_1 - t195*v2_1) + t192*v2_1_on_boundary_by_u - t194*x2_1_on_boundary_by_u;
-    const double t203 = delay_tau1_by_y*t199 + slope_by_x2_2*t200 + t192*v1_1_on_boundary_by_w - t194*x1_1_on_boundary_by_w + t197;
-    const double t204 = -k3*t159 + t159*t81*x1_1 - t160*x2_1;
-    const double t205 = (1.0/(m2*m2));
-    const double t206 = k1*t205;
-    const double t207 = t205*t86*x2_1 - t206*x1_1;
-    const double t208 = k3*t9;
-    const double t209 = t208*t36;
-    const double t210 = p2*t208;
-    const double t211 = -k2 - k3;
-    const double t212 = (1.0/(t8*t8));
-    const double t213 = t212*t7;
-    const double t214 = t211*t213;
-    const double t215 = t212*t6;
-    const double t216 = t211*t215;
-    const double t217 = p2*t216;
-    const double t218 = t208*t42;
-    const double t219 = -omega1*t14;
-    const double t220 = p1*t208;
-    const double t221 = t208*t45;
-    const double t222 = p1*t216;
-    const double t223 = t210 + t217;
-    const double t224 = t14*t208;
-    const double t225 = p3*t208;
-    const double t226 = -p3*t214 - t225;
-    const double t227 = t80*x2_1 - t82;
-    const double t228 = t85 - t87;
-    const double t230 = -t213*t81;
-    const double t231 = -t215*t81;
-    const double t232 = p2*t231;
-    const double t233 = p3*t230 + t225;
-    const double t234 = t86*t9;
-    const double t235 = k1*t9;
-    const double t236 = p2*t235;
-    const double t238 = -t213*t86;
-    const double t239 = -t215*t86;
-    const double t240 = p2*t239;
-    const double t241 = p1*t235;
-    const double t242 = p1*t239;
-    const double t243 = t236 + t240;
-    const double t244 = -p3*t234 - p3*t238;
-    const double t245 = t80 - t82;
-    trace_gradient[0] = slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34;
-    trace_gradient[1] = slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32;
-    trace_gradient[2] = slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33;
-    trace_gradient[3] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t157 - omega2*t158 - slope_by_tau1;
-    trace_gradient[4] = delay_tau1_by_u*(t160*x1_2 - t160*x2_2) + omega1_by_m1*t164 + omega2_by_m1*t167 + omega3_by_m1*t171 + omega4_by_m1*t176 + p1_by_m1*t188 + p2_by_m1*t190 + p3_by_m1*t191 + p4_by_m1*t201 + p5_by_m1*t202 + p6_by_m1*t203 + t129*t204 + t130*t204 + t131*t204;
-    trace_gradient[5] = delay_tau1_by_w*(t205*t86*x2_2 - t206*x1_2) + omega1_by_m2*t164 + omega2_by_m2*t167 + omega3_by_m2*t171 + omega4_by_m2*t176 + p1_by_m2*t188 + p2_by_m2*t190 + p3_by_m2*t191 + p4_by_m2*t201 + p5_by_m2*t202 + p6_by_m2*t203 + t132*t207 + t134*t207 + t135*t207;
-    trace_gradient[6] = delay_tau1_by_u*(t80*x2_2 - t92) + delay_tau1_by_w*(t90 - t91) + omega1_by_k1*t164 + omega2_by_k1*t167 + omega3_by_k1*t171 + omega4_by_k1*t176 + p1_by_k1*t188 + p2_by_k1*t190 + p3_by_k1*t191 + p4_by_k1*t201 + p5_by_k1*t202 + p6_by_k1*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t210 + omega1*t217 + t209 + t214*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t211*t212*t7 - omega2*t210 - omega2*t217)) + slope_by_v2_1*(sin_omega1_tau*(t208*t219 + t214*t42 + t216*t219 + t218) + sin_omega2_tau*(omega2*t220 + omega2*t222 - t214*t45 - t221)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t214 - t220 - t223) + cos_omega2_tau*(t14*t214 + t223 + t224) + t208 + t214) + slope_by_x2_1*(cos_omega1_tau*(t14*t216 + t224 + t226) + cos_omega2_tau*(-t220 - t222 - t226) + t208 + t216) + t129*t227 + t130*t227 + t131*t227 + t132*t228 + t134*t228 + t135*t228;
-    trace_gradient[7] = -delay_tau1_by_w*t91 + omega1_by_k2*t164 + omega2_by_k2*t167 + omega3_by_k2*t171 + omega4_by_k2*t176 + p1_by_k2*t188 + p2_by_k2*t190 + p3_by_k2*t191 + p4_by_k2*t201 + p5_by_k2*t202 + p6_by_k2*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t232 + t209 + t230*t36) + sin_omega2_tau*(-omega2*t232 + t208*t41 + t230*t41)) + slope_by_v2_1*(sin_omega1_tau*(t218 + t219*t231 + t230*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t212*t81 - t221 - t230*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t230 - t220 - t232) + cos_omega2_tau*(t14*t230 + t224 + t232) + t208 + t230) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t212*t81 - t233) + cos_omega2_tau*(-p1*t231 + t233) + t231) - t132*t87 - t134*t87 - t135*t87;
-    trace_gradient[8] = omega1_by_k3*t164 + omega2_by_k3*t167 + omega3_by_k3*t171 + omega4_by_k3*t176 + p1_by_k3*t188 + p2_by_k3*t190 + p3_by_k3*t191 + p4_by_k3*t201 + p5_by_k3*t202 + p6_by_k3*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t236 + omega1*t240 + t234*t36 + t238*t36) + sin_omega2_tau*(omega2*t14*t212*t7*t86 - omega2*t14*t86*t9 - omega2*t236 - omega2*t240)) + slope_by_v2_1*(sin_omega1_tau*(t219*t235 + t219*t239 + t234*t42 + t238*t42) + sin_omega2_tau*(omega2*t241 + omega2*t242 - t234*t45 - t238*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t234 - p1*t238 - t243) + cos_omega2_tau*(t14*t234 + t14*t238 + t243) + t234 + t238) + slope_by_x2_1*(cos_omega1_tau*(t14*t235 + t14*t239 + t244) + cos_omega2_tau*(-t241 - t242 - t244) + t235 + t239) + t129*t245 + t130*t245 + t131*t245;
-    trace_gradient[9] = slope_by_tau1;
+    const double t140 = p1*y;
+    const double t141 = p2*w;
+    const double t142 = p1*w;
+    const double t143 = p3*u;
+    const double t144 = p1*slope_by_x2_1_on_boundary_by_w;
+    const double t145 = p2*slope_by_v1_1_on_boundary_by_y;
+    const double t146 = p1*slope_by_v2_1_on_boundary_by_y;
+    const double t147 = p2*slope_by_carried_x1_1_by_w;
+    const double t148 = p3*slope_by_x2_1_on_boundary_by_u;
+    const double slope_by_sin_omega2_tau = omega2*t145 - omega2*t146 - slope_by_carried_x1_1_by_u*t14*t18 + slope_by_v1_1*(omega2*p2*y - t38 - t41) + slope_by_v2_1*(-omega2*t140 + t45 + t46) + slope_by_x1_1*(-t14*t18*u - t141*t18) + slope_by_x2_1*(t142*t18 - t143*t18) + t144*t18 - t147*t18 - t148*t18;
+    const double t149 = p2*y;
+    const double t150 = -p1 - t149;
+    const double t151 = p2*slope_by_carried_x1_1_by_y;
+    const double t152 = p2*slope_by_v1_1_on_boundary_by_w;
+    const double t153 = p3*slope_by_v2_1_on_boundary_by_u;
+    const double slope_by_cos_omega2_tau = p1*slope_by_v2_1_on_boundary_by_w + p1*slope_by_x2_1_on_boundary_by_y + slope_by_v1_1*(-t14*u - t141) - slope_by_v1_1_on_boundary_by_u*t14 + slope_by_v2_1*(t142 - t143) + slope_by_x1_1*(t15 + t150 + 1) + slope_by_x2_1*(p1*y - p3 - t30) - t151 - t152 - t153;
+    const double t154 = -t14*y;
+    const double t155 = p1*u;
+    const double t156 = -t14*w;
+    const double t157 = -slope_by_x2_1_on_boundary_by_w*t14;
+    const double t158 = -slope_by_v2_1_on_boundary_by_y*t14;
+    const double slope_by_sin_omega1_tau = -omega1*t145 - omega1*t158 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t149 - t36 + t37) + slope_by_v2_1*(-omega1*t154 - t42 + t44) + slope_by_x1_1*(t141*t16 + t155*t16) + slope_by_x2_1*(t143*t16 + t156*t16) + t147*t16 + t148*t16 + t157*t16;
+    const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t141 + t155) + slope_by_v2_1*(t143 + t156) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t150) + slope_by_x2_1*(p3 + t154 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t151 + t152 + t153;
+    /* trace_gradient */
+    const double t159 = sin_omega1_tau*slope_by_cos_omega1_tau;
+    const double t160 = sin_omega2_tau*slope_by_cos_omega2_tau;
+    const double t161 = (1.0/(m1*m1));
+    const double t162 = k1*t161;
+    const double t163 = p3*sin_omega1_tau;
+    const double t164 = (1.0/(omega1*omega1));
+    const double t165 = sin_omega1_tau*t164;
+    const double t166 = cos_omega1_tau*slope_by_sin_omega1_tau*tau - sin_omega1_tau*t145 - sin_omega1_tau*t158 - slope_by_carried_x1_1_by_u*t164*t17 + slope_by_v1_1*(sin_omega1_tau*t13 - sin_omega1_tau*t149 - t17) + slope_by_v2_1*(-sin_omega1_tau*t154 + sin_omega1_tau*(t26 + t43) - t163) + slope_by_x1_1*(-t141*t165 - t155*t165) + slope_by_x2_1*(-t143*t165 - t156*t165) - slope_by_x2_1_on_boundary_by_u*t163*t164 - t147*t165 - t157*t165 - t159*tau;
+    const double t167 = (1.0/(omega2*omega2));
+    const double t168 = sin_omega2_tau*t167;
+    const double t169 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + sin_omega2_tau*t145 - sin_omega2_tau*t146 - slope_by_carried_x1_1_by_u*t167*t20 + slope_by_v1_1*(sin_omega2_tau*t149 + sin_omega2_tau*(-t12 - t14*t7*t9) - t20) + slope_by_v2_1*(-sin_omega2_tau*t140 + sin_omega2_tau*t30 + t31) + slope_by_x1_1*(t14*t168*u + t141*t168) + slope_by_x2_1*(p3*sin_omega2_tau*t167*u - t142*t168) + slope_by_x2_1_on_boundary_by_u*t167*t31 - t144*t168 + t147*t168 - t160*tau;
+    const double t170 = sin_omega3_tau1/(omega3*omega3);
+    const double t171 = p4*t170;
+    const double t172 = p5*t170;
+    const double t173 = cos_omega3_tau1*slope_by_sin_omega3_tau1*tau1 + delay_tau1_by_y*(-sin_omega3_tau1*t115 - sin_omega3_tau1*t119) - sin_omega3_tau1*t108 - sin_omega3_tau1*t109 - sin_omega3_tau1*t127 - sin_omega3_tau1*t128 + slope_by_carried_x1_2_by_u*(-t100*t170 - t120*t170) + slope_by_carried_x1_2_by_w*(-t171*v1_1_on_boundary_by_w - t172*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t171*v1_1_on_boundary_by_y - t172*v2_1_on_boundary_by_y) + slope_by_v1_2*(-sin_omega3_tau1*t102 - sin_omega3_tau1*t123) + slope_by_x1_2*(-t104*t170 - t124*t170) + slope_by_x2_2*(-t106*t170 - t125*t170) - t111*t170 - t126*t170 - t129*tau1;
+    const double t174 = (1.0/(omega4*omega4));
+    const double t175 = sin_omega4_tau1*t174;
+    const double t176 = p5*t175;
+    const double t177 = t175*t57;
+    const double t178 = cos_omega4_tau1*slope_by_sin_omega4_tau1*tau1 + delay_tau1_by_y*(p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t99) + sin_omega4_tau1*t108 + sin_omega4_tau1*t109 - sin_omega4_tau1*t110 - sin_omega4_tau1*t112 + slope_by_carried_x1_2_by_u*(t100*t175 - t116*t175) + slope_by_carried_x1_2_by_w*(t176*v2_1_on_boundary_by_w - t177*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t176*v2_1_on_boundary_by_y - t177*v1_1_on_boundary_by_y) + slope_by_v1_2*(sin_omega4_tau1*t102 - sin_omega4_tau1*t103) + slope_by_x1_2*(t104*t175 - t175*t57*v1_1) + slope_by_x2_2*(p6*sin_omega4_tau1*t174*v1_1 - t105*t175) - t107*t175 + t111*t175 - t130*tau1;
+    const double t179 = -sin_omega1_tau*t16 + t22;
+    const double t181 = cos_omega1_tau - cos_omega2_tau;
+    const double t182 = t10*t39 - t10*t47 + t181*u - t39 + t47;
+    const double t184 = t39 - t47;
+    const double t185 = t11*t47;
+    const double t186 = t11*t39;
+    const double t187 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t179*u + t181;
+    const double t188 = cos_omega1_tau*t11;
+    const double t189 = cos_omega2_tau*t11;
+    const double t190 = -slope_by_carried_x1_1_by_u*t179 + slope_by_v1_1*t182 + slope_by_v1_1_on_boundary_by_u*t181 + slope_by_v2_1*(-t181*w + t184*y + t185 - t186) - slope_by_v2_1_on_boundary_by_w*t181 + slope_by_v2_1_on_boundary_by_y*t184 + slope_by_x1_1*t187 + slope_by_x2_1*(t179*w - t181*y + t188 - t189) + slope_by_x2_1_on_boundary_by_w*t179 - slope_by_x2_1_on_boundary_by_y*t181;
+    const double t192 = -slope_by_carried_x1_1_by_w*t179 + slope_by_carried_x1_1_by_y*t181 + slope_by_v1_1*(t181*w - t184*y - t185 + t186) + slope_by_v1_1_on_boundary_by_w*t181 - slope_by_v1_1_on_boundary_by_y*t184 + slope_by_x1_1*(-t179*w + t181*y - t188 + t189);
+    const double t193 = slope_by_v2_1*t182 + slope_by_v2_1_on_boundary_by_u*t181 + slope_by_x2_1*t187 - slope_by_x2_1_on_boundary_by_u*t179;
+    const double t194 = cos_omega3_tau1 - cos_omega4_tau1;
+    const double t196 = t69 - t70;
+    const double t197 = -sin_omega3_tau1*t55 + t59;
+    const double t199 = t194*x1_1_on_boundary_by_y - t197*v1_1_on_boundary_by_y;
+    const double t201 = t194*v1_1 - t196*x1_1;
+    const double t202 = t194*x1_1 - t197*v1_1;
+    const double t203 = delay_tau1_by_y*(-t194*v2_1 + t196*x2_1) + slope_by_carried_x1_2_by_u*(t194*x1_1_on_boundary_by_u - t197*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t194*x1_1_on_boundary_by_w - t197*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*t199 + slope_by_v1_2*t201 + slope_by_x1_2*t202 + slope_by_x2_2*(-t194*x2_1 + t197*v2_1) + t194*v1_1_on_boundary_by_u - t194*v2_1_on_boundary_by_w - t194*x2_1_on_boundary_by_y - t196*x1_1_on_boundary_by_u + t196*x2_1_on_boundary_by_w + t197*v2_1_on_boundary_by_y;
+    const double t204 = slope_by_carried_x1_2_by_u*(t194*x2_1_on_boundary_by_u - t197*v2_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t194*x2_1_on_boundary_by_w - t197*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t194*x2_1_on_boundary_by_y - t197*v2_1_on_boundary_by_y) + slope_by_v1_2*(t194*v2_1 - t196*x2_1) + slope_by_x1_2*(t194*x2_1 - t197*v2_1) + t194*v2_1_on_boundary_by_u - t196*x2_1_on_boundary_by_u;
+    const double t205 = delay_tau1_by_y*t201 + slope_by_x2_2*t202 + t194*v1_1_on_boundary_by_w - t196*x1_1_on_boundary_by_w + t199;
+    const double t206 = -k3*t161 + t161*t81*x1_1 - t162*x2_1;
+    const double t207 = (1.0/(m2*m2));
+    const double t208 = k1*t207;
+    const double t209 = t207*t86*x2_1 - t208*x1_1;
+    const double t210 = k3*t9;
+    const double t211 = t210*t36;
+    const double t212 = p2*t210;
+    const double t213 = -k2 - k3;
+    const double t214 = (1.0/(t8*t8));
+    const double t215 = t214*t7;
+    const double t216 = t213*t215;
+    const double t217 = t214*t6;
+    const double t218 = t213*t217;
+    const double t219 = p2*t218;
+    const double t220 = t210*t42;
+    const double t221 = -omega1*t14;
+    const double t222 = p1*t210;
+    const double t223 = t210*t45;
+    const double t224 = p1*t218;
+    const double t225 = t212 + t219;
+    const double t226 = t14*t210;
+    const double t227 = p3*t210;
+    const double t228 = -p3*t216 - t227;
+    const double t229 = t80*x2_1 - t82;
+    const double t230 = t85 - t87;
+    const double t232 = -t215*t81;
+    const double t233 = -t217*t81;
+    const double t234 = p2*t233;
+    const double t235 = p3*t232 + t227;
+    const double t236 = t86*t9;
+    const double t237 = k1*t9;
+    const double t238 = p2*t237;
+    const double t240 = -t215*t86;
+    const double t241 = -t217*t86;
+    const double t242 = p2*t241;
+    const double t243 = p1*t237;
+    const double t244 = p1*t241;
+    const double t245 = t238 + t242;
+    const double t246 = -p3*t236 - p3*t240;
+    const double t247 = t80 - t82;
+    if (trace_gradient) {
+        trace_gradient[0] = slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34;
+        trace_gradient[1] = slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32;
+        trace_gradient[2] = slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33;
+        trace_gradient[3] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t159 - omega2*t160 - slope_by_tau1;
+        trace_gradient[4] = delay_tau1_by_u*(t162*x1_2 - t162*x2_2) + omega1_by_m1*t166 + omega2_by_m1*t169 + omega3_by_m1*t173 + omega4_by_m1*t178 + p1_by_m1*t190 + p2_by_m1*t192 + p3_by_m1*t193 + p4_by_m1*t203 + p5_by_m1*t204 + p6_by_m1*t205 + t131*t206 + t132*t206 + t133*t206;
+        trace_gradient[5] = delay_tau1_by_w*(t207*t86*x2_2 - t208*x1_2) + omega1_by_m2*t166 + omega2_by_m2*t169 + omega3_by_m2*t173 + omega4_by_m2*t178 + p1_by_m2*t190 + p2_by_m2*t192 + p3_by_m2*t193 + p4_by_m2*t203 + p5_by_m2*t204 + p6_by_m2*t205 + t134*t209 + t136*t209 + t137*t209;
+        trace_gradient[6] = delay_tau1_by_u*(t80*x2_2 - t90) + delay_tau1_by_w*(t92 - t93) + omega1_by_k1*t166 + omega2_by_k1*t169 + omega3_by_k1*t173 + omega4_by_k1*t178 + p1_by_k1*t190 + p2_by_k1*t192 + p3_by_k1*t193 + p4_by_k1*t203 + p5_by_k1*t204 + p6_by_k1*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t212 + omega1*t219 + t211 + t216*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t213*t214*t7 - omega2*t212 - omega2*t219)) + slope_by_v2_1*(sin_omega1_tau*(t210*t221 + t216*t42 + t218*t221 + t220) + sin_omega2_tau*(omega2*t222 + omega2*t224 - t216*t45 - t223)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t216 - t222 - t225) + cos_omega2_tau*(t14*t216 + t225 + t226) + t210 + t216) + slope_by_x2_1*(cos_omega1_tau*(t14*t218 + t226 + t228) + cos_omega2_tau*(-t222 - t224 - t228) + t210 + t218) + t131*t229 + t132*t229 + t133*t229 + t134*t230 + t136*t230 + t137*t230;
+        trace_gradient[7] = -delay_tau1_by_w*t93 + omega1_by_k2*t166 + omega2_by_k2*t169 + omega3_by_k2*t173 + omega4_by_k2*t178 + p1_by_k2*t190 + p2_by_k2*t192 + p3_by_k2*t193 + p4_by_k2*t203 + p5_by_k2*t204 + p6_by_k2*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t234 + t211 + t232*t36) + sin_omega2_tau*(-omega2*t234 + t210*t41 + t232*t41)) + slope_by_v2_1*(sin_omega1_tau*(t220 + t221*t233 + t232*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t214*t81 - t223 - t232*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t232 - t222 - t234) + cos_omega2_tau*(t14*t232 + t226 + t234) + t210 + t232) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t214*t81 - t235) + cos_omega2_tau*(-p1*t233 + t235) + t233) - t134*t87 - t136*t87 - t137*t87;
+        trace_gradient[8] = omega1_by_k3*t166 + omega2_by_k3*t169 + omega3_by_k3*t173 + omega4_by_k3*t178 + p1_by_k3*t190 + p2_by_k3*t192 + p3_by_k3*t193 + p4_by_k3*t203 + p5_by_k3*t204 + p6_by_k3*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t238 + omega1*t242 + t236*t36 + t240*t36) + sin_omega2_tau*(omega2*t14*t214*t7*t86 - omega2*t14*t86*t9 - omega2*t238 - omega2*t242)) + slope_by_v2_1*(sin_omega1_tau*(t221*t237 + t221*t241 + t236*t42 + t240*t42) + sin_omega2_tau*(omega2*t243 + omega2*t244 - t236*t45 - t240*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t236 - p1*t240 - t245) + cos_omega2_tau*(t14*t236 + t14*t240 + t245) + t236 + t240) + slope_by_x2_1*(cos_omega1_tau*(t14*t237 + t14*t241 + t246) + cos_omega2_tau*(-t243 - t244 - t246) + t237 + t241) + t131*t247 + t132*t247 + t133*t247;
+        trace_gradient[9] = slope_by_tau1;
+    }
 }
 
-/* State at the start and behind each transition, row by row.
- * Takes parameters (6), spectrum (12), unknowns (4); gives states (3, 4), row by row.
- * Operations: 211. Intermediate terms: 50. */
-void elastic_stop_one_contact_states(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double states[12])
+/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
+ * Takes parameters (6), spectrum (12), unknowns (4); gives states (3, 4), coefficients (12), frequencies (4), poincare_jacobian (3, 3), saltations (8, 4), monodromy (4, 4), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 575. Intermediate terms: 201. */
+void elastic_stop_one_contact_passage(
+    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy)
 {
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
     const double k1 = parameters[2];
     const double k2 = parameters[3];
     const double k3 = parameters[4];
@@ -2419,97 +1397,6 @@ void elastic_stop_one_contact_states(
     const double t6 = p1*t5;
     const double t7 = t2*t4;
     const double t8 = p2*t7;
-    const double t9 = p1 - 1;
-    const double t10 = (1.0/(omega1));
-    const double t11 = sin_omega1_tau*t10;
-    const double t13 = sin_omega2_tau/omega2;
-    const double t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t15 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-    const double x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*y + t15 + t5 + u*(p1*t11 - t13*t9) + w*(p2*sin_omega1_tau*t10 - p2*t13);
-    const double t16 = p3*t5;
-    const double t18 = p1*t7;
-    const double t19 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-    const double t20 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(-t16 + t7*t9) + cos_omega2_tau*(t16 - t18) + t19*y + t20 + t7 + u*(p3*sin_omega1_tau*t10 - p3*t13) + w*(p1*t13 - t11*t9);
-    const double t21 = omega1*sin_omega1_tau;
-    const double t22 = omega2*sin_omega2_tau;
-    const double v1_1 = -p1*t21 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t14*w + t15*u + t22*t9 + y*(omega2*p2*sin_omega2_tau - p2*t21);
-    const double v2_1 = -p3*t21 + p3*t22 + sin_omega1_tau*(omega1*t16 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t16 + omega2*t18) + t19*w + t20*u + y*(-p1*t22 + t21*t9);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* functions of tau1 in free */
-    const double t23 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t23);
-    const double sin_omega3_tau1 = sin(t23);
-    const double t24 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t24);
-    const double sin_omega4_tau1 = sin(t24);
-    /* free for tau1, until first-reaches-stop */
-    const double t25 = (1.0/(omega3));
-    const double t26 = sin_omega3_tau1*t25;
-    const double t27 = 1 - p4;
-    const double t28 = sin_omega4_tau1/omega4;
-    const double t29 = cos_omega3_tau1*p4 + cos_omega4_tau1*t27;
-    const double t30 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-    const double x1_2 = t29*x1_1 + t30*x2_1 + v1_1*(p4*t26 + t27*t28) + v2_1*(p5*sin_omega3_tau1*t25 - p5*t28);
-    const double t31 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
-    const double t32 = cos_omega3_tau1*t27 + cos_omega4_tau1*p4;
-    const double x2_2 = t31*x1_1 + t32*x2_1 + v1_1*(p6*sin_omega3_tau1*t25 - p6*t28) + v2_1*(p4*t28 + t26*t27);
-    const double t33 = omega3*sin_omega3_tau1;
-    const double t34 = omega4*sin_omega4_tau1;
-    const double v1_2 = t29*v1_1 + t30*v2_1 + x1_1*(-p4*t33 - t27*t34) + x2_1*(omega4*p5*sin_omega4_tau1 - p5*t33);
-    const double v2_2 = t31*v1_1 + t32*v2_1 + x1_1*(omega4*p6*sin_omega4_tau1 - p6*t33) + x2_1*(-p4*t34 - t27*t33);
-    states[0] = 1;
-    states[1] = y;
-    states[2] = u;
-    states[3] = w;
-    states[4] = x1_1;
-    states[5] = x2_1;
-    states[6] = v1_1;
-    states[7] = v2_1;
-    states[8] = x1_2;
-    states[9] = x2_2;
-    states[10] = v1_2;
-    states[11] = v2_2;
-}
-
-/* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
- * Takes parameters (6), spectrum (12), unknowns (4); gives coefficients (12), frequencies (4), row by row.
- * Operations: 164. Intermediate terms: 39. */
-void elastic_stop_one_contact_boundary_functions(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double coefficients[12], double frequencies[4])
-{
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
-    /* functions of tau in contact */
-    const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
-    const double t1 = omega2*tau;
-    const double cos_omega2_tau = cos(t1);
-    const double sin_omega2_tau = sin(t1);
-    /* contact for tau, until first-leaves-stop */
-    const double t2 = k1*k3;
-    const double t3 = k2*k3 + t2;
-    const double t4 = (1.0/((k1*k2 + t3)));
-    const double t5 = t3*t4;
-    const double t6 = p1*t5;
-    const double t7 = t2*t4;
-    const double t8 = p2*t7;
     const double t9 = t6 + t8;
     const double t10 = p1 - 1;
     const double t11 = t10*t5 + t8;
@@ -2517,42 +1404,312 @@ void elastic_stop_one_contact_boundary_functions(
     const double t13 = sin_omega1_tau*t12;
     const double t15 = (1.0/(omega2));
     const double t16 = sin_omega2_tau*t15;
-    const double t17 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t18 = cos_omega1_tau*p1 - cos_omega2_tau*t10;
-    const double x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*y + t18 + t5 + u*(p1*t13 - t10*t16) + w*(p2*sin_omega1_tau*t12 - p2*t16);
-    const double t19 = p3*t5;
-    const double t21 = p1*t7;
-    const double t22 = -cos_omega1_tau*t10 + cos_omega2_tau*p1;
-    const double t23 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(t10*t7 - t19) + cos_omega2_tau*(t19 - t21) + t22*y + t23 + t7 + u*(p3*sin_omega1_tau*t12 - p3*t16) + w*(p1*t16 - t10*t13);
-    const double t24 = omega1*sin_omega1_tau;
-    const double t25 = omega2*sin_omega2_tau;
-    const double v1_1 = -p1*t24 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t10*t25 + t17*w + t18*u + y*(omega2*p2*sin_omega2_tau - p2*t24);
-    const double v2_1 = -p3*t24 + p3*t25 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t19) + sin_omega2_tau*(-omega2*t19 + omega2*t21) + t22*w + t23*u + y*(-p1*t25 + t10*t24);
-    /* outputs */
-    const double t26 = -p1 - p2*y;
-    const double t27 = p2*w;
-    const double t28 = p5*x2_1;
-    const double t29 = 1 - p4;
-    const double t30 = (1.0/(omega3));
-    const double t31 = p5*v2_1;
-    const double t32 = (1.0/(omega4));
-    coefficients[0] = 1 - t5;
-    coefficients[1] = 0;
-    coefficients[2] = t26 + t9;
-    coefficients[3] = -t11 - t26 - 1;
-    coefficients[4] = -p1*t12*u - t12*t27;
-    coefficients[5] = t10*t15*u + t15*t27;
-    coefficients[6] = -1;
-    coefficients[7] = 0;
-    coefficients[8] = p4*x1_1 + t28;
-    coefficients[9] = -t28 + t29*x1_1;
-    coefficients[10] = p4*t30*v1_1 + t30*t31;
-    coefficients[11] = t29*t32*v1_1 - t31*t32;
-    frequencies[0] = omega1;
-    frequencies[1] = omega2;
-    frequencies[2] = omega3;
-    frequencies[3] = omega4;
+    const double t17 = p1*t13 - t10*t16;
+    const double t18 = p2*sin_omega1_tau*t12 - p2*t16;
+    const double t19 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t20 = cos_omega1_tau*p1 - cos_omega2_tau*t10;
+    const double x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*u + t18*w + t19*y + t20 + t5;
+    const double t21 = p3*t5;
+    const double t23 = p1*t7;
+    const double t24 = p3*sin_omega1_tau*t12 - p3*t16;
+    const double t25 = p1*t16 - t10*t13;
+    const double t26 = -cos_omega1_tau*t10 + cos_omega2_tau*p1;
+    const double t27 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double x2_1 = cos_omega1_tau*(t10*t7 - t21) + cos_omega2_tau*(t21 - t23) + t24*u + t25*w + t26*y + t27 + t7;
+    const double t28 = omega1*sin_omega1_tau;
+    const double t29 = omega2*p2*sin_omega2_tau - p2*t28;
+    const double t30 = p1*t28;
+    const double t31 = omega2*sin_omega2_tau;
+    const double t32 = -t10*t31;
+    const double v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t19*w + t20*u + t29*y - t30 - t32;
+    const double t33 = -p1*t31 + t10*t28;
+    const double t34 = p3*t28;
+    const double v2_1 = p3*t31 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t21) + sin_omega2_tau*(-omega2*t21 + omega2*t23) + t26*w + t27*u + t33*y - t34;
+    /* tau1 completes the period */
+    const double tau1 = T - tau;
+    /* functions of tau1 in free */
+    const double t35 = omega3*tau1;
+    const double cos_omega3_tau1 = cos(t35);
+    const double sin_omega3_tau1 = sin(t35);
+    const double t36 = omega4*tau1;
+    const double cos_omega4_tau1 = cos(t36);
+    const double sin_omega4_tau1 = sin(t36);
+    /* free for tau1, until first-reaches-stop */
+    const double t37 = (1.0/(omega3));
+    const double t38 = sin_omega3_tau1*t37;
+    const double t39 = 1 - p4;
+    const double t40 = (1.0/(omega4));
+    const double t41 = sin_omega4_tau1*t40;
+    const double t42 = p4*t38 + t39*t41;
+    const double t43 = p5*sin_omega3_tau1*t37 - p5*t41;
+    const double t44 = cos_omega3_tau1*p4 + cos_omega4_tau1*t39;
+    const double t45 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
+    const double x1_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1;
+    const double t46 = p6*sin_omega3_tau1*t37 - p6*t41;
+    const double t47 = p4*t41 + t38*t39;
+    const double t48 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
+    const double t49 = cos_omega3_tau1*t39 + cos_omega4_tau1*p4;
+    const double x2_2 = t46*v1_1 + t47*v2_1 + t48*x1_1 + t49*x2_1;
+    const double t50 = omega3*sin_omega3_tau1;
+    const double t51 = omega4*sin_omega4_tau1;
+    const double t52 = -p4*t50 - t39*t51;
+    const double t53 = omega4*p5*sin_omega4_tau1 - p5*t50;
+    const double v1_2 = t44*v1_1 + t45*v2_1 + t52*x1_1 + t53*x2_1;
+    const double t54 = omega4*p6*sin_omega4_tau1 - p6*t50;
+    const double t55 = -p4*t51 - t39*t50;
+    const double v2_2 = t48*v1_1 + t49*v2_1 + t54*x1_1 + t55*x2_1;
+    if (states) {
+        states[0] = 1;
+        states[1] = y;
+        states[2] = u;
+        states[3] = w;
+        states[4] = x1_1;
+        states[5] = x2_1;
+        states[6] = v1_1;
+        states[7] = v2_1;
+        states[8] = x1_2;
+        states[9] = x2_2;
+        states[10] = v1_2;
+        states[11] = v2_2;
+    }
+    if (!coefficients && !frequencies && !poincare_jacobian && !saltations && !monodromy)
+        return;
+    /* coefficients */
+    const double t74 = -p1 - p2*y;
+    const double t75 = p2*w;
+    const double t76 = p5*x2_1;
+    const double t77 = p5*v2_1;
+    if (coefficients) {
+        coefficients[0] = 1 - t5;
+        coefficients[1] = 0;
+        coefficients[2] = t74 + t9;
+        coefficients[3] = -t11 - t74 - 1;
+        coefficients[4] = -p1*t12*u - t12*t75;
+        coefficients[5] = t10*t15*u + t15*t75;
+        coefficients[6] = -1;
+        coefficients[7] = 0;
+        coefficients[8] = p4*x1_1 + t76;
+        coefficients[9] = t39*x1_1 - t76;
+        coefficients[10] = p4*t37*v1_1 + t37*t77;
+        coefficients[11] = t39*t40*v1_1 - t40*t77;
+    }
+    if (!frequencies && !poincare_jacobian && !saltations && !monodromy)
+        return;
+    if (frequencies) {
+        frequencies[0] = omega1;
+        frequencies[1] = omega2;
+        frequencies[2] = omega3;
+        frequencies[3] = omega4;
+    }
+    if (!poincare_jacobian && !saltations && !monodromy)
+        return;
+    /* Phi along tau */
+    const double carried_x1_1_by_y = t19;
+    const double carried_x1_1_by_u = t17;
+    const double carried_x1_1_by_w = t18;
+    const double carried_x2_1_by_y = t26;
+    const double carried_x2_1_by_u = t24;
+    const double carried_x2_1_by_w = t25;
+    const double carried_v1_1_by_y = t29;
+    const double carried_v1_1_by_u = t20;
+    const double carried_v1_1_by_w = t19;
+    const double carried_v2_1_by_y = t33;
+    const double carried_v2_1_by_u = t27;
+    const double carried_v2_1_by_w = t26;
+    /* rate of the exit boundary after tau */
+    const double rate_1 = -v1_1;
+    /* derivatives of the time to the boundary after tau */
+    const double t56 = (1.0/(rate_1));
+    const double delay_tau_by_y = carried_x1_1_by_y*t56;
+    const double delay_tau_by_u = carried_x1_1_by_u*t56;
+    const double delay_tau_by_w = carried_x1_1_by_w*t56;
+    /* perturbation on the boundary after tau */
+    const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
+    const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
+    const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
+    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
+    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
+    const double t57 = (1.0/(m1));
+    const double t58 = k3*t57;
+    const double t59 = k1*t57;
+    const double t60 = t57*(k1 + k3);
+    const double t61 = t58 + t59*x2_1 - t60*x1_1;
+    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t61;
+    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t61;
+    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t61;
+    const double t62 = (1.0/(m2));
+    const double t63 = k1*t62;
+    const double t64 = t62*(k1 + k2);
+    const double t65 = t63*x1_1 - t64*x2_1;
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t65;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t65;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t65;
+    /* Phi along tau1 */
+    const double carried_x1_2_by_y = t42*v1_1_on_boundary_by_y + t43*v2_1_on_boundary_by_y + t44*x1_1_on_boundary_by_y + t45*x2_1_on_boundary_by_y;
+    const double carried_x1_2_by_u = t42*v1_1_on_boundary_by_u + t43*v2_1_on_boundary_by_u + t44*x1_1_on_boundary_by_u + t45*x2_1_on_boundary_by_u;
+    const double carried_x1_2_by_w = t42*v1_1_on_boundary_by_w + t43*v2_1_on_boundary_by_w + t44*x1_1_on_boundary_by_w + t45*x2_1_on_boundary_by_w;
+    const double carried_x2_2_by_y = t46*v1_1_on_boundary_by_y + t47*v2_1_on_boundary_by_y + t48*x1_1_on_boundary_by_y + t49*x2_1_on_boundary_by_y;
+    const double carried_x2_2_by_u = t46*v1_1_on_boundary_by_u + t47*v2_1_on_boundary_by_u + t48*x1_1_on_boundary_by_u + t49*x2_1_on_boundary_by_u;
+    const double carried_x2_2_by_w = t46*v1_1_on_boundary_by_w + t47*v2_1_on_boundary_by_w + t48*x1_1_on_boundary_by_w + t49*x2_1_on_boundary_by_w;
+    const double carried_v1_2_by_y = t44*v1_1_on_boundary_by_y + t45*v2_1_on_boundary_by_y + t52*x1_1_on_boundary_by_y + t53*x2_1_on_boundary_by_y;
+    const double carried_v1_2_by_u = t44*v1_1_on_boundary_by_u + t45*v2_1_on_boundary_by_u + t52*x1_1_on_boundary_by_u + t53*x2_1_on_boundary_by_u;
+    const double carried_v1_2_by_w = t44*v1_1_on_boundary_by_w + t45*v2_1_on_boundary_by_w + t52*x1_1_on_boundary_by_w + t53*x2_1_on_boundary_by_w;
+    const double carried_v2_2_by_y = t48*v1_1_on_boundary_by_y + t49*v2_1_on_boundary_by_y + t54*x1_1_on_boundary_by_y + t55*x2_1_on_boundary_by_y;
+    const double carried_v2_2_by_u = t48*v1_1_on_boundary_by_u + t49*v2_1_on_boundary_by_u + t54*x1_1_on_boundary_by_u + t55*x2_1_on_boundary_by_u;
+    const double carried_v2_2_by_w = t48*v1_1_on_boundary_by_w + t49*v2_1_on_boundary_by_w + t54*x1_1_on_boundary_by_w + t55*x2_1_on_boundary_by_w;
+    /* derivatives of the time to the boundary after tau1 */
+    const double t66 = (1.0/(v1_2));
+    const double delay_tau1_by_y = -carried_x1_2_by_y*t66;
+    const double delay_tau1_by_u = -carried_x1_2_by_u*t66;
+    const double delay_tau1_by_w = -carried_x1_2_by_w*t66;
+    /* perturbation on the boundary after tau1 */
+    const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
+    const double x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2;
+    const double x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2;
+    const double t67 = k1*t57*x2_2 - t59*x1_2;
+    const double v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t67;
+    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t67;
+    const double v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t67;
+    const double t68 = t63*x1_2 - t64*x2_2;
+    const double v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t68;
+    const double v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t68;
+    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t68;
+    if (poincare_jacobian) {
+        poincare_jacobian[0] = x2_2_on_boundary_by_y;
+        poincare_jacobian[1] = x2_2_on_boundary_by_u;
+        poincare_jacobian[2] = x2_2_on_boundary_by_w;
+        poincare_jacobian[3] = v1_2_on_boundary_by_y;
+        poincare_jacobian[4] = v1_2_on_boundary_by_u;
+        poincare_jacobian[5] = v1_2_on_boundary_by_w;
+        poincare_jacobian[6] = v2_2_on_boundary_by_y;
+        poincare_jacobian[7] = v2_2_on_boundary_by_u;
+        poincare_jacobian[8] = v2_2_on_boundary_by_w;
+    }
+    if (!saltations && !monodromy)
+        return;
+    /* vector fields at transition 1 */
+    const double before_v1_1 = t61;
+    const double before_v2_1 = t65;
+    const double behind_v1_1 = k1*t57*x2_1 - t59*x1_1;
+    const double behind_v2_1 = t65;
+    /* vector fields at transition 2 */
+    const double before_v1_2 = t67;
+    const double before_v2_2 = t68;
+    const double behind_v1_2 = t58 + t59*x2_2 - t60*x1_2;
+    const double behind_v2_2 = t68;
+    /* saltations */
+    const double t69 = (1.0/(v1_1));
+    const double t70 = t69*(before_v1_1 - behind_v1_1);
+    const double t71 = t69*(before_v2_1 - behind_v2_1);
+    const double t72 = t66*(-before_v1_2 + behind_v1_2);
+    const double t73 = t66*(-before_v2_2 + behind_v2_2);
+    if (saltations) {
+        saltations[0] = 1;
+        saltations[1] = 0;
+        saltations[2] = 0;
+        saltations[3] = 0;
+        saltations[4] = 0;
+        saltations[5] = 1;
+        saltations[6] = 0;
+        saltations[7] = 0;
+        saltations[8] = -t70;
+        saltations[9] = 0;
+        saltations[10] = 1;
+        saltations[11] = 0;
+        saltations[12] = -t71;
+        saltations[13] = 0;
+        saltations[14] = 0;
+        saltations[15] = 1;
+        saltations[16] = 1;
+        saltations[17] = 0;
+        saltations[18] = 0;
+        saltations[19] = 0;
+        saltations[20] = 0;
+        saltations[21] = 1;
+        saltations[22] = 0;
+        saltations[23] = 0;
+        saltations[24] = t72;
+        saltations[25] = 0;
+        saltations[26] = 1;
+        saltations[27] = 0;
+        saltations[28] = t73;
+        saltations[29] = 0;
+        saltations[30] = 0;
+        saltations[31] = 1;
+    }
+    if (!monodromy)
+        return;
+    /* Phi of phase 1 */
+    const double phi_1_00 = t20;
+    const double phi_1_01 = t19;
+    const double phi_1_02 = t17;
+    const double phi_1_03 = t18;
+    const double phi_1_10 = t27;
+    const double phi_1_11 = t26;
+    const double phi_1_12 = t24;
+    const double phi_1_13 = t25;
+    const double phi_1_20 = -t30 - t32;
+    const double phi_1_21 = t29;
+    const double phi_1_22 = t20;
+    const double phi_1_23 = t19;
+    const double phi_1_30 = omega2*p3*sin_omega2_tau - t34;
+    const double phi_1_31 = t33;
+    const double phi_1_32 = t27;
+    const double phi_1_33 = t26;
+    /* saltation of phase 1 */
+    const double saltation_1_20 = -phi_1_00*t70 + phi_1_20;
+    const double saltation_1_21 = -phi_1_01*t70 + phi_1_21;
+    const double saltation_1_22 = -phi_1_02*t70 + phi_1_22;
+    const double saltation_1_23 = -phi_1_03*t70 + phi_1_23;
+    const double saltation_1_30 = -phi_1_00*t71 + phi_1_30;
+    const double saltation_1_31 = -phi_1_01*t71 + phi_1_31;
+    const double saltation_1_32 = -phi_1_02*t71 + phi_1_32;
+    const double saltation_1_33 = -phi_1_03*t71 + phi_1_33;
+    /* Phi of phase 2 */
+    const double phi_2_00 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43;
+    const double phi_2_01 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43;
+    const double phi_2_02 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43;
+    const double phi_2_03 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43;
+    const double phi_2_10 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t46 + saltation_1_30*t47;
+    const double phi_2_11 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t46 + saltation_1_31*t47;
+    const double phi_2_12 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t46 + saltation_1_32*t47;
+    const double phi_2_13 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t46 + saltation_1_33*t47;
+    const double phi_2_20 = phi_1_00*t52 + phi_1_10*t53 + saltation_1_20*t44 + saltation_1_30*t45;
+    const double phi_2_21 = phi_1_01*t52 + phi_1_11*t53 + saltation_1_21*t44 + saltation_1_31*t45;
+    const double phi_2_22 = phi_1_02*t52 + phi_1_12*t53 + saltation_1_22*t44 + saltation_1_32*t45;
+    const double phi_2_23 = phi_1_03*t52 + phi_1_13*t53 + saltation_1_23*t44 + saltation_1_33*t45;
+    const double phi_2_30 = phi_1_00*t54 + phi_1_10*t55 + saltation_1_20*t48 + saltation_1_30*t49;
+    const double phi_2_31 = phi_1_01*t54 + phi_1_11*t55 + saltation_1_21*t48 + saltation_1_31*t49;
+    const double phi_2_32 = phi_1_02*t54 + phi_1_12*t55 + saltation_1_22*t48 + saltation_1_32*t49;
+    const double phi_2_33 = phi_1_03*t54 + phi_1_13*t55 + saltation_1_23*t48 + saltation_1_33*t49;
+    /* saltation of phase 2 */
+    const double saltation_2_20 = phi_2_00*t72 + phi_2_20;
+    const double saltation_2_21 = phi_2_01*t72 + phi_2_21;
+    const double saltation_2_22 = phi_2_02*t72 + phi_2_22;
+    const double saltation_2_23 = phi_2_03*t72 + phi_2_23;
+    const double saltation_2_30 = phi_2_00*t73 + phi_2_30;
+    const double saltation_2_31 = phi_2_01*t73 + phi_2_31;
+    const double saltation_2_32 = phi_2_02*t73 + phi_2_32;
+    const double saltation_2_33 = phi_2_03*t73 + phi_2_33;
+    if (monodromy) {
+        monodromy[0] = phi_2_00;
+        monodromy[1] = phi_2_01;
+        monodromy[2] = phi_2_02;
+        monodromy[3] = phi_2_03;
+        monodromy[4] = phi_2_10;
+        monodromy[5] = phi_2_11;
+        monodromy[6] = phi_2_12;
+        monodromy[7] = phi_2_13;
+        monodromy[8] = saltation_2_20;
+        monodromy[9] = saltation_2_21;
+        monodromy[10] = saltation_2_22;
+        monodromy[11] = saltation_2_23;
+        monodromy[12] = saltation_2_30;
+        monodromy[13] = saltation_2_31;
+        monodromy[14] = saltation_2_32;
+        monodromy[15] = saltation_2_33;
+    }
 }
 
 /* State after a time in contact.
@@ -2574,7 +1731,7 @@ void elastic_stop_one_contact_flow_contact(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
     const double t2 = (1.0/(omega1));
@@ -2623,7 +1780,7 @@ void elastic_stop_one_contact_flow_free(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = (1.0/(omega3));
     const double t1 = omega3*t;
     const double t2 = sin(t1);
@@ -2646,11 +1803,12 @@ void elastic_stop_one_contact_flow_free(
     state_after[3] = t12*v1 + t13*v2 + x1*(omega4*p6*t6 - p6*t14) + x2*(-p4*t15 - t14*t4);
 }
 
-/* Reduced equations and their derivatives by the reduced unknowns.
- * Takes parameters (6), spectrum (12), reduced (1); gives residual (1), jacobian (1, 1), row by row.
- * Operations: 378. Intermediate terms: 122. */
+/* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
+ * Takes parameters (6), spectrum (12), reduced (1); gives unknowns (4), determinants (1), reduced_residual (1), reduced_jacobian (1, 1), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 446. Intermediate terms: 137. */
 void elastic_stop_one_contact_reduced(
-    const double parameters[6], const double spectrum[12], const double reduced[1], double residual[1], double jacobian[1])
+    const double parameters[6], const double spectrum[12], const double reduced[1], double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -2697,225 +1855,153 @@ void elastic_stop_one_contact_reduced(
     const double t18 = t15*t17;
     const double t19 = omega1*sin_omega1_half_tau;
     const double coefficient11 = omega2*sin_omega2_half_tau*t15*t17 - t18*t19;
-    const double t20 = 1 - p1;
-    const double coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t20;
+    const double t20 = p1 - 1;
+    const double coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t20;
     const double coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-    const double t22 = p1*t12;
-    const double t23 = p1*t13;
-    const double t24 = p1*t14 + t22 + t23;
-    const double t25 = -t12 - t13 - t14 + t24;
-    const double t26 = t15*t19;
-    const double t27 = omega2*sin_omega2_half_tau*t15;
-    const double coefficient21 = -t24*t27 + t25*t26;
+    const double t23 = p1*t12;
+    const double t24 = p1*t13;
+    const double t25 = p1*t14 + t23 + t24;
+    const double t26 = -t12 - t13 - t14 + t25;
+    const double t27 = t15*t19;
+    const double t28 = omega2*sin_omega2_half_tau*t15;
+    const double coefficient21 = -t25*t28 + t26*t27;
     const double coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-    const double coefficient23 = cos_omega1_half_tau*t20 + cos_omega2_half_tau*p1;
-    const double t28 = omega3*sin_omega3_half_tau1;
-    const double coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t28;
-    const double t29 = p4 - 1;
-    const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t29;
+    const double coefficient23 = -cos_omega1_half_tau*t20 + cos_omega2_half_tau*p1;
+    const double t29 = omega3*sin_omega3_half_tau1;
+    const double coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t29;
+    const double t30 = p4 - 1;
+    const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t30;
     const double coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
     /* right-hand sides of the linear equations */
-    const double t30 = -t16 + t22;
-    const double t31 = k1*k2*p1 - t12 - t16;
-    const double right1 = t26*t30 - t27*t31;
-    const double t32 = p3*t12 + t23;
-    const double t33 = t13 - t32;
-    const double right2 = -omega2*sin_omega2_half_tau*t15*t32 - t26*t33;
-    const double t35 = omega4*sin_omega4_half_tau1;
-    const double right3 = p4*t28 - t29*t35;
+    const double t31 = -t16 + t23;
+    const double t32 = k1*k2*p1 - t12 - t16;
+    const double right1 = t27*t31 - t28*t32;
+    const double t33 = p3*t12 + t24;
+    const double t34 = t13 - t33;
+    const double right2 = -omega2*sin_omega2_half_tau*t15*t33 - t27*t34;
+    const double t36 = omega4*sin_omega4_half_tau1;
+    const double right3 = p4*t29 - t30*t36;
     /* determinant of the linear equations */
-    const double t36 = coefficient22*coefficient33;
-    const double t37 = coefficient21*coefficient32;
-    const double t38 = coefficient23*coefficient32;
-    const double t39 = coefficient21*coefficient33;
-    const double t40 = coefficient22*coefficient31;
-    const double determinant = coefficient11*t36 - coefficient11*t38 + coefficient12*coefficient23*coefficient31 - coefficient12*t39 + coefficient13*t37 - coefficient13*t40;
+    const double t37 = coefficient22*coefficient33;
+    const double t38 = coefficient21*coefficient32;
+    const double t39 = coefficient23*coefficient32;
+    const double t40 = coefficient21*coefficient33;
+    const double t41 = coefficient22*coefficient31;
+    const double determinant = coefficient11*t37 - coefficient11*t39 + coefficient12*coefficient23*coefficient31 - coefficient12*t40 + coefficient13*t38 - coefficient13*t41;
     /* numerators of Cramer's rule */
-    const double t41 = coefficient12*coefficient23;
-    const double t42 = coefficient12*coefficient33;
-    const double t43 = coefficient13*coefficient22;
-    const double numerator1 = coefficient13*coefficient32*right2 + right1*t36 - right1*t38 - right2*t42 + right3*t41 - right3*t43;
-    const double t44 = coefficient11*coefficient23;
-    const double t45 = coefficient13*coefficient31;
-    const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t39 - right2*t45 - right3*t44;
-    const double t46 = coefficient11*coefficient22;
-    const double t47 = coefficient11*coefficient32;
-    const double t48 = coefficient12*coefficient21;
-    const double numerator3 = coefficient12*coefficient31*right2 + right1*t37 - right1*t40 - right2*t47 + right3*t46 - right3*t48;
+    const double t42 = coefficient12*coefficient23;
+    const double t43 = coefficient12*coefficient33;
+    const double t44 = coefficient13*coefficient22;
+    const double numerator1 = coefficient13*coefficient32*right2 + right1*t37 - right1*t39 - right2*t43 + right3*t42 - right3*t44;
+    const double t45 = coefficient11*coefficient23;
+    const double t46 = coefficient13*coefficient31;
+    const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t40 - right2*t46 - right3*t45;
+    const double t47 = coefficient11*coefficient22;
+    const double t48 = coefficient11*coefficient32;
+    const double t49 = coefficient12*coefficient21;
+    const double numerator3 = coefficient12*coefficient31*right2 + right1*t38 - right1*t41 - right2*t48 + right3*t47 - right3*t49;
+    /* y, u, w by Cramer's rule */
+    const double t50 = (1.0/(determinant));
+    const double y = numerator1*t50;
+    const double u = numerator2*t50;
+    const double w = numerator3*t50;
+    if (unknowns) {
+        unknowns[0] = y;
+        unknowns[1] = u;
+        unknowns[2] = w;
+        unknowns[3] = tau;
+    }
+    if (!determinants && !reduced_residual && !reduced_jacobian)
+        return;
+    /* determinants */
+    const double t77 = 2*(p2*p2);
+    const double t78 = (half_tau*half_tau);
+    const double t79 = t77*t78;
+    const double t80 = (omega1*omega1*omega1*omega1)/((omega1*omega1)*t78 + 1);
+    const double t81 = (omega2*omega2*omega2*omega2)/((omega2*omega2)*t78 + 1);
+    const double t82 = (p1*p1);
+    const double t83 = (t20*t20) + t82;
+    const double t84 = 2*t78;
+    const double t85 = 2*(p5*p5);
+    const double t86 = (half_tau1*half_tau1);
+    const double t87 = t85*t86;
+    if (determinants) {
+        determinants[0] = determinant/(sqrt(2*(p3*p3) + (t20*t20)*t80*t84 + t81*t82*t84 + t83)*sqrt(t77 + t79*t80 + t79*t81 + t83)*sqrt((omega3*omega3*omega3*omega3)*t87/((omega3*omega3)*t86 + 1) + (omega4*omega4*omega4*omega4)*t87/((omega4*omega4)*t86 + 1) + (p4*p4) + (t30*t30) + t85));
+    }
+    if (!reduced_residual && !reduced_jacobian)
+        return;
+    /* reduced_residual */
+    const double t88 = omega4*p6*sin_omega4_half_tau1 - p6*t29;
+    const double t89 = -p4*t36 + t29*t30;
+    const double t90 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
+    const double t91 = cos_omega3_half_tau1*t30 - cos_omega4_half_tau1*p4;
+    if (reduced_residual) {
+        reduced_residual[0] = determinant*t88 + numerator1*t89 + numerator2*t90 + numerator3*t91;
+    }
+    if (!reduced_jacobian)
+        return;
     /* d/dtau of: functions of half_tau in contact */
-    const double t49 = (1.0/2.0)*omega1;
-    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t49;
-    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t49;
-    const double t50 = (1.0/2.0)*omega2;
-    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t50;
-    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t50;
+    const double t51 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t51;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t51;
+    const double t52 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t52;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t52;
     /* d/dtau of: functions of half_tau1 in free */
-    const double t51 = (1.0/2.0)*omega3;
-    const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t51;
-    const double sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t51;
-    const double t52 = (1.0/2.0)*omega4;
-    const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t52;
-    const double sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t52;
+    const double t53 = (1.0/2.0)*omega3;
+    const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t53;
+    const double sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t53;
+    const double t54 = (1.0/2.0)*omega4;
+    const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t54;
+    const double sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t54;
     /* d/dtau of: coefficients of the linear equations */
-    const double t53 = omega1*sin_omega1_half_tau_by_tau;
-    const double coefficient11_by_tau = omega2*sin_omega2_half_tau_by_tau*t15*t17 - t18*t53;
-    const double coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 + cos_omega2_half_tau_by_tau*t20;
+    const double t55 = omega1*sin_omega1_half_tau_by_tau;
+    const double coefficient11_by_tau = omega2*sin_omega2_half_tau_by_tau*t15*t17 - t18*t55;
+    const double coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 - cos_omega2_half_tau_by_tau*t20;
     const double coefficient13_by_tau = cos_omega1_half_tau_by_tau*p2 - cos_omega2_half_tau_by_tau*p2;
-    const double t54 = t15*t53;
-    const double t55 = omega2*sin_omega2_half_tau_by_tau*t15;
-    const double coefficient21_by_tau = -t24*t55 + t25*t54;
+    const double t56 = t15*t55;
+    const double t57 = omega2*sin_omega2_half_tau_by_tau*t15;
+    const double coefficient21_by_tau = -t25*t57 + t26*t56;
     const double coefficient22_by_tau = cos_omega1_half_tau_by_tau*p3 - cos_omega2_half_tau_by_tau*p3;
-    const double coefficient23_by_tau = cos_omega1_half_tau_by_tau*t20 + cos_omega2_half_tau_by_tau*p1;
-    const double t56 = omega3*sin_omega3_half_tau1_by_tau;
-    const double coefficient31_by_tau = omega4*p5*sin_omega4_half_tau1_by_tau - p5*t56;
-    const double coefficient32_by_tau = -cos_omega3_half_tau1_by_tau*p4 + cos_omega4_half_tau1_by_tau*t29;
+    const double coefficient23_by_tau = -cos_omega1_half_tau_by_tau*t20 + cos_omega2_half_tau_by_tau*p1;
+    const double t58 = omega3*sin_omega3_half_tau1_by_tau;
+    const double coefficient31_by_tau = omega4*p5*sin_omega4_half_tau1_by_tau - p5*t58;
+    const double coefficient32_by_tau = -cos_omega3_half_tau1_by_tau*p4 + cos_omega4_half_tau1_by_tau*t30;
     const double coefficient33_by_tau = -cos_omega3_half_tau1_by_tau*p5 + cos_omega4_half_tau1_by_tau*p5;
     /* d/dtau of: right-hand sides of the linear equations */
-    const double right1_by_tau = t30*t54 - t31*t55;
-    const double right2_by_tau = -omega2*sin_omega2_half_tau_by_tau*t15*t32 - t33*t54;
-    const double right3_by_tau = -omega4*sin_omega4_half_tau1_by_tau*t29 + p4*t56;
+    const double right1_by_tau = t31*t56 - t32*t57;
+    const double right2_by_tau = -omega2*sin_omega2_half_tau_by_tau*t15*t33 - t34*t56;
+    const double right3_by_tau = -omega4*sin_omega4_half_tau1_by_tau*t30 + p4*t58;
     /* d/dtau of: determinant of the linear equations */
-    const double t57 = t36 - t38;
-    const double t58 = coefficient23*coefficient31 - t39;
-    const double t59 = t37 - t40;
-    const double t60 = coefficient13*coefficient32 - t42;
-    const double t61 = coefficient11*coefficient33 - t45;
-    const double t62 = coefficient12*coefficient31 - t47;
-    const double t63 = t41 - t43;
-    const double t64 = coefficient13*coefficient21 - t44;
-    const double t65 = t46 - t48;
-    const double determinant_by_tau = coefficient11_by_tau*t57 + coefficient12_by_tau*t58 + coefficient13_by_tau*t59 + coefficient21_by_tau*t60 + coefficient22_by_tau*t61 + coefficient23_by_tau*t62 + coefficient31_by_tau*t63 + coefficient32_by_tau*t64 + coefficient33_by_tau*t65;
+    const double t59 = t37 - t39;
+    const double t60 = coefficient23*coefficient31 - t40;
+    const double t61 = t38 - t41;
+    const double t62 = coefficient13*coefficient32 - t43;
+    const double t63 = coefficient11*coefficient33 - t46;
+    const double t64 = coefficient12*coefficient31 - t48;
+    const double t65 = t42 - t44;
+    const double t66 = coefficient13*coefficient21 - t45;
+    const double t67 = t47 - t49;
+    const double determinant_by_tau = coefficient11_by_tau*t59 + coefficient12_by_tau*t60 + coefficient13_by_tau*t61 + coefficient21_by_tau*t62 + coefficient22_by_tau*t63 + coefficient23_by_tau*t64 + coefficient31_by_tau*t65 + coefficient32_by_tau*t66 + coefficient33_by_tau*t67;
     /* d/dtau of: numerators of Cramer's rule */
-    const double t66 = coefficient23*right3 - coefficient33*right2;
-    const double t67 = coefficient22*right3 - coefficient32*right2;
-    const double t68 = coefficient13*right3 - coefficient33*right1;
-    const double t69 = coefficient12*right3 - coefficient32*right1;
-    const double t70 = coefficient13*right2 - coefficient23*right1;
-    const double t71 = coefficient12*right2 - coefficient22*right1;
-    const double numerator1_by_tau = coefficient12_by_tau*t66 - coefficient13_by_tau*t67 - coefficient22_by_tau*t68 + coefficient23_by_tau*t69 + coefficient32_by_tau*t70 - coefficient33_by_tau*t71 + right1_by_tau*t57 + right2_by_tau*t60 + right3_by_tau*t63;
-    const double t72 = coefficient21*right3 - coefficient31*right2;
-    const double t73 = coefficient11*right3 - coefficient31*right1;
-    const double t74 = coefficient11*right2 - coefficient21*right1;
-    const double numerator2_by_tau = -coefficient11_by_tau*t66 + coefficient13_by_tau*t72 + coefficient21_by_tau*t68 - coefficient23_by_tau*t73 - coefficient31_by_tau*t70 + coefficient33_by_tau*t74 + right1_by_tau*t58 + right2_by_tau*t61 + right3_by_tau*t64;
-    const double numerator3_by_tau = coefficient11_by_tau*t67 - coefficient12_by_tau*t72 - coefficient21_by_tau*t69 + coefficient22_by_tau*t73 + coefficient31_by_tau*t71 - coefficient32_by_tau*t74 + right1_by_tau*t59 + right2_by_tau*t62 + right3_by_tau*t65;
-    /* outputs */
-    const double t75 = omega4*p6*sin_omega4_half_tau1 - p6*t28;
-    const double t76 = -p4*t35 + t28*t29;
-    const double t77 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
-    const double t78 = cos_omega3_half_tau1*t29 - cos_omega4_half_tau1*p4;
-    const double t79 = numerator2*p6;
-    const double t80 = determinant*p6;
-    residual[0] = determinant*t75 + numerator1*t76 + numerator2*t77 + numerator3*t78;
-    jacobian[0] = cos_omega3_half_tau1_by_tau*(numerator3*t29 - t79) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t79) + determinant_by_tau*t75 + numerator1_by_tau*t76 + numerator2_by_tau*t77 + numerator3_by_tau*t78 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t29 - omega3*t80) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t80);
-}
-
-/* All unknowns from the reduced ones, and how singular the linear equations for them are: 0 if they are.
- * Takes parameters (6), spectrum (12), reduced (1); gives unknowns (4), determinants (1), row by row.
- * Operations: 220. Intermediate terms: 71. */
-void elastic_stop_one_contact_expand(
-    const double parameters[6], const double spectrum[12], const double reduced[1], double unknowns[4], double determinants[1])
-{
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double tau = reduced[0];
-    /* half of tau */
-    const double half_tau = (1.0/2.0)*tau;
-    /* functions of half_tau in contact */
-    const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
-    const double t1 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t1);
-    const double sin_omega2_half_tau = sin(t1);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* half of tau1 */
-    const double half_tau1 = (1.0/2.0)*tau1;
-    /* functions of half_tau1 in free */
-    const double t2 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t2);
-    const double sin_omega3_half_tau1 = sin(t2);
-    const double t3 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t3);
-    const double sin_omega4_half_tau1 = sin(t3);
-    /* coefficients of the linear equations */
-    const double t4 = k1*k2;
-    const double t5 = k1*k3;
-    const double t6 = k2*k3;
-    const double t7 = (1.0/((t4 + t5 + t6)));
-    const double t8 = p2*t5;
-    const double t9 = p2*t4 + p2*t6 + t8;
-    const double t10 = omega1*sin_omega1_half_tau;
-    const double coefficient11 = omega2*sin_omega2_half_tau*t7*t9 - t10*t7*t9;
-    const double t11 = p1 - 1;
-    const double coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t11;
-    const double coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-    const double t14 = p1*t4;
-    const double t15 = p1*t5;
-    const double t16 = p1*t6 + t14 + t15;
-    const double t17 = t10*t7;
-    const double t18 = omega2*sin_omega2_half_tau*t7;
-    const double coefficient21 = -t16*t18 + t17*(t16 - t4 - t5 - t6);
-    const double coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-    const double coefficient23 = -cos_omega1_half_tau*t11 + cos_omega2_half_tau*p1;
-    const double t19 = omega3*sin_omega3_half_tau1;
-    const double coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t19;
-    const double t20 = p4 - 1;
-    const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t20;
-    const double coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-    /* right-hand sides of the linear equations */
-    const double right1 = t17*(t14 - t8) - t18*(k1*k2*p1 - t4 - t8);
-    const double t21 = p3*t4 + t15;
-    const double right2 = -omega2*sin_omega2_half_tau*t21*t7 - t17*(-t21 + t5);
-    const double right3 = -omega4*sin_omega4_half_tau1*t20 + p4*t19;
-    /* determinant of the linear equations */
-    const double t22 = coefficient22*coefficient33;
-    const double t23 = coefficient12*coefficient23;
-    const double t24 = coefficient13*coefficient32;
-    const double t25 = coefficient23*coefficient32;
-    const double t26 = coefficient12*coefficient33;
-    const double t27 = coefficient13*coefficient22;
-    const double determinant = coefficient11*t22 - coefficient11*t25 + coefficient21*t24 - coefficient21*t26 + coefficient31*t23 - coefficient31*t27;
-    /* numerators of Cramer's rule */
-    const double numerator1 = right1*t22 - right1*t25 + right2*t24 - right2*t26 + right3*t23 - right3*t27;
-    const double t28 = coefficient11*right3;
-    const double t29 = coefficient31*right2;
-    const double t30 = coefficient21*right1;
-    const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t29 + coefficient23*coefficient31*right1 - coefficient23*t28 - coefficient33*t30;
-    const double numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t29 - coefficient22*coefficient31*right1 + coefficient22*t28 + coefficient32*t30;
-    /* y, u, w by Cramer's rule */
-    const double t31 = (1.0/(determinant));
-    const double y = numerator1*t31;
-    const double u = numerator2*t31;
-    const double w = numerator3*t31;
-    /* outputs */
-    const double t32 = 2*(p2*p2);
-    const double t33 = (half_tau*half_tau);
-    const double t34 = t32*t33;
-    const double t35 = (omega1*omega1*omega1*omega1)/((omega1*omega1)*t33 + 1);
-    const double t36 = (omega2*omega2*omega2*omega2)/((omega2*omega2)*t33 + 1);
-    const double t37 = (p1*p1);
-    const double t38 = (t11*t11) + t37;
-    const double t39 = 2*t33;
-    const double t40 = 2*(p5*p5);
-    const double t41 = (half_tau1*half_tau1);
-    const double t42 = t40*t41;
-    unknowns[0] = y;
-    unknowns[1] = u;
-    unknowns[2] = w;
-    unknowns[3] = tau;
-    determinants[0] = determinant/(sqrt(2*(p3*p3) + (t11*t11)*t35*t39 + t36*t37*t39 + t38)*sqrt(t32 + t34*t35 + t34*t36 + t38)*sqrt((omega3*omega3*omega3*omega3)*t42/((omega3*omega3)*t41 + 1) + (omega4*omega4*omega4*omega4)*t42/((omega4*omega4)*t41 + 1) + (p4*p4) + (t20*t20) + t40));
+    const double t68 = coefficient23*right3 - coefficient33*right2;
+    const double t69 = coefficient22*right3 - coefficient32*right2;
+    const double t70 = coefficient13*right3 - coefficient33*right1;
+    const double t71 = coefficient12*right3 - coefficient32*right1;
+    const double t72 = coefficient13*right2 - coefficient23*right1;
+    const double t73 = coefficient12*right2 - coefficient22*right1;
+    const double numerator1_by_tau = coefficient12_by_tau*t68 - coefficient13_by_tau*t69 - coefficient22_by_tau*t70 + coefficient23_by_tau*t71 + coefficient32_by_tau*t72 - coefficient33_by_tau*t73 + right1_by_tau*t59 + right2_by_tau*t62 + right3_by_tau*t65;
+    const double t74 = coefficient21*right3 - coefficient31*right2;
+    const double t75 = coefficient11*right3 - coefficient31*right1;
+    const double t76 = coefficient11*right2 - coefficient21*right1;
+    const double numerator2_by_tau = -coefficient11_by_tau*t68 + coefficient13_by_tau*t74 + coefficient21_by_tau*t70 - coefficient23_by_tau*t75 - coefficient31_by_tau*t72 + coefficient33_by_tau*t76 + right1_by_tau*t60 + right2_by_tau*t63 + right3_by_tau*t66;
+    const double numerator3_by_tau = coefficient11_by_tau*t69 - coefficient12_by_tau*t74 - coefficient21_by_tau*t71 + coefficient22_by_tau*t75 + coefficient31_by_tau*t73 - coefficient32_by_tau*t76 + right1_by_tau*t61 + right2_by_tau*t64 + right3_by_tau*t67;
+    /* reduced_jacobian */
+    const double t92 = numerator2*p6;
+    const double t93 = determinant*p6;
+    if (reduced_jacobian) {
+        reduced_jacobian[0] = cos_omega3_half_tau1_by_tau*(numerator3*t30 - t92) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t92) + determinant_by_tau*t88 + numerator1_by_tau*t89 + numerator2_by_tau*t90 + numerator3_by_tau*t91 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t30 - omega3*t93) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t93);
+    }
 }
 
 /* Newton's method on the reduced equations for `count` points.
@@ -2999,45 +2085,45 @@ void elastic_stop_one_contact_solve(
             const double h11 = -t35;
             const double h12 = -omega2*t16*t34;
             const double h13 = -t31;
+            const double h14 = -p6;
+            const double h15 = omega4*p6;
             /* d/dtau of: functions of half_tau in contact */
             const double t52 = (1.0/2.0)*omega1;
-            const double h14 = -t52;
+            const double h16 = -t52;
             const double t53 = (1.0/2.0)*omega2;
-            const double h15 = -t53;
+            const double h17 = -t53;
             /* d/dtau of: functions of half_tau1 in free */
             const double t54 = (1.0/2.0)*omega3;
-            const double h16 = -t54;
+            const double h18 = -t54;
             const double t55 = (1.0/2.0)*omega4;
-            const double h17 = -t55;
-            const double h18 = -omega4*t31;
+            const double h19 = -t55;
+            const double h20 = -omega4*t31;
             /* contact for tau, until first-leaves-stop */
             const double t80 = t15*t16;
             const double t81 = p1*t80;
             const double t82 = t16*t17;
             const double t83 = (1.0/(omega1));
-            const double h19 = (1.0/(omega2));
-            const double h20 = p2*t83;
-            const double h21 = -t81 - t82;
-            const double h22 = t21*t80 + t82;
+            const double h21 = (1.0/(omega2));
+            const double h22 = p2*t83;
+            const double h23 = -t81 - t82;
+            const double h24 = t21*t80 + t82;
             const double t90 = p3*t80;
             const double t92 = t13*t16;
             const double t93 = t16*t25;
-            const double h23 = p3*t83;
-            const double h24 = t21*t92 - t90;
-            const double h25 = t90 - t93;
-            const double h26 = omega2*p2;
-            const double h27 = omega1*t81 + omega1*t82;
-            const double h28 = -omega2*t15*t16*t21 - omega2*t82;
-            const double h29 = -p1;
-            const double h30 = -omega1*t21*t92 + omega1*t90;
-            const double h31 = -omega2*t90 + omega2*t93;
+            const double h25 = p3*t83;
+            const double h26 = t21*t92 - t90;
+            const double h27 = t90 - t93;
+            const double h28 = omega2*p2;
+            const double h29 = omega1*t81 + omega1*t82;
+            const double h30 = -omega2*t15*t16*t21 - omega2*t82;
+            const double h31 = -p1;
+            const double h32 = -omega1*t21*t92 + omega1*t90;
+            const double h33 = -omega2*t90 + omega2*t93;
             /* free for tau1, until first-reaches-stop */
             const double t104 = (1.0/(omega3));
-            const double h32 = (1.0/(omega4));
-            const double h33 = p5*t104;
-            const double h34 = -p6;
-            const double h35 = p6*t104;
-            const double h36 = omega4*p6;
+            const double h34 = (1.0/(omega4));
+            const double h35 = p5*t104;
+            const double h36 = p6*t104;
             const double t123 = (1.0/(m1));
             const double t124 = k1*t123;
             const double h37 = -t123*(k1 + k3);
@@ -3048,6 +2134,7 @@ void elastic_stop_one_contact_solve(
             const double h39 = -t128;
             const double h40 = -t124;
             const double h41 = k1*t123;
+            /* determinants */
             const double t137 = 2*(p2*p2);
             const double h42 = (omega1*omega1);
             const double h43 = (omega1*omega1*omega1*omega1);
@@ -3085,24 +2172,24 @@ void elastic_stop_one_contact_solve(
             fixed[26][lane] = h11;
             fixed[27][lane] = h12;
             fixed[28][lane] = h13;
-            fixed[29][lane] = t52;
-            fixed[30][lane] = h14;
-            fixed[31][lane] = t53;
-            fixed[32][lane] = h15;
-            fixed[33][lane] = t54;
-            fixed[34][lane] = h16;
-            fixed[35][lane] = t55;
-            fixed[36][lane] = h17;
-            fixed[37][lane] = h18;
-            fixed[38][lane] = t80;
-            fixed[39][lane] = t83;
-            fixed[40][lane] = h19;
-            fixed[41][lane] = h20;
+            fixed[29][lane] = h14;
+            fixed[30][lane] = h15;
+            fixed[31][lane] = t52;
+            fixed[32][lane] = h16;
+            fixed[33][lane] = t53;
+            fixed[34][lane] = h17;
+            fixed[35][lane] = t54;
+            fixed[36][lane] = h18;
+            fixed[37][lane] = t55;
+            fixed[38][lane] = h19;
+            fixed[39][lane] = h20;
+            fixed[40][lane] = t80;
+            fixed[41][lane] = t83;
             fixed[42][lane] = h21;
             fixed[43][lane] = h22;
-            fixed[44][lane] = t92;
-            fixed[45][lane] = h23;
-            fixed[46][lane] = h24;
+            fixed[44][lane] = h23;
+            fixed[45][lane] = h24;
+            fixed[46][lane] = t92;
             fixed[47][lane] = h25;
             fixed[48][lane] = h26;
             fixed[49][lane] = h27;
@@ -3110,9 +2197,9 @@ void elastic_stop_one_contact_solve(
             fixed[51][lane] = h29;
             fixed[52][lane] = h30;
             fixed[53][lane] = h31;
-            fixed[54][lane] = t104;
-            fixed[55][lane] = h32;
-            fixed[56][lane] = h33;
+            fixed[54][lane] = h32;
+            fixed[55][lane] = h33;
+            fixed[56][lane] = t104;
             fixed[57][lane] = h34;
             fixed[58][lane] = h35;
             fixed[59][lane] = h36;
@@ -3165,17 +2252,17 @@ void elastic_stop_one_contact_solve(
                 const double h11 = fixed[26][lane];
                 const double h12 = fixed[27][lane];
                 const double h13 = fixed[28][lane];
-                const double t52 = fixed[29][lane];
-                const double h14 = fixed[30][lane];
-                const double t53 = fixed[31][lane];
-                const double h15 = fixed[32][lane];
-                const double t54 = fixed[33][lane];
-                const double h16 = fixed[34][lane];
-                const double t55 = fixed[35][lane];
-                const double h17 = fixed[36][lane];
-                const double h18 = fixed[37][lane];
-                const double h34 = fixed[57][lane];
-                const double h36 = fixed[59][lane];
+                const double h14 = fixed[29][lane];
+                const double h15 = fixed[30][lane];
+                const double t52 = fixed[31][lane];
+                const double h16 = fixed[32][lane];
+                const double t53 = fixed[33][lane];
+                const double h17 = fixed[34][lane];
+                const double t54 = fixed[35][lane];
+                const double h18 = fixed[36][lane];
+                const double t55 = fixed[37][lane];
+                const double h19 = fixed[38][lane];
+                const double h20 = fixed[39][lane];
                 const double tau = x[0][lane];
                 /* half of tau */
                 const double half_tau = (1.0/2.0)*tau;
@@ -3241,14 +2328,19 @@ void elastic_stop_one_contact_solve(
                 const double t49 = coefficient11*coefficient32;
                 const double t50 = coefficient12*coefficient21;
                 const double numerator3 = coefficient12*coefficient31*right2 + right1*t39 - right1*t42 - right2*t49 + right3*t48 - right3*t50;
-                const double cos_omega1_half_tau_by_tau = h14*sin_omega1_half_tau;
+                /* residual */
+                const double t131 = h14*t30 + h15*sin_omega4_half_tau1;
+                const double t132 = h9*t37 + t30*t31;
+                const double t133 = cos_omega3_half_tau1*h14 + cos_omega4_half_tau1*p6;
+                const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
+                const double cos_omega1_half_tau_by_tau = h16*sin_omega1_half_tau;
                 const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t52;
-                const double cos_omega2_half_tau_by_tau = h15*sin_omega2_half_tau;
+                const double cos_omega2_half_tau_by_tau = h17*sin_omega2_half_tau;
                 const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t53;
                 const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t54;
-                const double sin_omega3_half_tau1_by_tau = cos_omega3_half_tau1*h16;
+                const double sin_omega3_half_tau1_by_tau = cos_omega3_half_tau1*h18;
                 const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t55;
-                const double sin_omega4_half_tau1_by_tau = cos_omega4_half_tau1*h17;
+                const double sin_omega4_half_tau1_by_tau = cos_omega4_half_tau1*h19;
                 /* d/dtau of: coefficients of the linear equations */
                 const double t56 = omega1*sin_omega1_half_tau_by_tau;
                 const double coefficient11_by_tau = h0*t56 + h1*sin_omega2_half_tau_by_tau;
@@ -3266,7 +2358,7 @@ void elastic_stop_one_contact_solve(
                 /* d/dtau of: right-hand sides of the linear equations */
                 const double right1_by_tau = h10*t58 + t32*t57;
                 const double right2_by_tau = h11*t57 + h12*sin_omega2_half_tau_by_tau;
-                const double right3_by_tau = h18*sin_omega4_half_tau1_by_tau + p4*t59;
+                const double right3_by_tau = h20*sin_omega4_half_tau1_by_tau + p4*t59;
                 /* d/dtau of: determinant of the linear equations */
                 const double t60 = t38 - t40;
                 const double t61 = coefficient23*coefficient31 - t41;
@@ -3291,11 +2383,7 @@ void elastic_stop_one_contact_solve(
                 const double t77 = coefficient11*right2 - coefficient21*right1;
                 const double numerator2_by_tau = -coefficient11_by_tau*t69 + coefficient13_by_tau*t75 + coefficient21_by_tau*t71 - coefficient23_by_tau*t76 - coefficient31_by_tau*t73 + coefficient33_by_tau*t77 + right1_by_tau*t61 + right2_by_tau*t64 + right3_by_tau*t67;
                 const double numerator3_by_tau = coefficient11_by_tau*t70 - coefficient12_by_tau*t75 - coefficient21_by_tau*t72 + coefficient22_by_tau*t76 + coefficient31_by_tau*t74 - coefficient32_by_tau*t77 + right1_by_tau*t62 + right2_by_tau*t65 + right3_by_tau*t68;
-                /* outputs */
-                const double t131 = h34*t30 + h36*sin_omega4_half_tau1;
-                const double t132 = h9*t37 + t30*t31;
-                const double t133 = cos_omega3_half_tau1*h34 + cos_omega4_half_tau1*p6;
-                const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
+                /* jacobian */
                 const double t135 = numerator2*p6;
                 const double t136 = determinant*p6;
                 const double residual_0 = determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134;
@@ -3347,15 +2435,15 @@ void elastic_stop_one_contact_solve(
             const double h11 = fixed[26][lane];
             const double h12 = fixed[27][lane];
             const double h13 = fixed[28][lane];
-            const double t80 = fixed[38][lane];
-            const double t83 = fixed[39][lane];
-            const double h19 = fixed[40][lane];
-            const double h20 = fixed[41][lane];
+            const double h14 = fixed[29][lane];
+            const double h15 = fixed[30][lane];
+            const double t80 = fixed[40][lane];
+            const double t83 = fixed[41][lane];
             const double h21 = fixed[42][lane];
             const double h22 = fixed[43][lane];
-            const double t92 = fixed[44][lane];
-            const double h23 = fixed[45][lane];
-            const double h24 = fixed[46][lane];
+            const double h23 = fixed[44][lane];
+            const double h24 = fixed[45][lane];
+            const double t92 = fixed[46][lane];
             const double h25 = fixed[47][lane];
             const double h26 = fixed[48][lane];
             const double h27 = fixed[49][lane];
@@ -3363,9 +2451,9 @@ void elastic_stop_one_contact_solve(
             const double h29 = fixed[51][lane];
             const double h30 = fixed[52][lane];
             const double h31 = fixed[53][lane];
-            const double t104 = fixed[54][lane];
-            const double h32 = fixed[55][lane];
-            const double h33 = fixed[56][lane];
+            const double h32 = fixed[54][lane];
+            const double h33 = fixed[55][lane];
+            const double t104 = fixed[56][lane];
             const double h34 = fixed[57][lane];
             const double h35 = fixed[58][lane];
             const double h36 = fixed[59][lane];
@@ -3449,6 +2537,11 @@ void elastic_stop_one_contact_solve(
             const double t49 = coefficient11*coefficient32;
             const double t50 = coefficient12*coefficient21;
             const double numerator3 = coefficient12*coefficient31*right2 + right1*t39 - right1*t42 - right2*t49 + right3*t48 - right3*t50;
+            /* residual */
+            const double t131 = h14*t30 + h15*sin_omega4_half_tau1;
+            const double t132 = h9*t37 + t30*t31;
+            const double t133 = cos_omega3_half_tau1*h14 + cos_omega4_half_tau1*p6;
+            const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
             /* y, u, w by Cramer's rule */
             const double t51 = (1.0/(determinant));
             const double y = numerator1*t51;
@@ -3466,23 +2559,23 @@ void elastic_stop_one_contact_solve(
             const double cos_omega2_tau = cosine_5;
             const double sin_omega2_tau = sine_5;
             const double t84 = sin_omega1_tau*t83;
-            const double t85 = h19*sin_omega2_tau;
+            const double t85 = h21*sin_omega2_tau;
             const double t86 = h2*t85 + p1*t84;
-            const double t87 = h20*sin_omega1_tau + h3*t85;
+            const double t87 = h22*sin_omega1_tau + h3*t85;
             const double t88 = cos_omega1_tau*p2 + cos_omega2_tau*h3;
             const double t89 = cos_omega1_tau*p1 + cos_omega2_tau*h2;
-            const double x1_1 = cos_omega1_tau*h21 + cos_omega2_tau*h22 + t80 + t86*u + t87*w + t88*y + t89;
-            const double t94 = h23*sin_omega1_tau + h6*t85;
+            const double x1_1 = cos_omega1_tau*h23 + cos_omega2_tau*h24 + t80 + t86*u + t87*w + t88*y + t89;
+            const double t94 = h25*sin_omega1_tau + h6*t85;
             const double t95 = h2*t84 + p1*t85;
             const double t96 = cos_omega1_tau*h2 + cos_omega2_tau*p1;
             const double t97 = cos_omega1_tau*p3 + cos_omega2_tau*h6;
-            const double x2_1 = cos_omega1_tau*h24 + cos_omega2_tau*h25 + t92 + t94*u + t95*w + t96*y + t97;
+            const double x2_1 = cos_omega1_tau*h26 + cos_omega2_tau*h27 + t92 + t94*u + t95*w + t96*y + t97;
             const double t98 = omega1*sin_omega1_tau;
-            const double t99 = h26*sin_omega2_tau + h3*t98;
+            const double t99 = h28*sin_omega2_tau + h3*t98;
             const double t100 = omega2*sin_omega2_tau;
-            const double v1_1 = h27*sin_omega1_tau + h28*sin_omega2_tau + h29*t98 + t100*t21 + t88*w + t89*u + t99*y;
-            const double t101 = h29*t100 + t21*t98;
-            const double v2_1 = h30*sin_omega1_tau + h31*sin_omega2_tau + h6*t98 + p3*t100 + t101*y + t96*w + t97*u;
+            const double v1_1 = h29*sin_omega1_tau + h30*sin_omega2_tau + h31*t98 + t100*t21 + t88*w + t89*u + t99*y;
+            const double t101 = h31*t100 + t21*t98;
+            const double v2_1 = h32*sin_omega1_tau + h33*sin_omega2_tau + h6*t98 + p3*t100 + t101*y + t96*w + t97*u;
             /* functions of tau1 in free */
             const double t102 = omega3*tau1;
             double sine_6, cosine_6;
@@ -3495,15 +2588,15 @@ void elastic_stop_one_contact_solve(
             const double cos_omega4_tau1 = cosine_7;
             const double sin_omega4_tau1 = sine_7;
             const double t105 = sin_omega3_tau1*t104;
-            const double t107 = h32*sin_omega4_tau1;
+            const double t107 = h34*sin_omega4_tau1;
             const double t108 = h13*t107 + p4*t105;
-            const double t109 = h33*sin_omega3_tau1 + h7*t107;
+            const double t109 = h35*sin_omega3_tau1 + h7*t107;
             const double t110 = cos_omega3_tau1*p4 + cos_omega4_tau1*h13;
             const double t111 = cos_omega3_tau1*p5 + cos_omega4_tau1*h7;
             const double x1_2 = t108*v1_1 + t109*v2_1 + t110*x1_1 + t111*x2_1;
-            const double t112 = h34*t107 + h35*sin_omega3_tau1;
+            const double t112 = h14*t107 + h36*sin_omega3_tau1;
             const double t113 = h13*t105 + p4*t107;
-            const double t114 = cos_omega3_tau1*p6 + cos_omega4_tau1*h34;
+            const double t114 = cos_omega3_tau1*p6 + cos_omega4_tau1*h14;
             const double t115 = cos_omega3_tau1*h13 + cos_omega4_tau1*p4;
             const double x2_2 = t112*v1_1 + t113*v2_1 + t114*x1_1 + t115*x2_1;
             const double t116 = omega3*sin_omega3_tau1;
@@ -3511,7 +2604,7 @@ void elastic_stop_one_contact_solve(
             const double t118 = h9*t116 + t117*t31;
             const double t119 = h7*t116 + h8*sin_omega4_tau1;
             const double v1_2 = t110*v1_1 + t111*v2_1 + t118*x1_1 + t119*x2_1;
-            const double t120 = h34*t116 + h36*sin_omega4_tau1;
+            const double t120 = h14*t116 + h15*sin_omega4_tau1;
             const double t121 = h9*t117 + t116*t31;
             const double v2_2 = t114*v1_1 + t115*v2_1 + t120*x1_1 + t121*x2_1;
             /* Phi along tau */
@@ -3565,11 +2658,6 @@ void elastic_stop_one_contact_solve(
             const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
             const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(h40*x1_2 + h41*x2_2);
             const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(h39*x2_2 + t127*x1_2);
-            /* outputs */
-            const double t131 = h34*t30 + h36*sin_omega4_half_tau1;
-            const double t132 = h9*t37 + t30*t31;
-            const double t133 = cos_omega3_half_tau1*h34 + cos_omega4_half_tau1*p6;
-            const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
             const double t138 = (half_tau*half_tau);
             const double t139 = t137*t138;
             const double t140 = h43/(h42*t138 + 1);
@@ -3624,7 +2712,7 @@ void elastic_stop_one_contact_admissible(
         const double durations[] = {u[3], p[5] - u[3]};
         double spectral[12], derivatives[60], coefficients[12], frequencies[4];
         elastic_stop_spectrum(q, spectral, derivatives);
-        elastic_stop_one_contact_boundary_functions(p, spectral, u, coefficients, frequencies);
+        elastic_stop_one_contact_passage(p, spectral, u, NULL, coefficients, frequencies, NULL, NULL, NULL);
         /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {u[0], u[1], u[2]};
         double size = 0.0, missed = 0.0;
@@ -4038,6 +3126,58 @@ void elastic_stop_one_contact_directions(
             const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t17;
             const double t19 = cos_omega4_half_tau1*t17;
             const double sin_omega4_half_tau1_by_tau = -t19;
+            /* jacobian */
+            const double t40 = k1*k2;
+            const double t41 = k1*k3;
+            const double t42 = k2*k3;
+            const double t43 = t40 + t41 + t42;
+            const double t44 = (1.0/(t43));
+            const double t45 = p2*t40;
+            const double t46 = p2*t41;
+            const double t47 = p2*t42;
+            const double t48 = t45 + t46 + t47;
+            const double t49 = omega1*sin_omega1_half_tau;
+            const double t50 = 1 - p1;
+            const double t51 = p1*u + p2*w;
+            const double t53 = -t51 + u;
+            const double t55 = p1*t40;
+            const double t56 = t45*y + t46*y - t46 + t47*y + t55;
+            const double t57 = -t40 + t56;
+            const double t58 = t44*t57;
+            const double t59 = omega2*sin_omega2_half_tau_by_tau;
+            const double t60 = t44*t56;
+            const double t61 = omega1*sin_omega1_half_tau_by_tau;
+            const double t63 = p1*t41;
+            const double t64 = p1*t42;
+            const double t65 = t55 + t63 + t64;
+            const double t66 = t44*t49;
+            const double t67 = omega2*sin_omega2_half_tau;
+            const double t68 = t44*t67;
+            const double t69 = p3*u;
+            const double t70 = p1*w;
+            const double t71 = t69 - t70 + w;
+            const double t72 = -t69 + t70;
+            const double t73 = p3*t40;
+            const double t74 = t40*y + t41*y - t41 + t42*y;
+            const double t75 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t63 - t73 - t74;
+            const double t76 = t44*t75;
+            const double t77 = t55*y + t63*y - t63 + t64*y - t73;
+            const double t78 = t44*t77;
+            const double t79 = omega3*sin_omega3_half_tau1;
+            const double t80 = p4 - 1;
+            const double t81 = p4*u + p5*w;
+            const double t83 = t81 - u;
+            const double t84 = p5*y;
+            const double t85 = t80 + t84;
+            const double t86 = omega4*sin_omega4_half_tau1_by_tau;
+            const double t87 = p4 + t84;
+            const double t88 = omega3*sin_omega3_half_tau1_by_tau;
+            const double t89 = p6*u;
+            const double t90 = p4*w;
+            const double t91 = -t89 + t90 - w;
+            const double t92 = t89 - t90;
+            const double t93 = p4*y - p6 - y;
+            const double t94 = p4*y - p6;
             /* d/dm1 of: functions of half_tau in contact */
             const double t20 = half_tau*omega1_by_m1;
             const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t20;
@@ -4113,58 +3253,7 @@ void elastic_stop_one_contact_directions(
             const double sin_omega3_half_tau1_by_T = t16;
             const double cos_omega4_half_tau1_by_T = -cos_omega4_half_tau1_by_tau;
             const double sin_omega4_half_tau1_by_T = t19;
-            /* outputs */
-            const double t40 = k1*k2;
-            const double t41 = k1*k3;
-            const double t42 = k2*k3;
-            const double t43 = t40 + t41 + t42;
-            const double t44 = (1.0/(t43));
-            const double t45 = p2*t40;
-            const double t46 = p2*t41;
-            const double t47 = p2*t42;
-            const double t48 = t45 + t46 + t47;
-            const double t49 = omega1*sin_omega1_half_tau;
-            const double t50 = 1 - p1;
-            const double t51 = p1*u + p2*w;
-            const double t53 = -t51 + u;
-            const double t55 = p1*t40;
-            const double t56 = t45*y + t46*y - t46 + t47*y + t55;
-            const double t57 = -t40 + t56;
-            const double t58 = t44*t57;
-            const double t59 = omega2*sin_omega2_half_tau_by_tau;
-            const double t60 = t44*t56;
-            const double t61 = omega1*sin_omega1_half_tau_by_tau;
-            const double t63 = p1*t41;
-            const double t64 = p1*t42;
-            const double t65 = t55 + t63 + t64;
-            const double t66 = t44*t49;
-            const double t67 = omega2*sin_omega2_half_tau;
-            const double t68 = t44*t67;
-            const double t69 = p3*u;
-            const double t70 = p1*w;
-            const double t71 = t69 - t70 + w;
-            const double t72 = -t69 + t70;
-            const double t73 = p3*t40;
-            const double t74 = t40*y + t41*y - t41 + t42*y;
-            const double t75 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t63 - t73 - t74;
-            const double t76 = t44*t75;
-            const double t77 = t55*y + t63*y - t63 + t64*y - t73;
-            const double t78 = t44*t77;
-            const double t79 = omega3*sin_omega3_half_tau1;
-            const double t80 = p4 - 1;
-            const double t81 = p4*u + p5*w;
-            const double t83 = t81 - u;
-            const double t84 = p5*y;
-            const double t85 = t80 + t84;
-            const double t86 = omega4*sin_omega4_half_tau1_by_tau;
-            const double t87 = p4 + t84;
-            const double t88 = omega3*sin_omega3_half_tau1_by_tau;
-            const double t89 = p6*u;
-            const double t90 = p4*w;
-            const double t91 = -t89 + t90 - w;
-            const double t92 = t89 - t90;
-            const double t93 = p4*y - p6 - y;
-            const double t94 = p4*y - p6;
+            /* parameter_jacobian */
             const double t95 = cos_omega1_half_tau*u - cos_omega2_half_tau*u - t40*t66 + t40*t68;
             const double t96 = cos_omega1_half_tau*w - cos_omega2_half_tau*w - t66*t74 + t68*t74;
             const double t97 = sin_omega2_half_tau*t58;
@@ -4592,7 +3681,7 @@ void elastic_stop_one_contact_directions(
             const double t156 = -slope_by_v2_1_on_boundary_by_y*t14;
             const double slope_by_sin_omega1_tau = -omega1*t143 - omega1*t156 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t147 - t36 + t37) + slope_by_v2_1*(-omega1*t152 - t42 + t44) + slope_by_x1_1*(t139*t16 + t153*t16) + slope_by_x2_1*(t141*t16 + t154*t16) + t145*t16 + t146*t16 + t155*t16;
             const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t139 + t153) + slope_by_v2_1*(t141 + t154) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t148) + slope_by_x2_1*(p3 + t152 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t149 + t150 + t151;
-            /* outputs */
+            /* trace_gradient */
             const double t157 = sin_omega1_tau*slope_by_cos_omega1_tau;
             const double t158 = sin_omega2_tau*slope_by_cos_omega2_tau;
             const double t159 = (1.0/(m1*m1));

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation ac22722cc176f8d2
+# SymPy 1.14.0, derivation 2611b2928ebfb50d
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "ac22722cc176f8d2"
+DERIVATION = "2611b2928ebfb50d"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -169,30 +169,37 @@ ORBITS = {'one-contact': {'derived': True,
                                          'w': '0.59',
                                          'tau': '2.12'}}}}
 
-KERNELS = {'spectrum': ([(5,)], [(12,), (12, 5)]),
- 'flow_contact': ([(5,), (12,), (), (4,)], [(4,)]),
- 'flow_free': ([(5,), (12,), (), (4,)], [(4,)]),
- 'fields': ([(5,)], [(8, 5)]),
- 'rows': ([(5,)], [(5, 5)]),
- 'resets': ([(5,)], [(4, 5)]),
- 'modes': ([(5,), (12,)], [(6, 2), (40, 5)]),
- 'one_contact_residual': ([(6,), (12,), (4,)], [(4,)]),
- 'one_contact_jacobian': ([(6,), (12,), (4,)], [(4, 4)]),
- 'one_contact_residual_and_jacobian': ([(6,), (12,), (4,)], [(4,), (4, 4)]),
- 'one_contact_parameter_jacobian': ([(6,), (12,), (12, 5), (4,)], [(4, 6)]),
- 'one_contact_poincare_jacobian': ([(6,), (12,), (4,)], [(3, 3)]),
- 'one_contact_saltations': ([(6,), (12,), (4,)], [(8, 4)]),
- 'one_contact_monodromy': ([(6,), (12,), (4,)], [(4, 4)]),
- 'one_contact_trace': ([(6,), (12,), (4,)], [()]),
- 'one_contact_trace_gradient': ([(6,), (12,), (12, 5), (4,)], [(10,)]),
- 'one_contact_states': ([(6,), (12,), (4,)], [(3, 4)]),
- 'one_contact_boundary_functions': ([(6,), (12,), (4,)], [(12,), (4,)]),
- 'one_contact_flow_contact': ([(6,), (12,), (), (4,)], [(4,)]),
- 'one_contact_flow_free': ([(6,), (12,), (), (4,)], [(4,)]),
- 'one_contact_reduced': ([(6,), (12,), (1,)], [(1,), (1, 1)]),
- 'one_contact_expand': ([(6,), (12,), (1,)], [(4,), (1,)])}
+KERNELS = {'spectrum': ([((5,), 0)], [('spectrum', (12,)), ('derivatives', (12, 5))]),
+ 'flow_contact': ([((5,), 0), ((12,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
+ 'flow_free': ([((5,), 0), ((12,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
+ 'fields': ([((5,), 0)], [('fields', (8, 5))]),
+ 'rows': ([((5,), 0)], [('rows', (5, 5))]),
+ 'resets': ([((5,), 0)], [('resets', (4, 5))]),
+ 'modes': ([((5,), 0), ((12,), 0)], [('exponents', (6, 2)), ('coefficients', (40, 5))]),
+ 'one_contact_equations': ([((6,), 0), ((12,), 0), ((4,), 0), ((12, 5), 2)],
+                           [('residual', (4,)),
+                            ('jacobian', (4, 4)),
+                            ('parameter_jacobian', (4, 6))]),
+ 'one_contact_trace': ([((6,), 0), ((12,), 0), ((4,), 0), ((12, 5), 1)],
+                       [('trace', ()), ('trace_gradient', (10,))]),
+ 'one_contact_passage': ([((6,), 0), ((12,), 0), ((4,), 0)],
+                         [('states', (3, 4)),
+                          ('coefficients', (12,)),
+                          ('frequencies', (4,)),
+                          ('poincare_jacobian', (3, 3)),
+                          ('saltations', (8, 4)),
+                          ('monodromy', (4, 4))]),
+ 'one_contact_flow_contact': ([((6,), 0), ((12,), 0), ((), 0), ((4,), 0)],
+                              [('state_after', (4,))]),
+ 'one_contact_flow_free': ([((6,), 0), ((12,), 0), ((), 0), ((4,), 0)],
+                           [('state_after', (4,))]),
+ 'one_contact_reduced': ([((6,), 0), ((12,), 0), ((1,), 0)],
+                         [('unknowns', (4,)),
+                          ('determinants', (1,)),
+                          ('reduced_residual', (1,)),
+                          ('reduced_jacobian', (1, 1))])}
 
-def spectrum(parameters, lib):
+def spectrum(parameters, *, lib, outputs=2):
     """Frequencies and projector coefficients, with their derivatives by the parameters.
 
     Takes parameters (5): k1, k2, k3, m1, m2.
@@ -242,6 +249,9 @@ def spectrum(parameters, lib):
     p5 = -t18*t25
     t27 = t0*t25
     p6 = -k1*t27
+    spectrum = [gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6]
+    if outputs == 1:
+        return spectrum
     # d/dk1 of: spectrum
     t28 = -2*t0 + 2*t3
     t29 = 8*t0*t18
@@ -351,13 +361,11 @@ def spectrum(parameters, lib):
     t77 = gap2_by_m2*t46
     p5_by_m2 = t18*t77
     p6_by_m2 = t25*t75 + t51*t77
-    return (
-        [gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6],
-        [[gap1_by_k1, gap1_by_k2, gap1_by_k3, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [gap2_by_k1, gap2_by_k2, 0, gap2_by_m1, gap2_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, 0, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, 0, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, 0, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, 0, p6_by_m1, p6_by_m2]],
-    )
+    derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_k3, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [gap2_by_k1, gap2_by_k2, 0, gap2_by_m1, gap2_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, 0, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, 0, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, 0, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, 0, p6_by_m1, p6_by_m2]]
+    return spectrum, derivatives
 
 
-def flow_contact(parameters, spectrum, time, state, lib):
+def flow_contact(parameters, spectrum, time, state, *, lib):
     """State after a time in contact.
 
     Takes parameters (5): m1, m2, k1, k2, k3.
@@ -371,7 +379,7 @@ def flow_contact(parameters, spectrum, time, state, lib):
     [_, omega1, omega2, p1, p2, p3, _, _, _, _, _, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = omega1*t
     t1 = lib.sin(t0)
     t2 = 1/omega1
@@ -400,7 +408,7 @@ def flow_contact(parameters, spectrum, time, state, lib):
     return [t10*(t16*t4 + t18) + t11*x1 + t12*x2 + t16 + t9*(-t18 - t19) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8), t10*(t22 - t24) + t17 + t20*x1 + t21*x2 + t9*(t17*t4 - t22) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4), t1*(omega1*t18 + omega1*t19) + t11*v1 + t12*v2 + t7*(-omega2*t14*t15*t4 - omega2*t18) + x1*(-p1*t25 + t26*t4) + x2*(omega2*p2*t7 - p2*t25), t1*(-omega1*t17*t4 + omega1*t22) + t20*v1 + t21*v2 + t7*(-omega2*t22 + omega2*t24) + x1*(omega2*p3*t7 - p3*t25) + x2*(-p1*t26 + t25*t4)]
 
 
-def flow_free(parameters, spectrum, time, state, lib):
+def flow_free(parameters, spectrum, time, state, *, lib):
     """State after a time in free.
 
     Takes parameters (5): m1, m2, k1, k2, k3.
@@ -413,7 +421,7 @@ def flow_free(parameters, spectrum, time, state, lib):
     [_, _, _, _, _, _, _, omega3, omega4, p4, p5, p6] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = 1/omega3
     t1 = omega3*t
     t2 = lib.sin(t1)
@@ -433,7 +441,7 @@ def flow_free(parameters, spectrum, time, state, lib):
     return [t10*x1 + t11*x2 + v1*(p4*t3 + t4*t7) + v2*(p5*t0*t2 - p5*t7), t12*x1 + t13*x2 + v1*(p6*t0*t2 - p6*t7) + v2*(p4*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p4*t14 - t15*t4) + x2*(omega4*p5*t6 - p5*t14), t12*v1 + t13*v2 + x1*(omega4*p6*t6 - p6*t14) + x2*(-p4*t15 - t14*t4)]
 
 
-def fields(parameters, lib):
+def fields(parameters, *, lib):
     """Vector fields of the configurations, one below the other, offsets last.
 
     Takes parameters (5): m1, m2, k1, k2, k3.
@@ -441,7 +449,7 @@ def fields(parameters, lib):
     Operations: 12. Intermediate terms: 5.
     """
     [m1, m2, k1, k2, k3] = parameters
-    # outputs
+    # fields
     t0 = 1/m1
     t1 = k1*t0
     t2 = 1/m2
@@ -450,7 +458,7 @@ def fields(parameters, lib):
     return [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-t0*(k1 + k3), t1, 0, 0, k3*t0], [t3, t4, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-t1, t1, 0, 0, 0], [t3, t4, 0, 0, 0]]
 
 
-def rows(parameters, lib):
+def rows(parameters, *, lib):
     """Affine functions of the state: gradients, constants last.
 
     Takes parameters (5): m1, m2, k1, k2, k3.
@@ -461,7 +469,7 @@ def rows(parameters, lib):
     return [[-1, 0, 0, 0, 1], [1, 0, 0, 0, -1], [-k3, 0, 0, 0, k3], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0]]
 
 
-def resets(parameters, lib):
+def resets(parameters, *, lib):
     """Affine resets of the state, one below the other, offsets last.
 
     Takes parameters (5): m1, m2, k1, k2, k3.
@@ -471,7 +479,7 @@ def resets(parameters, lib):
     return [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0]]
 
 
-def modes(parameters, spectrum, lib):
+def modes(parameters, spectrum, *, lib, outputs=2):
     """Exponents of the modes; coefficients of their functions, offsets last.
 
     Takes parameters (5): m1, m2, k1, k2, k3.
@@ -482,7 +490,10 @@ def modes(parameters, spectrum, lib):
     """
     [_, _, k1, k2, k3] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    # outputs
+    exponents = [[0, 0], [0, omega1], [0, omega2], [0, 0], [0, omega3], [0, omega4]]
+    if outputs == 1:
+        return exponents
+    # coefficients
     t0 = k1*k3
     t1 = k2*k3 + t0
     t2 = 1/(k1*k2 + t1)
@@ -503,252 +514,17 @@ def modes(parameters, spectrum, lib):
     t20 = 1 - p4
     t21 = 1/omega3
     t24 = 1/omega4
-    return (
-        [[0, 0], [0, omega1], [0, omega2], [0, 0], [0, omega3], [0, omega4]],
-        [[0, 0, 0, 0, t3], [0, 0, 0, 0, t4], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t3 - t5], [p3, -t6, 0, 0, t4*t6 + t8], [0, 0, p1, p2, 0], [0, 0, p3, -t6, 0], [0, 0, p1*t9, p2*t9, 0], [0, 0, p3*t9, -t6*t9, 0], [-t10, -t11, 0, 0, t10*t3 + t11*t4], [-t12, -t13, 0, 0, t12*t3 + t13*t4], [-t6, -p2, 0, 0, t3*t6 + t5], [-p3, p1, 0, 0, -p1*t4 - t8], [0, 0, -t6, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, -t16*t6, -p2*t16, 0], [0, 0, -p3*t16, p1*t16, 0], [omega2*t6, t17, 0, 0, -omega2*t1*t2*t6 - t17*t4], [t18, -t19, 0, 0, -t18*t3 + t19*t4], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p4, p5, 0, 0, 0], [p6, t20, 0, 0, 0], [0, 0, p4, p5, 0], [0, 0, p6, t20, 0], [0, 0, p4*t21, p5*t21, 0], [0, 0, p6*t21, t20*t21, 0], [-omega3*p4, -omega3*p5, 0, 0, 0], [-omega3*p6, -omega3*t20, 0, 0, 0], [t20, -p5, 0, 0, 0], [-p6, p4, 0, 0, 0], [0, 0, t20, -p5, 0], [0, 0, -p6, p4, 0], [0, 0, t20*t24, -p5*t24, 0], [0, 0, -p6*t24, p4*t24, 0], [-omega4*t20, omega4*p5, 0, 0, 0], [omega4*p6, -omega4*p4, 0, 0, 0]],
-    )
+    coefficients = [[0, 0, 0, 0, t3], [0, 0, 0, 0, t4], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t3 - t5], [p3, -t6, 0, 0, t4*t6 + t8], [0, 0, p1, p2, 0], [0, 0, p3, -t6, 0], [0, 0, p1*t9, p2*t9, 0], [0, 0, p3*t9, -t6*t9, 0], [-t10, -t11, 0, 0, t10*t3 + t11*t4], [-t12, -t13, 0, 0, t12*t3 + t13*t4], [-t6, -p2, 0, 0, t3*t6 + t5], [-p3, p1, 0, 0, -p1*t4 - t8], [0, 0, -t6, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, -t16*t6, -p2*t16, 0], [0, 0, -p3*t16, p1*t16, 0], [omega2*t6, t17, 0, 0, -omega2*t1*t2*t6 - t17*t4], [t18, -t19, 0, 0, -t18*t3 + t19*t4], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p4, p5, 0, 0, 0], [p6, t20, 0, 0, 0], [0, 0, p4, p5, 0], [0, 0, p6, t20, 0], [0, 0, p4*t21, p5*t21, 0], [0, 0, p6*t21, t20*t21, 0], [-omega3*p4, -omega3*p5, 0, 0, 0], [-omega3*p6, -omega3*t20, 0, 0, 0], [t20, -p5, 0, 0, 0], [-p6, p4, 0, 0, 0], [0, 0, t20, -p5, 0], [0, 0, -p6, p4, 0], [0, 0, t20*t24, -p5*t24, 0], [0, 0, -p6*t24, p4*t24, 0], [-omega4*t20, omega4*p5, 0, 0, 0], [omega4*p6, -omega4*p4, 0, 0, 0]]
+    return exponents, coefficients
 
 
-def one_contact_residual(parameters, spectrum, unknowns, lib):
-    """Switching and periodicity equations.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes unknowns (4): y, u, w, tau.
-    Gives residual (4).
-    Operations: 121. Intermediate terms: 37.
-    """
-    [_, _, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # half of tau
-    half_tau = tau/2
-    # functions of half_tau in contact
-    t0 = half_tau*omega1
-    cos_omega1_half_tau = lib.cos(t0)
-    sin_omega1_half_tau = lib.sin(t0)
-    t1 = half_tau*omega2
-    cos_omega2_half_tau = lib.cos(t1)
-    sin_omega2_half_tau = lib.sin(t1)
-    # tau1 completes the period
-    tau1 = T - tau
-    # half of tau1
-    half_tau1 = tau1/2
-    # functions of half_tau1 in free
-    t2 = half_tau1*omega3
-    cos_omega3_half_tau1 = lib.cos(t2)
-    sin_omega3_half_tau1 = lib.sin(t2)
-    t3 = half_tau1*omega4
-    cos_omega4_half_tau1 = lib.cos(t3)
-    sin_omega4_half_tau1 = lib.sin(t3)
-    # outputs
-    t4 = p1*u + p2*w
-    t6 = k1*k2
-    t7 = p1*t6
-    t8 = k1*k3
-    t9 = p2*t8
-    t10 = t6*y
-    t11 = k2*k3
-    t12 = t11*y
-    t13 = p2*t10 + p2*t12 + t7 + t9*y - t9
-    t14 = 1/(t11 + t6 + t8)
-    t15 = omega2*sin_omega2_half_tau*t14
-    t16 = omega1*sin_omega1_half_tau*t14
-    t17 = p3*u
-    t18 = p1*w
-    t19 = p1*t8
-    t20 = p3*t6
-    t21 = p4*u + p5*w
-    t22 = p4 + p5*y
-    t23 = omega4*sin_omega4_half_tau1
-    t24 = omega3*sin_omega3_half_tau1
-    t25 = p6*u
-    t26 = p4*w
-    return [cos_omega1_half_tau*t4 + cos_omega2_half_tau*(-t4 + u) - t13*t16 + t15*(t13 - t6), cos_omega1_half_tau*(t17 - t18 + w) + cos_omega2_half_tau*(-t17 + t18) - t15*(p1*t12 + t19*y - t19 - t20 + t7*y) + t16*(k1*k2*p1*y + k1*k3*p1*y + k1*k3 + k2*k3*p1*y - t10 - t12 - t19 - t20 - t8*y), -cos_omega3_half_tau1*t21 + cos_omega4_half_tau1*(t21 - u) - t22*t24 + t23*(t22 - 1), cos_omega3_half_tau1*(-t25 + t26 - w) + cos_omega4_half_tau1*(t25 - t26) - t23*(p4*y - p6) + t24*(p4*y - p6 - y)]
-
-
-def one_contact_jacobian(parameters, spectrum, unknowns, lib):
-    """Derivatives of the equations by the unknowns.
+def one_contact_equations(parameters, spectrum, unknowns, spectrum_derivatives=None, *, lib, outputs=3):
+    """Switching and periodicity equations; their derivatives by the unknowns; those by the
+    parameters, in total, through the spectrum too.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
     Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
     Takes unknowns (4): y, u, w, tau.
-    Gives jacobian (4, 4).
-    Operations: 194. Intermediate terms: 56.
-    """
-    [_, _, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # half of tau
-    half_tau = tau/2
-    # functions of half_tau in contact
-    t0 = half_tau*omega1
-    cos_omega1_half_tau = lib.cos(t0)
-    sin_omega1_half_tau = lib.sin(t0)
-    t3 = half_tau*omega2
-    cos_omega2_half_tau = lib.cos(t3)
-    sin_omega2_half_tau = lib.sin(t3)
-    # tau1 completes the period
-    tau1 = T - tau
-    # half of tau1
-    half_tau1 = tau1/2
-    # functions of half_tau1 in free
-    t6 = half_tau1*omega3
-    cos_omega3_half_tau1 = lib.cos(t6)
-    sin_omega3_half_tau1 = lib.sin(t6)
-    t9 = half_tau1*omega4
-    cos_omega4_half_tau1 = lib.cos(t9)
-    sin_omega4_half_tau1 = lib.sin(t9)
-    # d/dtau of: functions of half_tau in contact
-    t12 = omega1/2
-    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12
-    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12
-    t13 = omega2/2
-    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13
-    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13
-    # d/dtau of: functions of half_tau1 in free
-    t14 = omega3/2
-    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14
-    sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t14
-    t15 = omega4/2
-    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t15
-    sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t15
-    # outputs
-    t16 = k1*k2
-    t17 = k1*k3
-    t18 = k2*k3
-    t19 = 1/(t16 + t17 + t18)
-    t20 = p2*t16
-    t21 = p2*t17
-    t22 = p2*t18
-    t23 = t20 + t21 + t22
-    t24 = omega1*sin_omega1_half_tau
-    t25 = 1 - p1
-    t26 = p1*u + p2*w
-    t29 = p1*t16
-    t30 = t20*y + t21*y - t21 + t22*y + t29
-    t31 = omega2*sin_omega2_half_tau_by_tau*t19
-    t32 = omega1*sin_omega1_half_tau_by_tau*t19
-    t34 = p1*t17
-    t35 = p1*t18
-    t36 = t29 + t34 + t35
-    t37 = p3*u
-    t38 = p1*w
-    t39 = p3*t16
-    t40 = omega3*sin_omega3_half_tau1
-    t41 = p4 - 1
-    t42 = p4*u + p5*w
-    t43 = p5*y
-    t44 = omega4*sin_omega4_half_tau1_by_tau
-    t45 = omega3*sin_omega3_half_tau1_by_tau
-    t46 = p6*u
-    t47 = p4*w
-    return [[omega2*sin_omega2_half_tau*t19*t23 - t19*t23*t24, cos_omega1_half_tau*p1 + cos_omega2_half_tau*t25, cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2, cos_omega1_half_tau_by_tau*t26 + cos_omega2_half_tau_by_tau*(-t26 + u) - t30*t32 + t31*(-t16 + t30)], [-omega2*sin_omega2_half_tau*t19*t36 + t19*t24*(-t16 - t17 - t18 + t36), cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3, cos_omega1_half_tau*t25 + cos_omega2_half_tau*p1, cos_omega1_half_tau_by_tau*(t37 - t38 + w) + cos_omega2_half_tau_by_tau*(-t37 + t38) - t31*(t29*y + t34*y - t34 + t35*y - t39) + t32*(k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t16*y - t17*y + t17 - t18*y - t34 - t39)], [omega4*p5*sin_omega4_half_tau1 - p5*t40, -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t41, -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5, -cos_omega3_half_tau1_by_tau*t42 + cos_omega4_half_tau1_by_tau*(t42 - u) + t44*(t41 + t43) - t45*(p4 + t43)], [-omega4*p4*sin_omega4_half_tau1 + t40*t41, -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6, cos_omega3_half_tau1*t41 - cos_omega4_half_tau1*p4, cos_omega3_half_tau1_by_tau*(-t46 + t47 - w) + cos_omega4_half_tau1_by_tau*(t46 - t47) - t44*(p4*y - p6) + t45*(p4*y - p6 - y)]]
-
-
-def one_contact_residual_and_jacobian(parameters, spectrum, unknowns, lib):
-    """Equations and their derivatives by the unknowns, sharing all intermediate terms.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes unknowns (4): y, u, w, tau.
-    Gives residual (4).
-    Gives jacobian (4, 4).
-    Operations: 219. Intermediate terms: 71.
-    """
-    [_, _, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # half of tau
-    half_tau = tau/2
-    # functions of half_tau in contact
-    t0 = half_tau*omega1
-    cos_omega1_half_tau = lib.cos(t0)
-    sin_omega1_half_tau = lib.sin(t0)
-    t3 = half_tau*omega2
-    cos_omega2_half_tau = lib.cos(t3)
-    sin_omega2_half_tau = lib.sin(t3)
-    # tau1 completes the period
-    tau1 = T - tau
-    # half of tau1
-    half_tau1 = tau1/2
-    # functions of half_tau1 in free
-    t6 = half_tau1*omega3
-    cos_omega3_half_tau1 = lib.cos(t6)
-    sin_omega3_half_tau1 = lib.sin(t6)
-    t9 = half_tau1*omega4
-    cos_omega4_half_tau1 = lib.cos(t9)
-    sin_omega4_half_tau1 = lib.sin(t9)
-    # d/dtau of: functions of half_tau in contact
-    t12 = omega1/2
-    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12
-    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12
-    t13 = omega2/2
-    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13
-    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13
-    # d/dtau of: functions of half_tau1 in free
-    t14 = omega3/2
-    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14
-    sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t14
-    t15 = omega4/2
-    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t15
-    sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t15
-    # outputs
-    t16 = p1*u + p2*w
-    t18 = -t16 + u
-    t19 = k1*k2
-    t21 = p1*t19
-    t22 = k1*k3
-    t23 = p2*t22
-    t24 = t19*y
-    t25 = k2*k3
-    t26 = t25*y
-    t27 = p2*t24 + p2*t26 + t21 + t23*y - t23
-    t28 = -t19 + t27
-    t29 = 1/(t19 + t22 + t25)
-    t30 = omega2*t29
-    t31 = sin_omega2_half_tau*t30
-    t32 = omega1*t29
-    t33 = sin_omega1_half_tau*t32
-    t34 = p3*u
-    t35 = p1*w
-    t36 = t34 - t35 + w
-    t37 = -t34 + t35
-    t39 = p1*t22
-    t40 = p3*t19
-    t41 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t22*y + t22 - t24 - t26 - t39 - t40
-    t42 = p1*t26 + t21*y + t39*y - t39 - t40
-    t43 = p4*u + p5*w
-    t45 = t43 - u
-    t46 = p4 + p5*y
-    t47 = t46 - 1
-    t48 = omega4*sin_omega4_half_tau1
-    t49 = omega3*sin_omega3_half_tau1
-    t50 = p6*u
-    t51 = p4*w
-    t52 = -t50 + t51 - w
-    t53 = t50 - t51
-    t54 = p4*y - p6 - y
-    t55 = p4*y - p6
-    t56 = p2*t19 + p2*t25 + t23
-    t57 = 1 - p1
-    t58 = sin_omega2_half_tau_by_tau*t30
-    t59 = sin_omega1_half_tau_by_tau*t32
-    t60 = p1*t25 + t21 + t39
-    t61 = p4 - 1
-    t62 = omega4*sin_omega4_half_tau1_by_tau
-    t63 = omega3*sin_omega3_half_tau1_by_tau
-    return (
-        [cos_omega1_half_tau*t16 + cos_omega2_half_tau*t18 - t27*t33 + t28*t31, cos_omega1_half_tau*t36 + cos_omega2_half_tau*t37 - t31*t42 + t33*t41, -cos_omega3_half_tau1*t43 + cos_omega4_half_tau1*t45 - t46*t49 + t47*t48, cos_omega3_half_tau1*t52 + cos_omega4_half_tau1*t53 - t48*t55 + t49*t54],
-        [[omega2*sin_omega2_half_tau*t29*t56 - t33*t56, cos_omega1_half_tau*p1 + cos_omega2_half_tau*t57, cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2, cos_omega1_half_tau_by_tau*t16 + cos_omega2_half_tau_by_tau*t18 - t27*t59 + t28*t58], [-t31*t60 + t33*(-t19 - t22 - t25 + t60), cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3, cos_omega1_half_tau*t57 + cos_omega2_half_tau*p1, cos_omega1_half_tau_by_tau*t36 + cos_omega2_half_tau_by_tau*t37 + t41*t59 - t42*t58], [omega4*p5*sin_omega4_half_tau1 - p5*t49, -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t61, -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5, -cos_omega3_half_tau1_by_tau*t43 + cos_omega4_half_tau1_by_tau*t45 - t46*t63 + t47*t62], [-p4*t48 + t49*t61, -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6, cos_omega3_half_tau1*t61 - cos_omega4_half_tau1*p4, cos_omega3_half_tau1_by_tau*t52 + cos_omega4_half_tau1_by_tau*t53 + t54*t63 - t55*t62]],
-    )
-
-
-def one_contact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, unknowns, lib):
-    """Total derivatives of the equations by the parameters, through the spectrum too.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
     Takes spectrum_derivatives (12, 5): gap1_by_k1, gap1_by_k2, gap1_by_k3, gap1_by_m1,
         gap1_by_m2, omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2,
         omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2, p1_by_k1,
@@ -757,14 +533,15 @@ def one_contact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, u
         gap2_by_k3, gap2_by_m1, gap2_by_m2, omega3_by_k1, omega3_by_k2, omega3_by_k3,
         omega3_by_m1, omega3_by_m2, omega4_by_k1, omega4_by_k2, omega4_by_k3, omega4_by_m1,
         omega4_by_m2, p4_by_k1, p4_by_k2, p4_by_k3, p4_by_m1, p4_by_m2, p5_by_k1, p5_by_k2,
-        p5_by_k3, p5_by_m1, p5_by_m2, p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2.
-    Takes unknowns (4): y, u, w, tau.
+        p5_by_k3, p5_by_m1, p5_by_m2, p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2, for
+        parameter_jacobian.
+    Gives residual (4).
+    Gives jacobian (4, 4).
     Gives parameter_jacobian (4, 6).
-    Operations: 655. Intermediate terms: 170.
+    Operations: 776. Intermediate terms: 191.
     """
     [_, _, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [[_, _, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [_, _, _, _, _], [omega3_by_k1, omega3_by_k2, omega3_by_k3, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, omega4_by_k3, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, p4_by_k3, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, p5_by_k3, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2]] = spectrum_derivatives
     [y, u, w, tau] = unknowns
     # half of tau
     half_tau = tau/2
@@ -786,722 +563,216 @@ def one_contact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, u
     t9 = half_tau1*omega4
     cos_omega4_half_tau1 = lib.cos(t9)
     sin_omega4_half_tau1 = lib.sin(t9)
-    # d/dm1 of: functions of half_tau in contact
-    t12 = half_tau*omega1_by_m1
-    cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t12
-    sin_omega1_half_tau_by_m1 = cos_omega1_half_tau*t12
-    t13 = half_tau*omega2_by_m1
-    cos_omega2_half_tau_by_m1 = -sin_omega2_half_tau*t13
-    sin_omega2_half_tau_by_m1 = cos_omega2_half_tau*t13
-    # d/dm2 of: functions of half_tau in contact
-    t14 = half_tau*omega1_by_m2
-    cos_omega1_half_tau_by_m2 = -sin_omega1_half_tau*t14
-    sin_omega1_half_tau_by_m2 = cos_omega1_half_tau*t14
-    t15 = half_tau*omega2_by_m2
-    cos_omega2_half_tau_by_m2 = -sin_omega2_half_tau*t15
-    sin_omega2_half_tau_by_m2 = cos_omega2_half_tau*t15
-    # d/dk1 of: functions of half_tau in contact
-    t16 = half_tau*omega1_by_k1
-    cos_omega1_half_tau_by_k1 = -sin_omega1_half_tau*t16
-    sin_omega1_half_tau_by_k1 = cos_omega1_half_tau*t16
-    t17 = half_tau*omega2_by_k1
-    cos_omega2_half_tau_by_k1 = -sin_omega2_half_tau*t17
-    sin_omega2_half_tau_by_k1 = cos_omega2_half_tau*t17
-    # d/dk2 of: functions of half_tau in contact
-    t18 = half_tau*omega1_by_k2
-    cos_omega1_half_tau_by_k2 = -sin_omega1_half_tau*t18
-    sin_omega1_half_tau_by_k2 = cos_omega1_half_tau*t18
-    t19 = half_tau*omega2_by_k2
-    cos_omega2_half_tau_by_k2 = -sin_omega2_half_tau*t19
-    sin_omega2_half_tau_by_k2 = cos_omega2_half_tau*t19
-    # d/dk3 of: functions of half_tau in contact
-    t20 = half_tau*omega1_by_k3
-    cos_omega1_half_tau_by_k3 = -sin_omega1_half_tau*t20
-    sin_omega1_half_tau_by_k3 = cos_omega1_half_tau*t20
-    t21 = half_tau*omega2_by_k3
-    cos_omega2_half_tau_by_k3 = -sin_omega2_half_tau*t21
-    sin_omega2_half_tau_by_k3 = cos_omega2_half_tau*t21
-    # d/dm1 of: functions of half_tau1 in free
-    t22 = half_tau1*omega3_by_m1
-    cos_omega3_half_tau1_by_m1 = -sin_omega3_half_tau1*t22
-    sin_omega3_half_tau1_by_m1 = cos_omega3_half_tau1*t22
-    t23 = half_tau1*omega4_by_m1
-    cos_omega4_half_tau1_by_m1 = -sin_omega4_half_tau1*t23
-    sin_omega4_half_tau1_by_m1 = cos_omega4_half_tau1*t23
-    # d/dm2 of: functions of half_tau1 in free
-    t24 = half_tau1*omega3_by_m2
-    cos_omega3_half_tau1_by_m2 = -sin_omega3_half_tau1*t24
-    sin_omega3_half_tau1_by_m2 = cos_omega3_half_tau1*t24
-    t25 = half_tau1*omega4_by_m2
-    cos_omega4_half_tau1_by_m2 = -sin_omega4_half_tau1*t25
-    sin_omega4_half_tau1_by_m2 = cos_omega4_half_tau1*t25
-    # d/dk1 of: functions of half_tau1 in free
-    t26 = half_tau1*omega3_by_k1
-    cos_omega3_half_tau1_by_k1 = -sin_omega3_half_tau1*t26
-    sin_omega3_half_tau1_by_k1 = cos_omega3_half_tau1*t26
-    t27 = half_tau1*omega4_by_k1
-    cos_omega4_half_tau1_by_k1 = -sin_omega4_half_tau1*t27
-    sin_omega4_half_tau1_by_k1 = cos_omega4_half_tau1*t27
-    # d/dk2 of: functions of half_tau1 in free
-    t28 = half_tau1*omega3_by_k2
-    cos_omega3_half_tau1_by_k2 = -sin_omega3_half_tau1*t28
-    sin_omega3_half_tau1_by_k2 = cos_omega3_half_tau1*t28
-    t29 = half_tau1*omega4_by_k2
-    cos_omega4_half_tau1_by_k2 = -sin_omega4_half_tau1*t29
-    sin_omega4_half_tau1_by_k2 = cos_omega4_half_tau1*t29
-    # d/dk3 of: functions of half_tau1 in free
-    t30 = half_tau1*omega3_by_k3
-    cos_omega3_half_tau1_by_k3 = -sin_omega3_half_tau1*t30
-    sin_omega3_half_tau1_by_k3 = cos_omega3_half_tau1*t30
-    t31 = half_tau1*omega4_by_k3
-    cos_omega4_half_tau1_by_k3 = -sin_omega4_half_tau1*t31
-    sin_omega4_half_tau1_by_k3 = cos_omega4_half_tau1*t31
-    # d/dT of: functions of half_tau1 in free
-    t32 = omega3/2
-    cos_omega3_half_tau1_by_T = -sin_omega3_half_tau1*t32
-    sin_omega3_half_tau1_by_T = cos_omega3_half_tau1*t32
-    t33 = omega4/2
-    cos_omega4_half_tau1_by_T = -sin_omega4_half_tau1*t33
-    sin_omega4_half_tau1_by_T = cos_omega4_half_tau1*t33
-    # outputs
-    t34 = p1*u + p2*w
-    t36 = -t34 + u
-    t37 = k1*k2
-    t38 = k1*k3
-    t39 = k2*k3
-    t40 = t37 + t38 + t39
-    t41 = 1/t40
-    t42 = omega2*sin_omega2_half_tau
-    t43 = t41*t42
-    t44 = omega1*sin_omega1_half_tau
-    t45 = t41*t44
-    t46 = cos_omega1_half_tau*u - cos_omega2_half_tau*u + t37*t43 - t37*t45
-    t47 = t37*y
-    t48 = t38*y
-    t49 = t39*y
-    t50 = -t38 + t47 + t48 + t49
-    t51 = t41*t50
-    t52 = cos_omega1_half_tau*w - cos_omega2_half_tau*w + t42*t51 - t44*t51
-    t53 = p1*t37 - p2*t38 + p2*t47 + p2*t48 + p2*t49
-    t54 = -t37 + t53
-    t55 = t41*t54
+    # residual
+    t40 = p1*u + p2*w
+    t42 = -t40 + u
+    t43 = k1*k2
+    t45 = p1*t43
+    t46 = k1*k3
+    t47 = p2*t46
+    t48 = t43*y
+    t49 = k2*k3
+    t50 = t49*y
+    t51 = p2*t48 + p2*t50 + t45 + t47*y - t47
+    t52 = -t43 + t51
+    t53 = t43 + t46 + t49
+    t54 = 1/t53
+    t55 = omega2*t54
     t56 = sin_omega2_half_tau*t55
-    t57 = omega2*t55
-    t58 = t41*t53
-    t59 = sin_omega1_half_tau*t58
-    t60 = omega1*t58
-    t61 = k2*p1
-    t62 = k3*p2
-    t63 = k2*y
-    t64 = p2*t63
-    t65 = t62*y
-    t66 = t61 - t62 + t64 + t65
-    t67 = 1/t40**2
-    t68 = t67*(-k2 - k3)
-    t69 = t42*t54
-    t70 = t44*t53
-    t71 = k1*p1
-    t72 = k1*p2
-    t73 = t72*y
-    t74 = t65 + t71 + t73
-    t75 = t67*(-k1 - k3)
-    t76 = t64 - t72 + t73
-    t77 = t67*(-k1 - k2)
-    t78 = p3*u
-    t79 = p1*w
-    t80 = t78 - t79 + w
-    t81 = -t78 + t79
-    t83 = p1*t38
-    t84 = p3*t37
-    t85 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t50 - t83 - t84
-    t86 = t41*t85
-    t87 = sin_omega1_half_tau*t86
-    t88 = omega1*t86
-    t89 = p1*t47 + p1*t48 + p1*t49 - t83 - t84
-    t90 = t41*t89
-    t91 = sin_omega2_half_tau*t90
-    t92 = omega2*t90
-    t93 = k3*p1
-    t94 = k2*p3
-    t95 = -k3*p1*y + k3*y
-    t96 = t61*y
-    t97 = t93*y
-    t98 = t44*t85
-    t99 = t42*t89
-    t100 = k1*p3
-    t101 = k1*y
-    t102 = t71*y
-    t103 = t102 - t71 + t96
-    t104 = p4*u + p5*w
-    t106 = t104 - u
-    t107 = omega3*sin_omega3_half_tau1
-    t108 = -cos_omega3_half_tau1*u + cos_omega4_half_tau1*u + omega4*sin_omega4_half_tau1 - t107
-    t109 = cos_omega3_half_tau1*w - cos_omega4_half_tau1*w - omega4*sin_omega4_half_tau1*y + t107*y
-    t111 = p4 + p5*y
-    t112 = t111 - 1
-    t113 = sin_omega4_half_tau1*t112
-    t114 = omega4*t112
-    t115 = sin_omega3_half_tau1*t111
-    t116 = omega3*t111
-    t117 = p6*u
-    t118 = p4*w
-    t119 = -t117 + t118 - w
-    t120 = t117 - t118
-    t121 = p4*y - p6 - y
-    t122 = sin_omega3_half_tau1*t121
-    t123 = omega3*t121
-    t124 = p4*y - p6
-    t125 = sin_omega4_half_tau1*t124
-    t126 = omega4*t124
-    return [[cos_omega1_half_tau_by_m1*t34 + cos_omega2_half_tau_by_m1*t36 - omega1_by_m1*t59 + omega2_by_m1*t56 + p1_by_m1*t46 + p2_by_m1*t52 - sin_omega1_half_tau_by_m1*t60 + sin_omega2_half_tau_by_m1*t57, cos_omega1_half_tau_by_m2*t34 + cos_omega2_half_tau_by_m2*t36 - omega1_by_m2*t59 + omega2_by_m2*t56 + p1_by_m2*t46 + p2_by_m2*t52 - sin_omega1_half_tau_by_m2*t60 + sin_omega2_half_tau_by_m2*t57, cos_omega1_half_tau_by_k1*t34 + cos_omega2_half_tau_by_k1*t36 - omega1_by_k1*t59 + omega2_by_k1*t56 + p1_by_k1*t46 + p2_by_k1*t52 - sin_omega1_half_tau_by_k1*t60 + sin_omega2_half_tau_by_k1*t57 + t43*(-k2 + t66) - t45*t66 + t68*t69 - t68*t70, cos_omega1_half_tau_by_k2*t34 + cos_omega2_half_tau_by_k2*t36 - omega1_by_k2*t59 + omega2_by_k2*t56 + p1_by_k2*t46 + p2_by_k2*t52 - sin_omega1_half_tau_by_k2*t60 + sin_omega2_half_tau_by_k2*t57 + t43*(-k1 + t74) - t45*t74 + t69*t75 - t70*t75, cos_omega1_half_tau_by_k3*t34 + cos_omega2_half_tau_by_k3*t36 - omega1_by_k3*t59 + omega2_by_k3*t56 + p1_by_k3*t46 + p2_by_k3*t52 - sin_omega1_half_tau_by_k3*t60 + sin_omega2_half_tau_by_k3*t57 + t43*t76 - t45*t76 + t69*t77 - t70*t77, 0], [cos_omega1_half_tau_by_m1*t80 + cos_omega2_half_tau_by_m1*t81 + omega1_by_m1*t87 - omega2_by_m1*t91 - p1_by_m1*t52 + p3_by_m1*t46 + sin_omega1_half_tau_by_m1*t88 - sin_omega2_half_tau_by_m1*t92, cos_omega1_half_tau_by_m2*t80 + cos_omega2_half_tau_by_m2*t81 + omega1_by_m2*t87 - omega2_by_m2*t91 - p1_by_m2*t52 + p3_by_m2*t46 + sin_omega1_half_tau_by_m2*t88 - sin_omega2_half_tau_by_m2*t92, cos_omega1_half_tau_by_k1*t80 + cos_omega2_half_tau_by_k1*t81 + omega1_by_k1*t87 - omega2_by_k1*t91 - p1_by_k1*t52 + p3_by_k1*t46 + sin_omega1_half_tau_by_k1*t88 - sin_omega2_half_tau_by_k1*t92 - t43*(-t93 - t94 + t96 + t97) + t45*(k2*p1*y + k3 - t63 - t93 - t94 - t95) + t68*t98 - t68*t99, cos_omega1_half_tau_by_k2*t80 + cos_omega2_half_tau_by_k2*t81 + omega1_by_k2*t87 - omega2_by_k2*t91 - p1_by_k2*t52 + p3_by_k2*t46 + sin_omega1_half_tau_by_k2*t88 - sin_omega2_half_tau_by_k2*t92 - t43*(-t100 + t102 + t97) + t45*(k1*p1*y - t100 - t101 - t95) + t75*t98 - t75*t99, cos_omega1_half_tau_by_k3*t80 + cos_omega2_half_tau_by_k3*t81 + omega1_by_k3*t87 - omega2_by_k3*t91 - p1_by_k3*t52 + p3_by_k3*t46 + sin_omega1_half_tau_by_k3*t88 - sin_omega2_half_tau_by_k3*t92 - t103*t43 + t45*(k1 - t101 + t103 - t63) + t77*t98 - t77*t99, 0], [-cos_omega3_half_tau1_by_m1*t104 + cos_omega4_half_tau1_by_m1*t106 - omega3_by_m1*t115 + omega4_by_m1*t113 + p4_by_m1*t108 - p5_by_m1*t109 - sin_omega3_half_tau1_by_m1*t116 + sin_omega4_half_tau1_by_m1*t114, -cos_omega3_half_tau1_by_m2*t104 + cos_omega4_half_tau1_by_m2*t106 - omega3_by_m2*t115 + omega4_by_m2*t113 + p4_by_m2*t108 - p5_by_m2*t109 - sin_omega3_half_tau1_by_m2*t116 + sin_omega4_half_tau1_by_m2*t114, -cos_omega3_half_tau1_by_k1*t104 + cos_omega4_half_tau1_by_k1*t106 - omega3_by_k1*t115 + omega4_by_k1*t113 + p4_by_k1*t108 - p5_by_k1*t109 - sin_omega3_half_tau1_by_k1*t116 + sin_omega4_half_tau1_by_k1*t114, -cos_omega3_half_tau1_by_k2*t104 + cos_omega4_half_tau1_by_k2*t106 - omega3_by_k2*t115 + omega4_by_k2*t113 + p4_by_k2*t108 - p5_by_k2*t109 - sin_omega3_half_tau1_by_k2*t116 + sin_omega4_half_tau1_by_k2*t114, -cos_omega3_half_tau1_by_k3*t104 + cos_omega4_half_tau1_by_k3*t106 - omega3_by_k3*t115 + omega4_by_k3*t113 + p4_by_k3*t108 - p5_by_k3*t109 - sin_omega3_half_tau1_by_k3*t116 + sin_omega4_half_tau1_by_k3*t114, -cos_omega3_half_tau1_by_T*t104 + cos_omega4_half_tau1_by_T*t106 - sin_omega3_half_tau1_by_T*t116 + sin_omega4_half_tau1_by_T*t114], [cos_omega3_half_tau1_by_m1*t119 + cos_omega4_half_tau1_by_m1*t120 + omega3_by_m1*t122 - omega4_by_m1*t125 + p4_by_m1*t109 + p6_by_m1*t108 + sin_omega3_half_tau1_by_m1*t123 - sin_omega4_half_tau1_by_m1*t126, cos_omega3_half_tau1_by_m2*t119 + cos_omega4_half_tau1_by_m2*t120 + omega3_by_m2*t122 - omega4_by_m2*t125 + p4_by_m2*t109 + p6_by_m2*t108 + sin_omega3_half_tau1_by_m2*t123 - sin_omega4_half_tau1_by_m2*t126, cos_omega3_half_tau1_by_k1*t119 + cos_omega4_half_tau1_by_k1*t120 + omega3_by_k1*t122 - omega4_by_k1*t125 + p4_by_k1*t109 + p6_by_k1*t108 + sin_omega3_half_tau1_by_k1*t123 - sin_omega4_half_tau1_by_k1*t126, cos_omega3_half_tau1_by_k2*t119 + cos_omega4_half_tau1_by_k2*t120 + omega3_by_k2*t122 - omega4_by_k2*t125 + p4_by_k2*t109 + p6_by_k2*t108 + sin_omega3_half_tau1_by_k2*t123 - sin_omega4_half_tau1_by_k2*t126, cos_omega3_half_tau1_by_k3*t119 + cos_omega4_half_tau1_by_k3*t120 + omega3_by_k3*t122 - omega4_by_k3*t125 + p4_by_k3*t109 + p6_by_k3*t108 + sin_omega3_half_tau1_by_k3*t123 - sin_omega4_half_tau1_by_k3*t126, cos_omega3_half_tau1_by_T*t119 + cos_omega4_half_tau1_by_T*t120 + sin_omega3_half_tau1_by_T*t123 - sin_omega4_half_tau1_by_T*t126]]
+    t57 = omega1*t54
+    t58 = sin_omega1_half_tau*t57
+    t59 = p3*u
+    t60 = p1*w
+    t61 = t59 - t60 + w
+    t62 = -t59 + t60
+    t63 = p1*t46
+    t64 = p3*t43
+    t66 = t46*y - t46 + t48 + t50
+    t67 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t63 - t64 - t66
+    t68 = p1*t50 + t45*y + t63*y - t63 - t64
+    t69 = p4*u + p5*w
+    t71 = t69 - u
+    t72 = p4 + p5*y
+    t73 = t72 - 1
+    t74 = omega4*sin_omega4_half_tau1
+    t75 = omega3*sin_omega3_half_tau1
+    t76 = p6*u
+    t77 = p4*w
+    t78 = -t76 + t77 - w
+    t79 = t76 - t77
+    t80 = p4*y - p6 - y
+    t81 = p4*y - p6
+    residual = [cos_omega1_half_tau*t40 + cos_omega2_half_tau*t42 - t51*t58 + t52*t56, cos_omega1_half_tau*t61 + cos_omega2_half_tau*t62 - t56*t68 + t58*t67, -cos_omega3_half_tau1*t69 + cos_omega4_half_tau1*t71 - t72*t75 + t73*t74, cos_omega3_half_tau1*t78 + cos_omega4_half_tau1*t79 - t74*t81 + t75*t80]
+    if outputs == 1:
+        return residual
+    # d/dtau of: functions of half_tau in contact
+    t12 = omega1/2
+    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12
+    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12
+    t13 = omega2/2
+    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13
+    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13
+    # d/dtau of: functions of half_tau1 in free
+    t14 = omega3/2
+    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14
+    t16 = cos_omega3_half_tau1*t14
+    sin_omega3_half_tau1_by_tau = -t16
+    t17 = omega4/2
+    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t17
+    t19 = cos_omega4_half_tau1*t17
+    sin_omega4_half_tau1_by_tau = -t19
+    # jacobian
+    t82 = p2*t43 + p2*t49 + t47
+    t83 = 1 - p1
+    t84 = sin_omega2_half_tau_by_tau*t55
+    t85 = sin_omega1_half_tau_by_tau*t57
+    t86 = p1*t49 + t45 + t63
+    t87 = p4 - 1
+    t88 = omega4*sin_omega4_half_tau1_by_tau
+    t89 = omega3*sin_omega3_half_tau1_by_tau
+    jacobian = [[omega2*sin_omega2_half_tau*t54*t82 - t58*t82, cos_omega1_half_tau*p1 + cos_omega2_half_tau*t83, cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2, cos_omega1_half_tau_by_tau*t40 + cos_omega2_half_tau_by_tau*t42 - t51*t85 + t52*t84], [-t56*t86 + t58*(-t43 - t46 - t49 + t86), cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3, cos_omega1_half_tau*t83 + cos_omega2_half_tau*p1, cos_omega1_half_tau_by_tau*t61 + cos_omega2_half_tau_by_tau*t62 + t67*t85 - t68*t84], [omega4*p5*sin_omega4_half_tau1 - p5*t75, -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t87, -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5, -cos_omega3_half_tau1_by_tau*t69 + cos_omega4_half_tau1_by_tau*t71 - t72*t89 + t73*t88], [-p4*t74 + t75*t87, -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6, cos_omega3_half_tau1*t87 - cos_omega4_half_tau1*p4, cos_omega3_half_tau1_by_tau*t78 + cos_omega4_half_tau1_by_tau*t79 + t80*t89 - t81*t88]]
+    if outputs == 2:
+        return residual, jacobian
+    [[_, _, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [_, _, _, _, _], [omega3_by_k1, omega3_by_k2, omega3_by_k3, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, omega4_by_k3, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, p4_by_k3, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, p5_by_k3, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2]] = spectrum_derivatives
+    # d/dm1 of: functions of half_tau in contact
+    t20 = half_tau*omega1_by_m1
+    cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t20
+    sin_omega1_half_tau_by_m1 = cos_omega1_half_tau*t20
+    t21 = half_tau*omega2_by_m1
+    cos_omega2_half_tau_by_m1 = -sin_omega2_half_tau*t21
+    sin_omega2_half_tau_by_m1 = cos_omega2_half_tau*t21
+    # d/dm2 of: functions of half_tau in contact
+    t22 = half_tau*omega1_by_m2
+    cos_omega1_half_tau_by_m2 = -sin_omega1_half_tau*t22
+    sin_omega1_half_tau_by_m2 = cos_omega1_half_tau*t22
+    t23 = half_tau*omega2_by_m2
+    cos_omega2_half_tau_by_m2 = -sin_omega2_half_tau*t23
+    sin_omega2_half_tau_by_m2 = cos_omega2_half_tau*t23
+    # d/dk1 of: functions of half_tau in contact
+    t24 = half_tau*omega1_by_k1
+    cos_omega1_half_tau_by_k1 = -sin_omega1_half_tau*t24
+    sin_omega1_half_tau_by_k1 = cos_omega1_half_tau*t24
+    t25 = half_tau*omega2_by_k1
+    cos_omega2_half_tau_by_k1 = -sin_omega2_half_tau*t25
+    sin_omega2_half_tau_by_k1 = cos_omega2_half_tau*t25
+    # d/dk2 of: functions of half_tau in contact
+    t26 = half_tau*omega1_by_k2
+    cos_omega1_half_tau_by_k2 = -sin_omega1_half_tau*t26
+    sin_omega1_half_tau_by_k2 = cos_omega1_half_tau*t26
+    t27 = half_tau*omega2_by_k2
+    cos_omega2_half_tau_by_k2 = -sin_omega2_half_tau*t27
+    sin_omega2_half_tau_by_k2 = cos_omega2_half_tau*t27
+    # d/dk3 of: functions of half_tau in contact
+    t28 = half_tau*omega1_by_k3
+    cos_omega1_half_tau_by_k3 = -sin_omega1_half_tau*t28
+    sin_omega1_half_tau_by_k3 = cos_omega1_half_tau*t28
+    t29 = half_tau*omega2_by_k3
+    cos_omega2_half_tau_by_k3 = -sin_omega2_half_tau*t29
+    sin_omega2_half_tau_by_k3 = cos_omega2_half_tau*t29
+    # d/dm1 of: functions of half_tau1 in free
+    t30 = half_tau1*omega3_by_m1
+    cos_omega3_half_tau1_by_m1 = -sin_omega3_half_tau1*t30
+    sin_omega3_half_tau1_by_m1 = cos_omega3_half_tau1*t30
+    t31 = half_tau1*omega4_by_m1
+    cos_omega4_half_tau1_by_m1 = -sin_omega4_half_tau1*t31
+    sin_omega4_half_tau1_by_m1 = cos_omega4_half_tau1*t31
+    # d/dm2 of: functions of half_tau1 in free
+    t32 = half_tau1*omega3_by_m2
+    cos_omega3_half_tau1_by_m2 = -sin_omega3_half_tau1*t32
+    sin_omega3_half_tau1_by_m2 = cos_omega3_half_tau1*t32
+    t33 = half_tau1*omega4_by_m2
+    cos_omega4_half_tau1_by_m2 = -sin_omega4_half_tau1*t33
+    sin_omega4_half_tau1_by_m2 = cos_omega4_half_tau1*t33
+    # d/dk1 of: functions of half_tau1 in free
+    t34 = half_tau1*omega3_by_k1
+    cos_omega3_half_tau1_by_k1 = -sin_omega3_half_tau1*t34
+    sin_omega3_half_tau1_by_k1 = cos_omega3_half_tau1*t34
+    t35 = half_tau1*omega4_by_k1
+    cos_omega4_half_tau1_by_k1 = -sin_omega4_half_tau1*t35
+    sin_omega4_half_tau1_by_k1 = cos_omega4_half_tau1*t35
+    # d/dk2 of: functions of half_tau1 in free
+    t36 = half_tau1*omega3_by_k2
+    cos_omega3_half_tau1_by_k2 = -sin_omega3_half_tau1*t36
+    sin_omega3_half_tau1_by_k2 = cos_omega3_half_tau1*t36
+    t37 = half_tau1*omega4_by_k2
+    cos_omega4_half_tau1_by_k2 = -sin_omega4_half_tau1*t37
+    sin_omega4_half_tau1_by_k2 = cos_omega4_half_tau1*t37
+    # d/dk3 of: functions of half_tau1 in free
+    t38 = half_tau1*omega3_by_k3
+    cos_omega3_half_tau1_by_k3 = -sin_omega3_half_tau1*t38
+    sin_omega3_half_tau1_by_k3 = cos_omega3_half_tau1*t38
+    t39 = half_tau1*omega4_by_k3
+    cos_omega4_half_tau1_by_k3 = -sin_omega4_half_tau1*t39
+    sin_omega4_half_tau1_by_k3 = cos_omega4_half_tau1*t39
+    # d/dT of: functions of half_tau1 in free
+    cos_omega3_half_tau1_by_T = -cos_omega3_half_tau1_by_tau
+    sin_omega3_half_tau1_by_T = t16
+    cos_omega4_half_tau1_by_T = -cos_omega4_half_tau1_by_tau
+    sin_omega4_half_tau1_by_T = t19
+    # parameter_jacobian
+    t90 = cos_omega1_half_tau*u - cos_omega2_half_tau*u + t43*t56 - t43*t58
+    t91 = cos_omega1_half_tau*w - cos_omega2_half_tau*w + t56*t66 - t58*t66
+    t92 = sin_omega2_half_tau*t54
+    t93 = t52*t92
+    t94 = t52*t55
+    t95 = sin_omega1_half_tau*t54
+    t96 = t51*t95
+    t97 = t51*t57
+    t98 = k2*p1
+    t99 = k3*p2
+    t100 = k2*y
+    t101 = p2*t100
+    t102 = t99*y
+    t103 = t101 + t102 + t98 - t99
+    t104 = 1/t53**2
+    t105 = t104*(-k2 - k3)
+    t106 = omega2*sin_omega2_half_tau
+    t107 = t106*t52
+    t108 = omega1*sin_omega1_half_tau
+    t109 = t108*t51
+    t110 = k1*p1
+    t111 = k1*p2
+    t112 = t111*y
+    t113 = t102 + t110 + t112
+    t114 = t104*(-k1 - k3)
+    t115 = t101 - t111 + t112
+    t116 = t104*(-k1 - k2)
+    t118 = t67*t95
+    t119 = t57*t67
+    t120 = t68*t92
+    t121 = t55*t68
+    t122 = k3*p1
+    t123 = k2*p3
+    t124 = -k3*p1*y + k3*y
+    t125 = t98*y
+    t126 = t122*y
+    t127 = t108*t67
+    t128 = t106*t68
+    t129 = k1*p3
+    t130 = k1*y
+    t131 = t110*y
+    t132 = -t110 + t125 + t131
+    t133 = -cos_omega3_half_tau1*u + cos_omega4_half_tau1*u + omega4*sin_omega4_half_tau1 - t75
+    t134 = cos_omega3_half_tau1*w - cos_omega4_half_tau1*w - omega4*sin_omega4_half_tau1*y + t75*y
+    t136 = sin_omega4_half_tau1*t73
+    t137 = omega4*t73
+    t138 = sin_omega3_half_tau1*t72
+    t139 = omega3*t72
+    t140 = sin_omega3_half_tau1*t80
+    t141 = omega3*t80
+    t142 = sin_omega4_half_tau1*t81
+    t143 = omega4*t81
+    parameter_jacobian = [[cos_omega1_half_tau_by_m1*t40 + cos_omega2_half_tau_by_m1*t42 - omega1_by_m1*t96 + omega2_by_m1*t93 + p1_by_m1*t90 + p2_by_m1*t91 - sin_omega1_half_tau_by_m1*t97 + sin_omega2_half_tau_by_m1*t94, cos_omega1_half_tau_by_m2*t40 + cos_omega2_half_tau_by_m2*t42 - omega1_by_m2*t96 + omega2_by_m2*t93 + p1_by_m2*t90 + p2_by_m2*t91 - sin_omega1_half_tau_by_m2*t97 + sin_omega2_half_tau_by_m2*t94, cos_omega1_half_tau_by_k1*t40 + cos_omega2_half_tau_by_k1*t42 - omega1_by_k1*t96 + omega2_by_k1*t93 + p1_by_k1*t90 + p2_by_k1*t91 - sin_omega1_half_tau_by_k1*t97 + sin_omega2_half_tau_by_k1*t94 - t103*t58 + t105*t107 - t105*t109 + t56*(-k2 + t103), cos_omega1_half_tau_by_k2*t40 + cos_omega2_half_tau_by_k2*t42 - omega1_by_k2*t96 + omega2_by_k2*t93 + p1_by_k2*t90 + p2_by_k2*t91 - sin_omega1_half_tau_by_k2*t97 + sin_omega2_half_tau_by_k2*t94 + t107*t114 - t109*t114 - t113*t58 + t56*(-k1 + t113), cos_omega1_half_tau_by_k3*t40 + cos_omega2_half_tau_by_k3*t42 - omega1_by_k3*t96 + omega2_by_k3*t93 + p1_by_k3*t90 + p2_by_k3*t91 - sin_omega1_half_tau_by_k3*t97 + sin_omega2_half_tau_by_k3*t94 + t107*t116 - t109*t116 + t115*t56 - t115*t58, 0], [cos_omega1_half_tau_by_m1*t61 + cos_omega2_half_tau_by_m1*t62 + omega1_by_m1*t118 - omega2_by_m1*t120 - p1_by_m1*t91 + p3_by_m1*t90 + sin_omega1_half_tau_by_m1*t119 - sin_omega2_half_tau_by_m1*t121, cos_omega1_half_tau_by_m2*t61 + cos_omega2_half_tau_by_m2*t62 + omega1_by_m2*t118 - omega2_by_m2*t120 - p1_by_m2*t91 + p3_by_m2*t90 + sin_omega1_half_tau_by_m2*t119 - sin_omega2_half_tau_by_m2*t121, cos_omega1_half_tau_by_k1*t61 + cos_omega2_half_tau_by_k1*t62 + omega1_by_k1*t118 - omega2_by_k1*t120 - p1_by_k1*t91 + p3_by_k1*t90 + sin_omega1_half_tau_by_k1*t119 - sin_omega2_half_tau_by_k1*t121 + t105*t127 - t105*t128 - t56*(-t122 - t123 + t125 + t126) + t58*(k2*p1*y + k3 - t100 - t122 - t123 - t124), cos_omega1_half_tau_by_k2*t61 + cos_omega2_half_tau_by_k2*t62 + omega1_by_k2*t118 - omega2_by_k2*t120 - p1_by_k2*t91 + p3_by_k2*t90 + sin_omega1_half_tau_by_k2*t119 - sin_omega2_half_tau_by_k2*t121 + t114*t127 - t114*t128 - t56*(t126 - t129 + t131) + t58*(k1*p1*y - t124 - t129 - t130), cos_omega1_half_tau_by_k3*t61 + cos_omega2_half_tau_by_k3*t62 + omega1_by_k3*t118 - omega2_by_k3*t120 - p1_by_k3*t91 + p3_by_k3*t90 + sin_omega1_half_tau_by_k3*t119 - sin_omega2_half_tau_by_k3*t121 + t116*t127 - t116*t128 - t132*t56 + t58*(k1 - t100 - t130 + t132), 0], [-cos_omega3_half_tau1_by_m1*t69 + cos_omega4_half_tau1_by_m1*t71 - omega3_by_m1*t138 + omega4_by_m1*t136 + p4_by_m1*t133 - p5_by_m1*t134 - sin_omega3_half_tau1_by_m1*t139 + sin_omega4_half_tau1_by_m1*t137, -cos_omega3_half_tau1_by_m2*t69 + cos_omega4_half_tau1_by_m2*t71 - omega3_by_m2*t138 + omega4_by_m2*t136 + p4_by_m2*t133 - p5_by_m2*t134 - sin_omega3_half_tau1_by_m2*t139 + sin_omega4_half_tau1_by_m2*t137, -cos_omega3_half_tau1_by_k1*t69 + cos_omega4_half_tau1_by_k1*t71 - omega3_by_k1*t138 + omega4_by_k1*t136 + p4_by_k1*t133 - p5_by_k1*t134 - sin_omega3_half_tau1_by_k1*t139 + sin_omega4_half_tau1_by_k1*t137, -cos_omega3_half_tau1_by_k2*t69 + cos_omega4_half_tau1_by_k2*t71 - omega3_by_k2*t138 + omega4_by_k2*t136 + p4_by_k2*t133 - p5_by_k2*t134 - sin_omega3_half_tau1_by_k2*t139 + sin_omega4_half_tau1_by_k2*t137, -cos_omega3_half_tau1_by_k3*t69 + cos_omega4_half_tau1_by_k3*t71 - omega3_by_k3*t138 + omega4_by_k3*t136 + p4_by_k3*t133 - p5_by_k3*t134 - sin_omega3_half_tau1_by_k3*t139 + sin_omega4_half_tau1_by_k3*t137, -cos_omega3_half_tau1_by_T*t69 + cos_omega4_half_tau1_by_T*t71 - sin_omega3_half_tau1_by_T*t139 + sin_omega4_half_tau1_by_T*t137], [cos_omega3_half_tau1_by_m1*t78 + cos_omega4_half_tau1_by_m1*t79 + omega3_by_m1*t140 - omega4_by_m1*t142 + p4_by_m1*t134 + p6_by_m1*t133 + sin_omega3_half_tau1_by_m1*t141 - sin_omega4_half_tau1_by_m1*t143, cos_omega3_half_tau1_by_m2*t78 + cos_omega4_half_tau1_by_m2*t79 + omega3_by_m2*t140 - omega4_by_m2*t142 + p4_by_m2*t134 + p6_by_m2*t133 + sin_omega3_half_tau1_by_m2*t141 - sin_omega4_half_tau1_by_m2*t143, cos_omega3_half_tau1_by_k1*t78 + cos_omega4_half_tau1_by_k1*t79 + omega3_by_k1*t140 - omega4_by_k1*t142 + p4_by_k1*t134 + p6_by_k1*t133 + sin_omega3_half_tau1_by_k1*t141 - sin_omega4_half_tau1_by_k1*t143, cos_omega3_half_tau1_by_k2*t78 + cos_omega4_half_tau1_by_k2*t79 + omega3_by_k2*t140 - omega4_by_k2*t142 + p4_by_k2*t134 + p6_by_k2*t133 + sin_omega3_half_tau1_by_k2*t141 - sin_omega4_half_tau1_by_k2*t143, cos_omega3_half_tau1_by_k3*t78 + cos_omega4_half_tau1_by_k3*t79 + omega3_by_k3*t140 - omega4_by_k3*t142 + p4_by_k3*t134 + p6_by_k3*t133 + sin_omega3_half_tau1_by_k3*t141 - sin_omega4_half_tau1_by_k3*t143, cos_omega3_half_tau1_by_T*t78 + cos_omega4_half_tau1_by_T*t79 + sin_omega3_half_tau1_by_T*t141 - sin_omega4_half_tau1_by_T*t143]]
+    return residual, jacobian, parameter_jacobian
 
 
-def one_contact_poincare_jacobian(parameters, spectrum, unknowns, lib):
-    """Jacobian of the Poincare map in the section's coordinates.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes unknowns (4): y, u, w, tau.
-    Gives poincare_jacobian (3, 3).
-    Operations: 372. Intermediate terms: 127.
-    """
-    [m1, m2, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # functions of tau in contact
-    t0 = omega1*tau
-    cos_omega1_tau = lib.cos(t0)
-    sin_omega1_tau = lib.sin(t0)
-    t1 = omega2*tau
-    cos_omega2_tau = lib.cos(t1)
-    sin_omega2_tau = lib.sin(t1)
-    # contact for tau, until first-leaves-stop
-    t2 = k1*k3
-    t3 = k2*k3 + t2
-    t4 = 1/(k1*k2 + t3)
-    t5 = t3*t4
-    t6 = p1*t5
-    t7 = t2*t4
-    t8 = p2*t7
-    t9 = p1 - 1
-    t10 = 1/omega1
-    t11 = sin_omega1_tau*t10
-    t13 = sin_omega2_tau/omega2
-    t14 = p1*t11 - t13*t9
-    t15 = p2*sin_omega1_tau*t10 - p2*t13
-    t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9
-    x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5
-    t18 = p3*t5
-    t20 = p1*t7
-    t21 = p3*sin_omega1_tau*t10 - p3*t13
-    t22 = p1*t13 - t11*t9
-    t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
-    t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7
-    t25 = omega1*sin_omega1_tau
-    t26 = omega2*p2*sin_omega2_tau - p2*t25
-    t27 = omega2*sin_omega2_tau
-    v1_1 = -p1*t25 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y + t27*t9
-    t28 = -p1*t27 + t25*t9
-    v2_1 = -p3*t25 + p3*t27 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t28*y
-    # tau1 completes the period
-    tau1 = T - tau
-    # functions of tau1 in free
-    t29 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t29)
-    sin_omega3_tau1 = lib.sin(t29)
-    t30 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t30)
-    sin_omega4_tau1 = lib.sin(t30)
-    # free for tau1, until first-reaches-stop
-    t31 = 1/omega3
-    t32 = sin_omega3_tau1*t31
-    t33 = 1 - p4
-    t34 = sin_omega4_tau1/omega4
-    t35 = p4*t32 + t33*t34
-    t36 = p5*sin_omega3_tau1*t31 - p5*t34
-    t37 = cos_omega3_tau1*p4 + cos_omega4_tau1*t33
-    t38 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t35*v1_1 + t36*v2_1 + t37*x1_1 + t38*x2_1
-    t39 = p6*sin_omega3_tau1*t31 - p6*t34
-    t40 = p4*t34 + t32*t33
-    t41 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
-    t42 = cos_omega3_tau1*t33 + cos_omega4_tau1*p4
-    x2_2 = t39*v1_1 + t40*v2_1 + t41*x1_1 + t42*x2_1
-    t43 = omega3*sin_omega3_tau1
-    t44 = omega4*sin_omega4_tau1
-    t45 = -p4*t43 - t33*t44
-    t46 = omega4*p5*sin_omega4_tau1 - p5*t43
-    v1_2 = t37*v1_1 + t38*v2_1 + t45*x1_1 + t46*x2_1
-    t47 = omega4*p6*sin_omega4_tau1 - p6*t43
-    t48 = -p4*t44 - t33*t43
-    v2_2 = t41*v1_1 + t42*v2_1 + t47*x1_1 + t48*x2_1
-    # Phi along tau
-    carried_x1_1_by_y = t16
-    carried_x1_1_by_u = t14
-    carried_x1_1_by_w = t15
-    carried_x2_1_by_y = t23
-    carried_x2_1_by_u = t21
-    carried_x2_1_by_w = t22
-    carried_v1_1_by_y = t26
-    carried_v1_1_by_u = t17
-    carried_v1_1_by_w = t16
-    carried_v2_1_by_y = t28
-    carried_v2_1_by_u = t24
-    carried_v2_1_by_w = t23
-    # rate of the exit boundary after tau
-    rate_1 = -v1_1
-    # derivatives of the time to the boundary after tau
-    t49 = 1/rate_1
-    delay_tau_by_y = carried_x1_1_by_y*t49
-    delay_tau_by_u = carried_x1_1_by_u*t49
-    delay_tau_by_w = carried_x1_1_by_w*t49
-    # perturbation on the boundary after tau
-    x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
-    x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
-    x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
-    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
-    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
-    t50 = 1/m1
-    t51 = k1*t50
-    t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52
-    t53 = 1/m2
-    t54 = k1*t53
-    t55 = t53*(k1 + k2)
-    t56 = t54*x1_1 - t55*x2_1
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56
-    # Phi along tau1
-    carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y
-    carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u
-    carried_x1_2_by_w = t35*v1_1_on_boundary_by_w + t36*v2_1_on_boundary_by_w + t37*x1_1_on_boundary_by_w + t38*x2_1_on_boundary_by_w
-    carried_x2_2_by_y = t39*v1_1_on_boundary_by_y + t40*v2_1_on_boundary_by_y + t41*x1_1_on_boundary_by_y + t42*x2_1_on_boundary_by_y
-    carried_x2_2_by_u = t39*v1_1_on_boundary_by_u + t40*v2_1_on_boundary_by_u + t41*x1_1_on_boundary_by_u + t42*x2_1_on_boundary_by_u
-    carried_x2_2_by_w = t39*v1_1_on_boundary_by_w + t40*v2_1_on_boundary_by_w + t41*x1_1_on_boundary_by_w + t42*x2_1_on_boundary_by_w
-    carried_v1_2_by_y = t37*v1_1_on_boundary_by_y + t38*v2_1_on_boundary_by_y + t45*x1_1_on_boundary_by_y + t46*x2_1_on_boundary_by_y
-    carried_v1_2_by_u = t37*v1_1_on_boundary_by_u + t38*v2_1_on_boundary_by_u + t45*x1_1_on_boundary_by_u + t46*x2_1_on_boundary_by_u
-    carried_v1_2_by_w = t37*v1_1_on_boundary_by_w + t38*v2_1_on_boundary_by_w + t45*x1_1_on_boundary_by_w + t46*x2_1_on_boundary_by_w
-    carried_v2_2_by_y = t41*v1_1_on_boundary_by_y + t42*v2_1_on_boundary_by_y + t47*x1_1_on_boundary_by_y + t48*x2_1_on_boundary_by_y
-    carried_v2_2_by_u = t41*v1_1_on_boundary_by_u + t42*v2_1_on_boundary_by_u + t47*x1_1_on_boundary_by_u + t48*x2_1_on_boundary_by_u
-    carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w
-    # derivatives of the time to the boundary after tau1
-    t57 = 1/v1_2
-    delay_tau1_by_y = -carried_x1_2_by_y*t57
-    delay_tau1_by_u = -carried_x1_2_by_u*t57
-    delay_tau1_by_w = -carried_x1_2_by_w*t57
-    # perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
-    x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2
-    x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2
-    t58 = k1*t50*x2_2 - t51*x1_2
-    v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t58
-    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t58
-    v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t58
-    t59 = t54*x1_2 - t55*x2_2
-    v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t59
-    v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t59
-    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t59
-    return [[x2_2_on_boundary_by_y, x2_2_on_boundary_by_u, x2_2_on_boundary_by_w], [v1_2_on_boundary_by_y, v1_2_on_boundary_by_u, v1_2_on_boundary_by_w], [v2_2_on_boundary_by_y, v2_2_on_boundary_by_u, v2_2_on_boundary_by_w]]
-
-
-def one_contact_saltations(parameters, spectrum, unknowns, lib):
-    """Saltation matrices of the transitions, one below the other.
+def one_contact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, *, lib, outputs=2):
+    """Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total
+    by the parameters.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
     Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
     Takes unknowns (4): y, u, w, tau.
-    Gives saltations (8, 4).
-    Operations: 239. Intermediate terms: 63.
-    """
-    [m1, m2, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # functions of tau in contact
-    t0 = omega1*tau
-    cos_omega1_tau = lib.cos(t0)
-    sin_omega1_tau = lib.sin(t0)
-    t1 = omega2*tau
-    cos_omega2_tau = lib.cos(t1)
-    sin_omega2_tau = lib.sin(t1)
-    # contact for tau, until first-leaves-stop
-    t2 = k1*k3
-    t3 = k2*k3 + t2
-    t4 = 1/(k1*k2 + t3)
-    t5 = t3*t4
-    t6 = p1*t5
-    t7 = t2*t4
-    t8 = p2*t7
-    t9 = p1 - 1
-    t10 = 1/omega1
-    t11 = sin_omega1_tau*t10
-    t13 = sin_omega2_tau/omega2
-    t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t15 = cos_omega1_tau*p1 - cos_omega2_tau*t9
-    x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*y + t15 + t5 + u*(p1*t11 - t13*t9) + w*(p2*sin_omega1_tau*t10 - p2*t13)
-    t16 = p3*t5
-    t18 = p1*t7
-    t19 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
-    t20 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(-t16 + t7*t9) + cos_omega2_tau*(t16 - t18) + t19*y + t20 + t7 + u*(p3*sin_omega1_tau*t10 - p3*t13) + w*(p1*t13 - t11*t9)
-    t21 = omega1*sin_omega1_tau
-    t22 = omega2*sin_omega2_tau
-    v1_1 = -p1*t21 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t14*w + t15*u + t22*t9 + y*(omega2*p2*sin_omega2_tau - p2*t21)
-    v2_1 = -p3*t21 + p3*t22 + sin_omega1_tau*(omega1*t16 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t16 + omega2*t18) + t19*w + t20*u + y*(-p1*t22 + t21*t9)
-    # tau1 completes the period
-    tau1 = T - tau
-    # functions of tau1 in free
-    t23 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t23)
-    sin_omega3_tau1 = lib.sin(t23)
-    t24 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t24)
-    sin_omega4_tau1 = lib.sin(t24)
-    # free for tau1, until first-reaches-stop
-    t25 = 1/omega3
-    t26 = sin_omega3_tau1*t25
-    t27 = 1 - p4
-    t28 = sin_omega4_tau1/omega4
-    t29 = cos_omega3_tau1*p4 + cos_omega4_tau1*t27
-    t30 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t29*x1_1 + t30*x2_1 + v1_1*(p4*t26 + t27*t28) + v2_1*(p5*sin_omega3_tau1*t25 - p5*t28)
-    x2_2 = v1_1*(p6*sin_omega3_tau1*t25 - p6*t28) + v2_1*(p4*t28 + t26*t27) + x1_1*(cos_omega3_tau1*p6 - cos_omega4_tau1*p6) + x2_1*(cos_omega3_tau1*t27 + cos_omega4_tau1*p4)
-    t31 = omega3*sin_omega3_tau1
-    v1_2 = t29*v1_1 + t30*v2_1 + x1_1*(-omega4*sin_omega4_tau1*t27 - p4*t31) + x2_1*(omega4*p5*sin_omega4_tau1 - p5*t31)
-    # vector fields at transition 1
-    t32 = 1/m1
-    t33 = k3*t32
-    t34 = k1*t32
-    t35 = t32*(k1 + k3)
-    before_v1_1 = t33 + t34*x2_1 - t35*x1_1
-    t36 = 1/m2
-    t37 = k1*t36
-    t38 = t36*(k1 + k2)
-    before_v2_1 = t37*x1_1 - t38*x2_1
-    behind_v1_1 = k1*t32*x2_1 - t34*x1_1
-    behind_v2_1 = before_v2_1
-    # vector fields at transition 2
-    before_v1_2 = k1*t32*x2_2 - t34*x1_2
-    before_v2_2 = t37*x1_2 - t38*x2_2
-    behind_v1_2 = t33 + t34*x2_2 - t35*x1_2
-    behind_v2_2 = before_v2_2
-    # outputs
-    t41 = 1/v1_1
-    t42 = 1/v1_2
-    return [[1, 0, 0, 0], [0, 1, 0, 0], [-t41*(before_v1_1 - behind_v1_1), 0, 1, 0], [-t41*(before_v2_1 - behind_v2_1), 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [t42*(-before_v1_2 + behind_v1_2), 0, 1, 0], [t42*(-before_v2_2 + behind_v2_2), 0, 0, 1]]
-
-
-def one_contact_monodromy(parameters, spectrum, unknowns, lib):
-    """Monodromy matrix: the product of flows and saltation matrices over a period.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes unknowns (4): y, u, w, tau.
-    Gives monodromy (4, 4).
-    Operations: 395. Intermediate terms: 135.
-    """
-    [m1, m2, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # functions of tau in contact
-    t0 = omega1*tau
-    cos_omega1_tau = lib.cos(t0)
-    sin_omega1_tau = lib.sin(t0)
-    t1 = omega2*tau
-    cos_omega2_tau = lib.cos(t1)
-    sin_omega2_tau = lib.sin(t1)
-    # contact for tau, until first-leaves-stop
-    t2 = k1*k3
-    t3 = k2*k3 + t2
-    t4 = 1/(k1*k2 + t3)
-    t5 = t3*t4
-    t6 = p1*t5
-    t7 = t2*t4
-    t8 = p2*t7
-    t9 = p1 - 1
-    t10 = 1/omega1
-    t11 = sin_omega1_tau*t10
-    t13 = sin_omega2_tau/omega2
-    t14 = p1*t11 - t13*t9
-    t15 = p2*sin_omega1_tau*t10 - p2*t13
-    t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9
-    x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5
-    t18 = p3*t5
-    t20 = p1*t7
-    t21 = p3*sin_omega1_tau*t10 - p3*t13
-    t22 = p1*t13 - t11*t9
-    t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
-    t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7
-    t25 = omega1*sin_omega1_tau
-    t26 = omega2*p2*sin_omega2_tau - p2*t25
-    t27 = p1*t25
-    t28 = omega2*sin_omega2_tau
-    t29 = -t28*t9
-    v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y - t27 - t29
-    t30 = -p1*t28 + t25*t9
-    t31 = p3*t25
-    v2_1 = p3*t28 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t30*y - t31
-    # tau1 completes the period
-    tau1 = T - tau
-    # functions of tau1 in free
-    t32 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t32)
-    sin_omega3_tau1 = lib.sin(t32)
-    t33 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t33)
-    sin_omega4_tau1 = lib.sin(t33)
-    # free for tau1, until first-reaches-stop
-    t34 = 1/omega3
-    t35 = sin_omega3_tau1*t34
-    t36 = 1 - p4
-    t37 = sin_omega4_tau1/omega4
-    t38 = p4*t35 + t36*t37
-    t39 = p5*sin_omega3_tau1*t34 - p5*t37
-    t40 = cos_omega3_tau1*p4 + cos_omega4_tau1*t36
-    t41 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t38*v1_1 + t39*v2_1 + t40*x1_1 + t41*x2_1
-    t42 = p6*sin_omega3_tau1*t34 - p6*t37
-    t43 = p4*t37 + t35*t36
-    t44 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
-    t45 = cos_omega3_tau1*t36 + cos_omega4_tau1*p4
-    x2_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1
-    t46 = omega3*sin_omega3_tau1
-    t47 = omega4*sin_omega4_tau1
-    t48 = -p4*t46 - t36*t47
-    t49 = omega4*p5*sin_omega4_tau1 - p5*t46
-    v1_2 = t40*v1_1 + t41*v2_1 + t48*x1_1 + t49*x2_1
-    # vector fields at transition 1
-    t50 = 1/m1
-    t51 = k3*t50
-    t52 = k1*t50
-    t53 = t50*(k1 + k3)
-    before_v1_1 = t51 + t52*x2_1 - t53*x1_1
-    t54 = 1/m2
-    t55 = k1*t54
-    t56 = t54*(k1 + k2)
-    before_v2_1 = t55*x1_1 - t56*x2_1
-    behind_v1_1 = k1*t50*x2_1 - t52*x1_1
-    behind_v2_1 = before_v2_1
-    # vector fields at transition 2
-    before_v1_2 = k1*t50*x2_2 - t52*x1_2
-    before_v2_2 = t55*x1_2 - t56*x2_2
-    behind_v1_2 = t51 + t52*x2_2 - t53*x1_2
-    behind_v2_2 = before_v2_2
-    # Phi of phase 1
-    phi_1_00 = t17
-    phi_1_01 = t16
-    phi_1_02 = t14
-    phi_1_03 = t15
-    phi_1_10 = t24
-    phi_1_11 = t23
-    phi_1_12 = t21
-    phi_1_13 = t22
-    phi_1_20 = -t27 - t29
-    phi_1_21 = t26
-    phi_1_22 = t17
-    phi_1_23 = t16
-    phi_1_30 = omega2*p3*sin_omega2_tau - t31
-    phi_1_31 = t30
-    phi_1_32 = t24
-    phi_1_33 = t23
-    # saltation of phase 1
-    t59 = 1/v1_1
-    t60 = t59*(before_v1_1 - behind_v1_1)
-    saltation_1_20 = -phi_1_00*t60 + phi_1_20
-    saltation_1_21 = -phi_1_01*t60 + phi_1_21
-    saltation_1_22 = -phi_1_02*t60 + phi_1_22
-    saltation_1_23 = -phi_1_03*t60 + phi_1_23
-    t61 = t59*(before_v2_1 - behind_v2_1)
-    saltation_1_30 = -phi_1_00*t61 + phi_1_30
-    saltation_1_31 = -phi_1_01*t61 + phi_1_31
-    saltation_1_32 = -phi_1_02*t61 + phi_1_32
-    saltation_1_33 = -phi_1_03*t61 + phi_1_33
-    # Phi of phase 2
-    phi_2_00 = phi_1_00*t40 + phi_1_10*t41 + saltation_1_20*t38 + saltation_1_30*t39
-    phi_2_01 = phi_1_01*t40 + phi_1_11*t41 + saltation_1_21*t38 + saltation_1_31*t39
-    phi_2_02 = phi_1_02*t40 + phi_1_12*t41 + saltation_1_22*t38 + saltation_1_32*t39
-    phi_2_03 = phi_1_03*t40 + phi_1_13*t41 + saltation_1_23*t38 + saltation_1_33*t39
-    phi_2_10 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43
-    phi_2_11 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43
-    phi_2_12 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43
-    phi_2_13 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43
-    phi_2_20 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t40 + saltation_1_30*t41
-    phi_2_21 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t40 + saltation_1_31*t41
-    phi_2_22 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t40 + saltation_1_32*t41
-    phi_2_23 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t40 + saltation_1_33*t41
-    t62 = omega4*p6*sin_omega4_tau1 - p6*t46
-    t63 = -p4*t47 - t36*t46
-    phi_2_30 = phi_1_00*t62 + phi_1_10*t63 + saltation_1_20*t44 + saltation_1_30*t45
-    phi_2_31 = phi_1_01*t62 + phi_1_11*t63 + saltation_1_21*t44 + saltation_1_31*t45
-    phi_2_32 = phi_1_02*t62 + phi_1_12*t63 + saltation_1_22*t44 + saltation_1_32*t45
-    phi_2_33 = phi_1_03*t62 + phi_1_13*t63 + saltation_1_23*t44 + saltation_1_33*t45
-    # saltation of phase 2
-    t64 = 1/v1_2
-    t65 = t64*(-before_v1_2 + behind_v1_2)
-    saltation_2_20 = phi_2_00*t65 + phi_2_20
-    saltation_2_21 = phi_2_01*t65 + phi_2_21
-    saltation_2_22 = phi_2_02*t65 + phi_2_22
-    saltation_2_23 = phi_2_03*t65 + phi_2_23
-    t66 = t64*(-before_v2_2 + behind_v2_2)
-    saltation_2_30 = phi_2_00*t66 + phi_2_30
-    saltation_2_31 = phi_2_01*t66 + phi_2_31
-    saltation_2_32 = phi_2_02*t66 + phi_2_32
-    saltation_2_33 = phi_2_03*t66 + phi_2_33
-    return [[phi_2_00, phi_2_01, phi_2_02, phi_2_03], [phi_2_10, phi_2_11, phi_2_12, phi_2_13], [saltation_2_20, saltation_2_21, saltation_2_22, saltation_2_23], [saltation_2_30, saltation_2_31, saltation_2_32, saltation_2_33]]
-
-
-def one_contact_trace(parameters, spectrum, unknowns, lib):
-    """Trace of the Poincare map's Jacobian.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes unknowns (4): y, u, w, tau.
-    Gives trace.
-    Operations: 320. Intermediate terms: 113.
-    """
-    [m1, m2, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # functions of tau in contact
-    t0 = omega1*tau
-    cos_omega1_tau = lib.cos(t0)
-    sin_omega1_tau = lib.sin(t0)
-    t1 = omega2*tau
-    cos_omega2_tau = lib.cos(t1)
-    sin_omega2_tau = lib.sin(t1)
-    # contact for tau, until first-leaves-stop
-    t2 = k1*k3
-    t3 = k2*k3 + t2
-    t4 = 1/(k1*k2 + t3)
-    t5 = t3*t4
-    t6 = p1*t5
-    t7 = t2*t4
-    t8 = p2*t7
-    t9 = p1 - 1
-    t10 = 1/omega1
-    t11 = sin_omega1_tau*t10
-    t13 = sin_omega2_tau/omega2
-    t14 = p1*t11 - t13*t9
-    t15 = p2*sin_omega1_tau*t10 - p2*t13
-    t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9
-    x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5
-    t18 = p3*t5
-    t20 = p1*t7
-    t21 = p3*sin_omega1_tau*t10 - p3*t13
-    t22 = p1*t13 - t11*t9
-    t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
-    t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7
-    t25 = omega1*sin_omega1_tau
-    t26 = omega2*p2*sin_omega2_tau - p2*t25
-    t27 = omega2*sin_omega2_tau
-    v1_1 = -p1*t25 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y + t27*t9
-    t28 = -p1*t27 + t25*t9
-    v2_1 = -p3*t25 + p3*t27 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t28*y
-    # tau1 completes the period
-    tau1 = T - tau
-    # functions of tau1 in free
-    t29 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t29)
-    sin_omega3_tau1 = lib.sin(t29)
-    t30 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t30)
-    sin_omega4_tau1 = lib.sin(t30)
-    # free for tau1, until first-reaches-stop
-    t31 = 1/omega3
-    t32 = sin_omega3_tau1*t31
-    t33 = 1 - p4
-    t34 = sin_omega4_tau1/omega4
-    t35 = p4*t32 + t33*t34
-    t36 = p5*sin_omega3_tau1*t31 - p5*t34
-    t37 = cos_omega3_tau1*p4 + cos_omega4_tau1*t33
-    t38 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t35*v1_1 + t36*v2_1 + t37*x1_1 + t38*x2_1
-    t39 = p6*sin_omega3_tau1*t31 - p6*t34
-    t40 = p4*t34 + t32*t33
-    t41 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
-    t42 = cos_omega3_tau1*t33 + cos_omega4_tau1*p4
-    x2_2 = t39*v1_1 + t40*v2_1 + t41*x1_1 + t42*x2_1
-    t43 = omega3*sin_omega3_tau1
-    t44 = omega4*sin_omega4_tau1
-    t45 = -p4*t43 - t33*t44
-    t46 = omega4*p5*sin_omega4_tau1 - p5*t43
-    v1_2 = t37*v1_1 + t38*v2_1 + t45*x1_1 + t46*x2_1
-    t47 = omega4*p6*sin_omega4_tau1 - p6*t43
-    t48 = -p4*t44 - t33*t43
-    v2_2 = t41*v1_1 + t42*v2_1 + t47*x1_1 + t48*x2_1
-    # Phi along tau
-    carried_x1_1_by_y = t16
-    carried_x1_1_by_u = t14
-    carried_x1_1_by_w = t15
-    carried_x2_1_by_y = t23
-    carried_x2_1_by_u = t21
-    carried_x2_1_by_w = t22
-    carried_v1_1_by_y = t26
-    carried_v1_1_by_u = t17
-    carried_v1_1_by_w = t16
-    carried_v2_1_by_y = t28
-    carried_v2_1_by_u = t24
-    carried_v2_1_by_w = t23
-    # rate of the exit boundary after tau
-    rate_1 = -v1_1
-    # derivatives of the time to the boundary after tau
-    t49 = 1/rate_1
-    delay_tau_by_y = carried_x1_1_by_y*t49
-    delay_tau_by_u = carried_x1_1_by_u*t49
-    delay_tau_by_w = carried_x1_1_by_w*t49
-    # perturbation on the boundary after tau
-    x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
-    x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
-    x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
-    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
-    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
-    t50 = 1/m1
-    t51 = k1*t50
-    t52 = k3*t50 - t50*x1_1*(k1 + k3) + t51*x2_1
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t52
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t52
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t52
-    t53 = 1/m2
-    t54 = k1*t53
-    t55 = t53*(k1 + k2)
-    t56 = t54*x1_1 - t55*x2_1
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t56
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t56
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t56
-    # Phi along tau1
-    carried_x1_2_by_y = t35*v1_1_on_boundary_by_y + t36*v2_1_on_boundary_by_y + t37*x1_1_on_boundary_by_y + t38*x2_1_on_boundary_by_y
-    carried_x1_2_by_u = t35*v1_1_on_boundary_by_u + t36*v2_1_on_boundary_by_u + t37*x1_1_on_boundary_by_u + t38*x2_1_on_boundary_by_u
-    carried_x1_2_by_w = t35*v1_1_on_boundary_by_w + t36*v2_1_on_boundary_by_w + t37*x1_1_on_boundary_by_w + t38*x2_1_on_boundary_by_w
-    carried_x2_2_by_y = t39*v1_1_on_boundary_by_y + t40*v2_1_on_boundary_by_y + t41*x1_1_on_boundary_by_y + t42*x2_1_on_boundary_by_y
-    carried_v1_2_by_u = t37*v1_1_on_boundary_by_u + t38*v2_1_on_boundary_by_u + t45*x1_1_on_boundary_by_u + t46*x2_1_on_boundary_by_u
-    carried_v2_2_by_w = t41*v1_1_on_boundary_by_w + t42*v2_1_on_boundary_by_w + t47*x1_1_on_boundary_by_w + t48*x2_1_on_boundary_by_w
-    # derivatives of the time to the boundary after tau1
-    t57 = 1/v1_2
-    delay_tau1_by_y = -carried_x1_2_by_y*t57
-    delay_tau1_by_u = -carried_x1_2_by_u*t57
-    delay_tau1_by_w = -carried_x1_2_by_w*t57
-    # perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
-    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(k1*t50*x2_2 - t51*x1_2)
-    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(t54*x1_2 - t55*x2_2)
-    return v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y
-
-
-def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknowns, lib):
-    """Derivatives of the trace by the unknowns, then in total by the parameters.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
     Takes spectrum_derivatives (12, 5): gap1_by_k1, gap1_by_k2, gap1_by_k3, gap1_by_m1,
         gap1_by_m2, omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2,
         omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2, p1_by_k1,
@@ -1510,14 +781,14 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
         gap2_by_k3, gap2_by_m1, gap2_by_m2, omega3_by_k1, omega3_by_k2, omega3_by_k3,
         omega3_by_m1, omega3_by_m2, omega4_by_k1, omega4_by_k2, omega4_by_k3, omega4_by_m1,
         omega4_by_m2, p4_by_k1, p4_by_k2, p4_by_k3, p4_by_m1, p4_by_m2, p5_by_k1, p5_by_k2,
-        p5_by_k3, p5_by_m1, p5_by_m2, p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2.
-    Takes unknowns (4): y, u, w, tau.
+        p5_by_k3, p5_by_m1, p5_by_m2, p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2, for
+        trace_gradient.
+    Gives trace.
     Gives trace_gradient (10).
-    Operations: 1643. Intermediate terms: 317.
+    Operations: 1672. Intermediate terms: 325.
     """
     [m1, m2, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [[_, _, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [_, _, _, _, _], [omega3_by_k1, omega3_by_k2, omega3_by_k3, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, omega4_by_k3, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, p4_by_k3, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, p5_by_k3, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2]] = spectrum_derivatives
     [y, u, w, tau] = unknowns
     # functions of tau in contact
     t0 = omega1*tau
@@ -1654,17 +925,30 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     carried_x1_2_by_y = t60*v1_1_on_boundary_by_y + t61*v2_1_on_boundary_by_y + t62*x1_1_on_boundary_by_y + t63*x2_1_on_boundary_by_y
     carried_x1_2_by_u = t60*v1_1_on_boundary_by_u + t61*v2_1_on_boundary_by_u + t62*x1_1_on_boundary_by_u + t63*x2_1_on_boundary_by_u
     carried_x1_2_by_w = t60*v1_1_on_boundary_by_w + t61*v2_1_on_boundary_by_w + t62*x1_1_on_boundary_by_w + t63*x2_1_on_boundary_by_w
+    carried_x2_2_by_y = t65*v1_1_on_boundary_by_y + t66*v2_1_on_boundary_by_y + t67*x1_1_on_boundary_by_y + t68*x2_1_on_boundary_by_y
+    carried_v1_2_by_u = t62*v1_1_on_boundary_by_u + t63*v2_1_on_boundary_by_u - t71*x1_1_on_boundary_by_u + t74*x2_1_on_boundary_by_u
+    carried_v2_2_by_w = t67*v1_1_on_boundary_by_w + t68*v2_1_on_boundary_by_w + t76*x1_1_on_boundary_by_w - t77*x2_1_on_boundary_by_w
     # derivatives of the time to the boundary after tau1
     t89 = 1/v1_2
     delay_tau1_by_y = -carried_x1_2_by_y*t89
     delay_tau1_by_u = -carried_x1_2_by_u*t89
     delay_tau1_by_w = -carried_x1_2_by_w*t89
+    # perturbation on the boundary after tau1
+    x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
+    t90 = t80*x1_2
+    t91 = k1*t80*x2_2 - k1*t90
+    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t91
+    t92 = t84*x1_2
+    t93 = t84*x2_2
+    t94 = k1*t92 - t86*t93
+    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t94
+    trace = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y
+    if outputs == 1:
+        return trace
+    [[_, _, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [_, _, _, _, _], [omega3_by_k1, omega3_by_k2, omega3_by_k3, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, omega4_by_k3, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, p4_by_k3, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, p5_by_k3, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2]] = spectrum_derivatives
     # back through: derivatives of the time to the boundary after tau1
-    t90 = t84*x1_2
-    t91 = t84*x2_2
-    slope_by_delay_tau1_by_w = k1*t90 - t86*t91
-    t92 = t80*x1_2
-    slope_by_delay_tau1_by_u = k1*t80*x2_2 - k1*t92
+    slope_by_delay_tau1_by_w = t94
+    slope_by_delay_tau1_by_u = t91
     # back through: Phi along tau1
     slope_by_carried_x1_2_by_w = -slope_by_delay_tau1_by_w*t89
     slope_by_carried_x1_2_by_u = -slope_by_delay_tau1_by_u*t89
@@ -1687,263 +971,201 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     slope_by_delay_tau_by_u = slope_by_v1_1_on_boundary_by_u*t83 + slope_by_v2_1_on_boundary_by_u*t88 + slope_by_x1_1_on_boundary_by_u*v1_1 + slope_by_x2_1_on_boundary_by_u*v2_1
     slope_by_delay_tau_by_y = slope_by_v1_1_on_boundary_by_y*t83 + slope_by_v2_1_on_boundary_by_y*t88 + slope_by_x1_1_on_boundary_by_y*v1_1 + slope_by_x2_1_on_boundary_by_y*v2_1
     # back through: rate of the exit boundary after tau
-    t93 = 1/rate_1**2
-    slope_by_rate_1 = -carried_x1_1_by_u*slope_by_delay_tau_by_u*t93 - carried_x1_1_by_w*slope_by_delay_tau_by_w*t93 - carried_x1_1_by_y*slope_by_delay_tau_by_y*t93
+    t95 = 1/rate_1**2
+    slope_by_rate_1 = -carried_x1_1_by_u*slope_by_delay_tau_by_u*t95 - carried_x1_1_by_w*slope_by_delay_tau_by_w*t95 - carried_x1_1_by_y*slope_by_delay_tau_by_y*t95
     # back through: Phi along tau
     slope_by_carried_x1_1_by_w = slope_by_delay_tau_by_w*t79 + slope_by_x1_1_on_boundary_by_w
     slope_by_carried_x1_1_by_u = slope_by_delay_tau_by_u*t79 + slope_by_x1_1_on_boundary_by_u
     slope_by_carried_x1_1_by_y = slope_by_delay_tau_by_y*t79 + slope_by_x1_1_on_boundary_by_y
     # back through: free for tau1, until first-reaches-stop
-    t94 = 1/v1_2**2
-    slope_by_v1_2 = carried_x1_2_by_u*slope_by_delay_tau1_by_u*t94 + carried_x1_2_by_w*slope_by_delay_tau1_by_w*t94 + carried_x1_2_by_y*t94*v2_2
-    t95 = k1*t80
-    t96 = delay_tau1_by_u*t95
-    slope_by_x2_2 = -delay_tau1_by_w*t84*t86 + t96
-    slope_by_x1_2 = delay_tau1_by_w*k1*t84 - t96
+    t96 = 1/v1_2**2
+    slope_by_v1_2 = carried_x1_2_by_u*slope_by_delay_tau1_by_u*t96 + carried_x1_2_by_w*slope_by_delay_tau1_by_w*t96 + carried_x1_2_by_y*t96*v2_2
+    t97 = k1*t80
+    t98 = delay_tau1_by_u*t97
+    slope_by_x2_2 = -delay_tau1_by_w*t84*t86 + t98
+    slope_by_x1_2 = delay_tau1_by_w*k1*t84 - t98
     # back through: functions of tau1 in free
-    t97 = p4*x2_1
-    t98 = p5*v2_1_on_boundary_by_u
-    t99 = p5*t58
-    t100 = p5*x2_1
-    t101 = t57*x1_1
-    t102 = p5*v2_1
-    t103 = p4*v2_1
-    t104 = p6*v1_1
-    t105 = p4*v2_1_on_boundary_by_y
-    t106 = p5*x2_1_on_boundary_by_u
-    t107 = p6*x1_1_on_boundary_by_w
-    t108 = p4*x2_1_on_boundary_by_w
-    t109 = p6*v1_1_on_boundary_by_y
-    t110 = t57*x1_1_on_boundary_by_u
-    slope_by_sin_omega4_tau1 = delay_tau1_by_y*(omega4*p6*x1_1 - omega4*t97) + omega4*t106 + omega4*t107 - omega4*t108 - omega4*t110 + slope_by_carried_x1_2_by_u*(t57*t58*v1_1_on_boundary_by_u - t58*t98) + slope_by_carried_x1_2_by_w*(t57*t58*v1_1_on_boundary_by_w - t99*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t57*t58*v1_1_on_boundary_by_y - t99*v2_1_on_boundary_by_y) + slope_by_v1_2*(omega4*t100 - omega4*t101) + slope_by_x1_2*(-t102*t58 + t57*t58*v1_1) + slope_by_x2_2*(t103*t58 - t104*t58) + t105*t58 - t109*t58
-    t111 = p5*x2_1_on_boundary_by_w
-    t112 = p5*x2_1_on_boundary_by_y
-    t113 = p6*x1_1
-    t114 = t57*v1_1_on_boundary_by_u
-    t115 = p6*v1_1_on_boundary_by_w
-    t116 = p6*x1_1_on_boundary_by_y
-    slope_by_cos_omega4_tau1 = delay_tau1_by_y*(t103 - t104) + p4*v2_1_on_boundary_by_w + p4*x2_1_on_boundary_by_y + slope_by_carried_x1_2_by_u*(-t106 + t57*x1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t111 + t57*x1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t112 + t57*x1_1_on_boundary_by_y) + slope_by_v1_2*(-t102 + t57*v1_1) + slope_by_x1_2*(-t100 + t57*x1_1) + slope_by_x2_2*(-t113 + t97) + t114 - t115 - t116 - t98
-    t117 = t57*x2_1
-    t118 = p4*v1_1_on_boundary_by_u
-    t119 = p4*t55
-    t120 = p5*t55
-    t121 = p4*x1_1
-    t122 = p4*v1_1
-    t123 = t57*v2_1
-    t124 = t57*v2_1_on_boundary_by_y
-    t125 = p4*x1_1_on_boundary_by_u
-    t126 = t57*x2_1_on_boundary_by_w
-    slope_by_sin_omega3_tau1 = delay_tau1_by_y*(-omega3*t113 - omega3*t117) - omega3*t106 - omega3*t107 - omega3*t125 - omega3*t126 + slope_by_carried_x1_2_by_u*(t118*t55 + t55*t98) + slope_by_carried_x1_2_by_w*(t119*v1_1_on_boundary_by_w + t120*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t119*v1_1_on_boundary_by_y + t120*v2_1_on_boundary_by_y) + slope_by_v1_2*(-omega3*t100 - omega3*t121) + slope_by_x1_2*(t102*t55 + t122*t55) + slope_by_x2_2*(t104*t55 + t123*t55) + t109*t55 + t124*t55
-    slope_by_cos_omega3_tau1 = delay_tau1_by_y*(t104 + t123) + slope_by_carried_x1_2_by_u*(t106 + t125) + slope_by_carried_x1_2_by_w*(p4*x1_1_on_boundary_by_w + t111) + slope_by_carried_x1_2_by_y*(p4*x1_1_on_boundary_by_y + t112) + slope_by_v1_2*(t102 + t122) + slope_by_x1_2*(t100 + t121) + slope_by_x2_2*(t113 + t117) + t115 + t116 + t118 + t57*v2_1_on_boundary_by_w + t57*x2_1_on_boundary_by_y + t98
+    t99 = p4*x2_1
+    t100 = p5*v2_1_on_boundary_by_u
+    t101 = p5*t58
+    t102 = p5*x2_1
+    t103 = t57*x1_1
+    t104 = p5*v2_1
+    t105 = p4*v2_1
+    t106 = p6*v1_1
+    t107 = p4*v2_1_on_boundary_by_y
+    t108 = p5*x2_1_on_boundary_by_u
+    t109 = p6*x1_1_on_boundary_by_w
+    t110 = p4*x2_1_on_boundary_by_w
+    t111 = p6*v1_1_on_boundary_by_y
+    t112 = t57*x1_1_on_boundary_by_u
+    slope_by_sin_omega4_tau1 = delay_tau1_by_y*(omega4*p6*x1_1 - omega4*t99) + omega4*t108 + omega4*t109 - omega4*t110 - omega4*t112 + slope_by_carried_x1_2_by_u*(-t100*t58 + t57*t58*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t101*v2_1_on_boundary_by_w + t57*t58*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t101*v2_1_on_boundary_by_y + t57*t58*v1_1_on_boundary_by_y) + slope_by_v1_2*(omega4*t102 - omega4*t103) + slope_by_x1_2*(-t104*t58 + t57*t58*v1_1) + slope_by_x2_2*(t105*t58 - t106*t58) + t107*t58 - t111*t58
+    t113 = p5*x2_1_on_boundary_by_w
+    t114 = p5*x2_1_on_boundary_by_y
+    t115 = p6*x1_1
+    t116 = t57*v1_1_on_boundary_by_u
+    t117 = p6*v1_1_on_boundary_by_w
+    t118 = p6*x1_1_on_boundary_by_y
+    slope_by_cos_omega4_tau1 = delay_tau1_by_y*(t105 - t106) + p4*v2_1_on_boundary_by_w + p4*x2_1_on_boundary_by_y + slope_by_carried_x1_2_by_u*(-t108 + t57*x1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t113 + t57*x1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t114 + t57*x1_1_on_boundary_by_y) + slope_by_v1_2*(-t104 + t57*v1_1) + slope_by_x1_2*(-t102 + t57*x1_1) + slope_by_x2_2*(-t115 + t99) - t100 + t116 - t117 - t118
+    t119 = t57*x2_1
+    t120 = p4*v1_1_on_boundary_by_u
+    t121 = p4*t55
+    t122 = p5*t55
+    t123 = p4*x1_1
+    t124 = p4*v1_1
+    t125 = t57*v2_1
+    t126 = t57*v2_1_on_boundary_by_y
+    t127 = p4*x1_1_on_boundary_by_u
+    t128 = t57*x2_1_on_boundary_by_w
+    slope_by_sin_omega3_tau1 = delay_tau1_by_y*(-omega3*t115 - omega3*t119) - omega3*t108 - omega3*t109 - omega3*t127 - omega3*t128 + slope_by_carried_x1_2_by_u*(t100*t55 + t120*t55) + slope_by_carried_x1_2_by_w*(t121*v1_1_on_boundary_by_w + t122*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t121*v1_1_on_boundary_by_y + t122*v2_1_on_boundary_by_y) + slope_by_v1_2*(-omega3*t102 - omega3*t123) + slope_by_x1_2*(t104*t55 + t124*t55) + slope_by_x2_2*(t106*t55 + t125*t55) + t111*t55 + t126*t55
+    slope_by_cos_omega3_tau1 = delay_tau1_by_y*(t106 + t125) + slope_by_carried_x1_2_by_u*(t108 + t127) + slope_by_carried_x1_2_by_w*(p4*x1_1_on_boundary_by_w + t113) + slope_by_carried_x1_2_by_y*(p4*x1_1_on_boundary_by_y + t114) + slope_by_v1_2*(t104 + t124) + slope_by_x1_2*(t102 + t123) + slope_by_x2_2*(t115 + t119) + t100 + t117 + t118 + t120 + t57*v2_1_on_boundary_by_w + t57*x2_1_on_boundary_by_y
     # back through: tau1 completes the period
-    t127 = sin_omega3_tau1*slope_by_cos_omega3_tau1
-    t128 = sin_omega4_tau1*slope_by_cos_omega4_tau1
-    slope_by_tau1 = cos_omega3_tau1*omega3*slope_by_sin_omega3_tau1 + cos_omega4_tau1*omega4*slope_by_sin_omega4_tau1 - omega3*t127 - omega4*t128
+    t129 = sin_omega3_tau1*slope_by_cos_omega3_tau1
+    t130 = sin_omega4_tau1*slope_by_cos_omega4_tau1
+    slope_by_tau1 = cos_omega3_tau1*omega3*slope_by_sin_omega3_tau1 + cos_omega4_tau1*omega4*slope_by_sin_omega4_tau1 - omega3*t129 - omega4*t130
     # back through: contact for tau, until first-leaves-stop
     slope_by_v2_1 = delay_tau1_by_y*t68 + delay_tau_by_u*slope_by_x2_1_on_boundary_by_u + delay_tau_by_w*slope_by_x2_1_on_boundary_by_w + delay_tau_by_y*slope_by_x2_1_on_boundary_by_y + slope_by_v1_2*t63 + slope_by_x1_2*t61 + slope_by_x2_2*t66
     slope_by_v1_1 = delay_tau1_by_y*t67 + delay_tau_by_u*slope_by_x1_1_on_boundary_by_u + delay_tau_by_w*slope_by_x1_1_on_boundary_by_w + delay_tau_by_y*slope_by_x1_1_on_boundary_by_y - slope_by_rate_1 + slope_by_v1_2*t62 + slope_by_x1_2*t60 + slope_by_x2_2*t65
-    t129 = delay_tau_by_u*slope_by_v1_1_on_boundary_by_u
-    t130 = delay_tau_by_w*slope_by_v1_1_on_boundary_by_w
-    t131 = delay_tau_by_y*slope_by_v1_1_on_boundary_by_y
-    t132 = delay_tau_by_u*slope_by_v2_1_on_boundary_by_u
-    t133 = t84*t86
-    t134 = delay_tau_by_w*slope_by_v2_1_on_boundary_by_w
-    t135 = delay_tau_by_y*slope_by_v2_1_on_boundary_by_y
-    slope_by_x2_1 = -delay_tau1_by_y*t77 + slope_by_v1_2*t74 + slope_by_x1_2*t63 + slope_by_x2_2*t68 + t129*t95 + t130*t95 + t131*t95 - t132*t133 - t133*t134 - t133*t135
-    t136 = k1*t84
-    t137 = t80*t81
-    slope_by_x1_1 = delay_tau1_by_y*t76 - slope_by_v1_2*t71 + slope_by_x1_2*t62 + slope_by_x2_2*t67 - t129*t137 - t130*t137 - t131*t137 + t132*t136 + t134*t136 + t135*t136
+    t131 = delay_tau_by_u*slope_by_v1_1_on_boundary_by_u
+    t132 = delay_tau_by_w*slope_by_v1_1_on_boundary_by_w
+    t133 = delay_tau_by_y*slope_by_v1_1_on_boundary_by_y
+    t134 = delay_tau_by_u*slope_by_v2_1_on_boundary_by_u
+    t135 = t84*t86
+    t136 = delay_tau_by_w*slope_by_v2_1_on_boundary_by_w
+    t137 = delay_tau_by_y*slope_by_v2_1_on_boundary_by_y
+    slope_by_x2_1 = -delay_tau1_by_y*t77 + slope_by_v1_2*t74 + slope_by_x1_2*t63 + slope_by_x2_2*t68 + t131*t97 + t132*t97 + t133*t97 - t134*t135 - t135*t136 - t135*t137
+    t138 = k1*t84
+    t139 = t80*t81
+    slope_by_x1_1 = delay_tau1_by_y*t76 - slope_by_v1_2*t71 + slope_by_x1_2*t62 + slope_by_x2_2*t67 - t131*t139 - t132*t139 - t133*t139 + t134*t138 + t136*t138 + t137*t138
     # back through: functions of tau in contact
-    t138 = p1*y
-    t139 = p2*w
-    t140 = p1*w
-    t141 = p3*u
-    t142 = p1*slope_by_x2_1_on_boundary_by_w
-    t143 = p2*slope_by_v1_1_on_boundary_by_y
-    t144 = p1*slope_by_v2_1_on_boundary_by_y
-    t145 = p2*slope_by_carried_x1_1_by_w
-    t146 = p3*slope_by_x2_1_on_boundary_by_u
-    slope_by_sin_omega2_tau = omega2*t143 - omega2*t144 - slope_by_carried_x1_1_by_u*t14*t18 + slope_by_v1_1*(omega2*p2*y - t38 - t41) + slope_by_v2_1*(-omega2*t138 + t45 + t46) + slope_by_x1_1*(-t139*t18 - t14*t18*u) + slope_by_x2_1*(t140*t18 - t141*t18) + t142*t18 - t145*t18 - t146*t18
-    t147 = p2*y
-    t148 = -p1 - t147
-    t149 = p2*slope_by_carried_x1_1_by_y
-    t150 = p2*slope_by_v1_1_on_boundary_by_w
-    t151 = p3*slope_by_v2_1_on_boundary_by_u
-    slope_by_cos_omega2_tau = p1*slope_by_v2_1_on_boundary_by_w + p1*slope_by_x2_1_on_boundary_by_y + slope_by_v1_1*(-t139 - t14*u) - slope_by_v1_1_on_boundary_by_u*t14 + slope_by_v2_1*(t140 - t141) + slope_by_x1_1*(t148 + t15 + 1) + slope_by_x2_1*(p1*y - p3 - t30) - t149 - t150 - t151
-    t152 = -t14*y
-    t153 = p1*u
-    t154 = -t14*w
-    t155 = -slope_by_x2_1_on_boundary_by_w*t14
-    t156 = -slope_by_v2_1_on_boundary_by_y*t14
-    slope_by_sin_omega1_tau = -omega1*t143 - omega1*t156 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t147 - t36 + t37) + slope_by_v2_1*(-omega1*t152 - t42 + t44) + slope_by_x1_1*(t139*t16 + t153*t16) + slope_by_x2_1*(t141*t16 + t154*t16) + t145*t16 + t146*t16 + t155*t16
-    slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t139 + t153) + slope_by_v2_1*(t141 + t154) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t148) + slope_by_x2_1*(p3 + t152 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t149 + t150 + t151
-    # outputs
-    t157 = sin_omega1_tau*slope_by_cos_omega1_tau
-    t158 = sin_omega2_tau*slope_by_cos_omega2_tau
-    t159 = 1/m1**2
-    t160 = k1*t159
-    t161 = p3*sin_omega1_tau
-    t162 = 1/omega1**2
-    t163 = sin_omega1_tau*t162
-    t164 = cos_omega1_tau*slope_by_sin_omega1_tau*tau - sin_omega1_tau*t143 - sin_omega1_tau*t156 - slope_by_carried_x1_1_by_u*t162*t17 + slope_by_v1_1*(sin_omega1_tau*t13 - sin_omega1_tau*t147 - t17) + slope_by_v2_1*(-sin_omega1_tau*t152 + sin_omega1_tau*(t26 + t43) - t161) + slope_by_x1_1*(-t139*t163 - t153*t163) + slope_by_x2_1*(-t141*t163 - t154*t163) - slope_by_x2_1_on_boundary_by_u*t161*t162 - t145*t163 - t155*t163 - t157*tau
-    t165 = 1/omega2**2
-    t166 = sin_omega2_tau*t165
-    t167 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + sin_omega2_tau*t143 - sin_omega2_tau*t144 - slope_by_carried_x1_1_by_u*t165*t20 + slope_by_v1_1*(sin_omega2_tau*t147 + sin_omega2_tau*(-t12 - t14*t7*t9) - t20) + slope_by_v2_1*(-sin_omega2_tau*t138 + sin_omega2_tau*t30 + t31) + slope_by_x1_1*(t139*t166 + t14*t166*u) + slope_by_x2_1*(p3*sin_omega2_tau*t165*u - t140*t166) + slope_by_x2_1_on_boundary_by_u*t165*t31 - t142*t166 + t145*t166 - t158*tau
-    t168 = sin_omega3_tau1/omega3**2
-    t169 = p4*t168
-    t170 = p5*t168
-    t171 = cos_omega3_tau1*slope_by_sin_omega3_tau1*tau1 + delay_tau1_by_y*(-sin_omega3_tau1*t113 - sin_omega3_tau1*t117) - sin_omega3_tau1*t106 - sin_omega3_tau1*t107 - sin_omega3_tau1*t125 - sin_omega3_tau1*t126 + slope_by_carried_x1_2_by_u*(-t118*t168 - t168*t98) + slope_by_carried_x1_2_by_w*(-t169*v1_1_on_boundary_by_w - t170*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t169*v1_1_on_boundary_by_y - t170*v2_1_on_boundary_by_y) + slope_by_v1_2*(-sin_omega3_tau1*t100 - sin_omega3_tau1*t121) + slope_by_x1_2*(-t102*t168 - t122*t168) + slope_by_x2_2*(-t104*t168 - t123*t168) - t109*t168 - t124*t168 - t127*tau1
-    t172 = 1/omega4**2
-    t173 = sin_omega4_tau1*t172
-    t174 = p5*t173
-    t175 = t173*t57
-    t176 = cos_omega4_tau1*slope_by_sin_omega4_tau1*tau1 + delay_tau1_by_y*(p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t97) + sin_omega4_tau1*t106 + sin_omega4_tau1*t107 - sin_omega4_tau1*t108 - sin_omega4_tau1*t110 + slope_by_carried_x1_2_by_u*(-t114*t173 + t173*t98) + slope_by_carried_x1_2_by_w*(t174*v2_1_on_boundary_by_w - t175*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t174*v2_1_on_boundary_by_y - t175*v1_1_on_boundary_by_y) + slope_by_v1_2*(sin_omega4_tau1*t100 - sin_omega4_tau1*t101) + slope_by_x1_2*(t102*t173 - t173*t57*v1_1) + slope_by_x2_2*(p6*sin_omega4_tau1*t172*v1_1 - t103*t173) - t105*t173 + t109*t173 - t128*tau1
-    t177 = -sin_omega1_tau*t16 + t22
-    t179 = cos_omega1_tau - cos_omega2_tau
-    t180 = t10*t39 - t10*t47 + t179*u - t39 + t47
-    t182 = t39 - t47
-    t183 = t11*t47
-    t184 = t11*t39
-    t185 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t177*u + t179
-    t186 = cos_omega1_tau*t11
-    t187 = cos_omega2_tau*t11
-    t188 = -slope_by_carried_x1_1_by_u*t177 + slope_by_v1_1*t180 + slope_by_v1_1_on_boundary_by_u*t179 + slope_by_v2_1*(-t179*w + t182*y + t183 - t184) - slope_by_v2_1_on_boundary_by_w*t179 + slope_by_v2_1_on_boundary_by_y*t182 + slope_by_x1_1*t185 + slope_by_x2_1*(t177*w - t179*y + t186 - t187) + slope_by_x2_1_on_boundary_by_w*t177 - slope_by_x2_1_on_boundary_by_y*t179
-    t190 = -slope_by_carried_x1_1_by_w*t177 + slope_by_carried_x1_1_by_y*t179 + slope_by_v1_1*(t179*w - t182*y - t183 + t184) + slope_by_v1_1_on_boundary_by_w*t179 - slope_by_v1_1_on_boundary_by_y*t182 + slope_by_x1_1*(-t177*w + t179*y - t186 + t187)
-    t191 = slope_by_v2_1*t180 + slope_by_v2_1_on_boundary_by_u*t179 + slope_by_x2_1*t185 - slope_by_x2_1_on_boundary_by_u*t177
-    t192 = cos_omega3_tau1 - cos_omega4_tau1
-    t194 = t69 - t70
-    t195 = -sin_omega3_tau1*t55 + t59
-    t197 = t192*x1_1_on_boundary_by_y - t195*v1_1_on_boundary_by_y
-    t199 = t192*v1_1 - t194*x1_1
-    t200 = t192*x1_1 - t195*v1_1
-    t201 = delay_tau1_by_y*(-t192*v2_1 + t194*x2_1) + slope_by_carried_x1_2_by_u*(t192*x1_1_on_boundary_by_u - t195*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x1_1_on_boundary_by_w - t195*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*t197 + slope_by_v1_2*t199 + slope_by_x1_2*t200 + slope_by_x2_2*(-t192*x2_1 + t195*v2_1) + t192*v1_1_on_boundary_by_u - t192*v2_1_on_boundary_by_w - t192*x2_1_on_boundary_by_y - t194*x1_1_on_boundary_by_u + t194*x2_1_on_boundary_by_w + t195*v2_1_on_boundary_by_y
-    t202 = slope_by_carried_x1_2_by_u*(t192*x2_1_on_boundary_by_u - t195*v2_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x2_1_on_boundary_by_w - t195*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t192*x2_1_on_boundary_by_y - t195*v2_1_on_boundary_by_y) + slope_by_v1_2*(t192*v2_1 - t194*x2_1) + slope_by_x1_2*(t192*x2_1 - t195*v2_1) + t192*v2_1_on_boundary_by_u - t194*x2_1_on_boundary_by_u
-    t203 = delay_tau1_by_y*t199 + slope_by_x2_2*t200 + t192*v1_1_on_boundary_by_w - t194*x1_1_on_boundary_by_w + t197
-    t204 = -k3*t159 + t159*t81*x1_1 - t160*x2_1
-    t205 = 1/m2**2
-    t206 = k1*t205
-    t207 = t205*t86*x2_1 - t206*x1_1
-    t208 = k3*t9
-    t209 = t208*t36
-    t210 = p2*t208
-    t211 = -k2 - k3
-    t212 = 1/t8**2
-    t213 = t212*t7
-    t214 = t211*t213
-    t215 = t212*t6
-    t216 = t211*t215
-    t217 = p2*t216
-    t218 = t208*t42
-    t219 = -omega1*t14
-    t220 = p1*t208
-    t221 = t208*t45
-    t222 = p1*t216
-    t223 = t210 + t217
-    t224 = t14*t208
-    t225 = p3*t208
-    t226 = -p3*t214 - t225
-    t227 = t80*x2_1 - t82
-    t228 = t85 - t87
-    t230 = -t213*t81
-    t231 = -t215*t81
-    t232 = p2*t231
-    t233 = p3*t230 + t225
-    t234 = t86*t9
-    t235 = k1*t9
-    t236 = p2*t235
-    t238 = -t213*t86
-    t239 = -t215*t86
-    t240 = p2*t239
-    t241 = p1*t235
-    t242 = p1*t239
-    t243 = t236 + t240
-    t244 = -p3*t234 - p3*t238
-    t245 = t80 - t82
-    return [slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34, slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32, slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33, cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t157 - omega2*t158 - slope_by_tau1, delay_tau1_by_u*(t160*x1_2 - t160*x2_2) + omega1_by_m1*t164 + omega2_by_m1*t167 + omega3_by_m1*t171 + omega4_by_m1*t176 + p1_by_m1*t188 + p2_by_m1*t190 + p3_by_m1*t191 + p4_by_m1*t201 + p5_by_m1*t202 + p6_by_m1*t203 + t129*t204 + t130*t204 + t131*t204, delay_tau1_by_w*(t205*t86*x2_2 - t206*x1_2) + omega1_by_m2*t164 + omega2_by_m2*t167 + omega3_by_m2*t171 + omega4_by_m2*t176 + p1_by_m2*t188 + p2_by_m2*t190 + p3_by_m2*t191 + p4_by_m2*t201 + p5_by_m2*t202 + p6_by_m2*t203 + t132*t207 + t134*t207 + t135*t207, delay_tau1_by_u*(t80*x2_2 - t92) + delay_tau1_by_w*(t90 - t91) + omega1_by_k1*t164 + omega2_by_k1*t167 + omega3_by_k1*t171 + omega4_by_k1*t176 + p1_by_k1*t188 + p2_by_k1*t190 + p3_by_k1*t191 + p4_by_k1*t201 + p5_by_k1*t202 + p6_by_k1*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t210 + omega1*t217 + t209 + t214*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t211*t212*t7 - omega2*t210 - omega2*t217)) + slope_by_v2_1*(sin_omega1_tau*(t208*t219 + t214*t42 + t216*t219 + t218) + sin_omega2_tau*(omega2*t220 + omega2*t222 - t214*t45 - t221)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t214 - t220 - t223) + cos_omega2_tau*(t14*t214 + t223 + t224) + t208 + t214) + slope_by_x2_1*(cos_omega1_tau*(t14*t216 + t224 + t226) + cos_omega2_tau*(-t220 - t222 - t226) + t208 + t216) + t129*t227 + t130*t227 + t131*t227 + t132*t228 + t134*t228 + t135*t228, -delay_tau1_by_w*t91 + omega1_by_k2*t164 + omega2_by_k2*t167 + omega3_by_k2*t171 + omega4_by_k2*t176 + p1_by_k2*t188 + p2_by_k2*t190 + p3_by_k2*t191 + p4_by_k2*t201 + p5_by_k2*t202 + p6_by_k2*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t232 + t209 + t230*t36) + sin_omega2_tau*(-omega2*t232 + t208*t41 + t230*t41)) + slope_by_v2_1*(sin_omega1_tau*(t218 + t219*t231 + t230*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t212*t81 - t221 - t230*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t230 - t220 - t232) + cos_omega2_tau*(t14*t230 + t224 + t232) + t208 + t230) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t212*t81 - t233) + cos_omega2_tau*(-p1*t231 + t233) + t231) - t132*t87 - t134*t87 - t135*t87, omega1_by_k3*t164 + omega2_by_k3*t167 + omega3_by_k3*t171 + omega4_by_k3*t176 + p1_by_k3*t188 + p2_by_k3*t190 + p3_by_k3*t191 + p4_by_k3*t201 + p5_by_k3*t202 + p6_by_k3*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t236 + omega1*t240 + t234*t36 + t238*t36) + sin_omega2_tau*(omega2*t14*t212*t7*t86 - omega2*t14*t86*t9 - omega2*t236 - omega2*t240)) + slope_by_v2_1*(sin_omega1_tau*(t219*t235 + t219*t239 + t234*t42 + t238*t42) + sin_omega2_tau*(omega2*t241 + omega2*t242 - t234*t45 - t238*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t234 - p1*t238 - t243) + cos_omega2_tau*(t14*t234 + t14*t238 + t243) + t234 + t238) + slope_by_x2_1*(cos_omega1_tau*(t14*t235 + t14*t239 + t244) + cos_omega2_tau*(-t241 - t242 - t244) + t235 + t239) + t129*t245 + t130*t245 + t131*t245, slope_by_tau1]
+    t140 = p1*y
+    t141 = p2*w
+    t142 = p1*w
+    t143 = p3*u
+    t144 = p1*slope_by_x2_1_on_boundary_by_w
+    t145 = p2*slope_by_v1_1_on_boundary_by_y
+    t146 = p1*slope_by_v2_1_on_boundary_by_y
+    t147 = p2*slope_by_carried_x1_1_by_w
+    t148 = p3*slope_by_x2_1_on_boundary_by_u
+    slope_by_sin_omega2_tau = omega2*t145 - omega2*t146 - slope_by_carried_x1_1_by_u*t14*t18 + slope_by_v1_1*(omega2*p2*y - t38 - t41) + slope_by_v2_1*(-omega2*t140 + t45 + t46) + slope_by_x1_1*(-t14*t18*u - t141*t18) + slope_by_x2_1*(t142*t18 - t143*t18) + t144*t18 - t147*t18 - t148*t18
+    t149 = p2*y
+    t150 = -p1 - t149
+    t151 = p2*slope_by_carried_x1_1_by_y
+    t152 = p2*slope_by_v1_1_on_boundary_by_w
+    t153 = p3*slope_by_v2_1_on_boundary_by_u
+    slope_by_cos_omega2_tau = p1*slope_by_v2_1_on_boundary_by_w + p1*slope_by_x2_1_on_boundary_by_y + slope_by_v1_1*(-t14*u - t141) - slope_by_v1_1_on_boundary_by_u*t14 + slope_by_v2_1*(t142 - t143) + slope_by_x1_1*(t15 + t150 + 1) + slope_by_x2_1*(p1*y - p3 - t30) - t151 - t152 - t153
+    t154 = -t14*y
+    t155 = p1*u
+    t156 = -t14*w
+    t157 = -slope_by_x2_1_on_boundary_by_w*t14
+    t158 = -slope_by_v2_1_on_boundary_by_y*t14
+    slope_by_sin_omega1_tau = -omega1*t145 - omega1*t158 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t149 - t36 + t37) + slope_by_v2_1*(-omega1*t154 - t42 + t44) + slope_by_x1_1*(t141*t16 + t155*t16) + slope_by_x2_1*(t143*t16 + t156*t16) + t147*t16 + t148*t16 + t157*t16
+    slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t141 + t155) + slope_by_v2_1*(t143 + t156) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t150) + slope_by_x2_1*(p3 + t154 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t151 + t152 + t153
+    # trace_gradient
+    t159 = sin_omega1_tau*slope_by_cos_omega1_tau
+    t160 = sin_omega2_tau*slope_by_cos_omega2_tau
+    t161 = 1/m1**2
+    t162 = k1*t161
+    t163 = p3*sin_omega1_tau
+    t164 = 1/omega1**2
+    t165 = sin_omega1_tau*t164
+    t166 = cos_omega1_tau*slope_by_sin_omega1_tau*tau - sin_omega1_tau*t145 - sin_omega1_tau*t158 - slope_by_carried_x1_1_by_u*t164*t17 + slope_by_v1_1*(sin_omega1_tau*t13 - sin_omega1_tau*t149 - t17) + slope_by_v2_1*(-sin_omega1_tau*t154 + sin_omega1_tau*(t26 + t43) - t163) + slope_by_x1_1*(-t141*t165 - t155*t165) + slope_by_x2_1*(-t143*t165 - t156*t165) - slope_by_x2_1_on_boundary_by_u*t163*t164 - t147*t165 - t157*t165 - t159*tau
+    t167 = 1/omega2**2
+    t168 = sin_omega2_tau*t167
+    t169 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + sin_omega2_tau*t145 - sin_omega2_tau*t146 - slope_by_carried_x1_1_by_u*t167*t20 + slope_by_v1_1*(sin_omega2_tau*t149 + sin_omega2_tau*(-t12 - t14*t7*t9) - t20) + slope_by_v2_1*(-sin_omega2_tau*t140 + sin_omega2_tau*t30 + t31) + slope_by_x1_1*(t14*t168*u + t141*t168) + slope_by_x2_1*(p3*sin_omega2_tau*t167*u - t142*t168) + slope_by_x2_1_on_boundary_by_u*t167*t31 - t144*t168 + t147*t168 - t160*tau
+    t170 = sin_omega3_tau1/omega3**2
+    t171 = p4*t170
+    t172 = p5*t170
+    t173 = cos_omega3_tau1*slope_by_sin_omega3_tau1*tau1 + delay_tau1_by_y*(-sin_omega3_tau1*t115 - sin_omega3_tau1*t119) - sin_omega3_tau1*t108 - sin_omega3_tau1*t109 - sin_omega3_tau1*t127 - sin_omega3_tau1*t128 + slope_by_carried_x1_2_by_u*(-t100*t170 - t120*t170) + slope_by_carried_x1_2_by_w*(-t171*v1_1_on_boundary_by_w - t172*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t171*v1_1_on_boundary_by_y - t172*v2_1_on_boundary_by_y) + slope_by_v1_2*(-sin_omega3_tau1*t102 - sin_omega3_tau1*t123) + slope_by_x1_2*(-t104*t170 - t124*t170) + slope_by_x2_2*(-t106*t170 - t125*t170) - t111*t170 - t126*t170 - t129*tau1
+    t174 = 1/omega4**2
+    t175 = sin_omega4_tau1*t174
+    t176 = p5*t175
+    t177 = t175*t57
+    t178 = cos_omega4_tau1*slope_by_sin_omega4_tau1*tau1 + delay_tau1_by_y*(p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t99) + sin_omega4_tau1*t108 + sin_omega4_tau1*t109 - sin_omega4_tau1*t110 - sin_omega4_tau1*t112 + slope_by_carried_x1_2_by_u*(t100*t175 - t116*t175) + slope_by_carried_x1_2_by_w*(t176*v2_1_on_boundary_by_w - t177*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t176*v2_1_on_boundary_by_y - t177*v1_1_on_boundary_by_y) + slope_by_v1_2*(sin_omega4_tau1*t102 - sin_omega4_tau1*t103) + slope_by_x1_2*(t104*t175 - t175*t57*v1_1) + slope_by_x2_2*(p6*sin_omega4_tau1*t174*v1_1 - t105*t175) - t107*t175 + t111*t175 - t130*tau1
+    t179 = -sin_omega1_tau*t16 + t22
+    t181 = cos_omega1_tau - cos_omega2_tau
+    t182 = t10*t39 - t10*t47 + t181*u - t39 + t47
+    t184 = t39 - t47
+    t185 = t11*t47
+    t186 = t11*t39
+    t187 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t179*u + t181
+    t188 = cos_omega1_tau*t11
+    t189 = cos_omega2_tau*t11
+    t190 = -slope_by_carried_x1_1_by_u*t179 + slope_by_v1_1*t182 + slope_by_v1_1_on_boundary_by_u*t181 + slope_by_v2_1*(-t181*w + t184*y + t185 - t186) - slope_by_v2_1_on_boundary_by_w*t181 + slope_by_v2_1_on_boundary_by_y*t184 + slope_by_x1_1*t187 + slope_by_x2_1*(t179*w - t181*y + t188 - t189) + slope_by_x2_1_on_boundary_by_w*t179 - slope_by_x2_1_on_boundary_by_y*t181
+    t192 = -slope_by_carried_x1_1_by_w*t179 + slope_by_carried_x1_1_by_y*t181 + slope_by_v1_1*(t181*w - t184*y - t185 + t186) + slope_by_v1_1_on_boundary_by_w*t181 - slope_by_v1_1_on_boundary_by_y*t184 + slope_by_x1_1*(-t179*w + t181*y - t188 + t189)
+    t193 = slope_by_v2_1*t182 + slope_by_v2_1_on_boundary_by_u*t181 + slope_by_x2_1*t187 - slope_by_x2_1_on_boundary_by_u*t179
+    t194 = cos_omega3_tau1 - cos_omega4_tau1
+    t196 = t69 - t70
+    t197 = -sin_omega3_tau1*t55 + t59
+    t199 = t194*x1_1_on_boundary_by_y - t197*v1_1_on_boundary_by_y
+    t201 = t194*v1_1 - t196*x1_1
+    t202 = t194*x1_1 - t197*v1_1
+    t203 = delay_tau1_by_y*(-t194*v2_1 + t196*x2_1) + slope_by_carried_x1_2_by_u*(t194*x1_1_on_boundary_by_u - t197*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t194*x1_1_on_boundary_by_w - t197*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*t199 + slope_by_v1_2*t201 + slope_by_x1_2*t202 + slope_by_x2_2*(-t194*x2_1 + t197*v2_1) + t194*v1_1_on_boundary_by_u - t194*v2_1_on_boundary_by_w - t194*x2_1_on_boundary_by_y - t196*x1_1_on_boundary_by_u + t196*x2_1_on_boundary_by_w + t197*v2_1_on_boundary_by_y
+    t204 = slope_by_carried_x1_2_by_u*(t194*x2_1_on_boundary_by_u - t197*v2_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t194*x2_1_on_boundary_by_w - t197*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t194*x2_1_on_boundary_by_y - t197*v2_1_on_boundary_by_y) + slope_by_v1_2*(t194*v2_1 - t196*x2_1) + slope_by_x1_2*(t194*x2_1 - t197*v2_1) + t194*v2_1_on_boundary_by_u - t196*x2_1_on_boundary_by_u
+    t205 = delay_tau1_by_y*t201 + slope_by_x2_2*t202 + t194*v1_1_on_boundary_by_w - t196*x1_1_on_boundary_by_w + t199
+    t206 = -k3*t161 + t161*t81*x1_1 - t162*x2_1
+    t207 = 1/m2**2
+    t208 = k1*t207
+    t209 = t207*t86*x2_1 - t208*x1_1
+    t210 = k3*t9
+    t211 = t210*t36
+    t212 = p2*t210
+    t213 = -k2 - k3
+    t214 = 1/t8**2
+    t215 = t214*t7
+    t216 = t213*t215
+    t217 = t214*t6
+    t218 = t213*t217
+    t219 = p2*t218
+    t220 = t210*t42
+    t221 = -omega1*t14
+    t222 = p1*t210
+    t223 = t210*t45
+    t224 = p1*t218
+    t225 = t212 + t219
+    t226 = t14*t210
+    t227 = p3*t210
+    t228 = -p3*t216 - t227
+    t229 = t80*x2_1 - t82
+    t230 = t85 - t87
+    t232 = -t215*t81
+    t233 = -t217*t81
+    t234 = p2*t233
+    t235 = p3*t232 + t227
+    t236 = t86*t9
+    t237 = k1*t9
+    t238 = p2*t237
+    t240 = -t215*t86
+    t241 = -t217*t86
+    t242 = p2*t241
+    t243 = p1*t237
+    t244 = p1*t241
+    t245 = t238 + t242
+    t246 = -p3*t236 - p3*t240
+    t247 = t80 - t82
+    trace_gradient = [slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34, slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32, slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33, cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t159 - omega2*t160 - slope_by_tau1, delay_tau1_by_u*(t162*x1_2 - t162*x2_2) + omega1_by_m1*t166 + omega2_by_m1*t169 + omega3_by_m1*t173 + omega4_by_m1*t178 + p1_by_m1*t190 + p2_by_m1*t192 + p3_by_m1*t193 + p4_by_m1*t203 + p5_by_m1*t204 + p6_by_m1*t205 + t131*t206 + t132*t206 + t133*t206, delay_tau1_by_w*(t207*t86*x2_2 - t208*x1_2) + omega1_by_m2*t166 + omega2_by_m2*t169 + omega3_by_m2*t173 + omega4_by_m2*t178 + p1_by_m2*t190 + p2_by_m2*t192 + p3_by_m2*t193 + p4_by_m2*t203 + p5_by_m2*t204 + p6_by_m2*t205 + t134*t209 + t136*t209 + t137*t209, delay_tau1_by_u*(t80*x2_2 - t90) + delay_tau1_by_w*(t92 - t93) + omega1_by_k1*t166 + omega2_by_k1*t169 + omega3_by_k1*t173 + omega4_by_k1*t178 + p1_by_k1*t190 + p2_by_k1*t192 + p3_by_k1*t193 + p4_by_k1*t203 + p5_by_k1*t204 + p6_by_k1*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t212 + omega1*t219 + t211 + t216*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t213*t214*t7 - omega2*t212 - omega2*t219)) + slope_by_v2_1*(sin_omega1_tau*(t210*t221 + t216*t42 + t218*t221 + t220) + sin_omega2_tau*(omega2*t222 + omega2*t224 - t216*t45 - t223)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t216 - t222 - t225) + cos_omega2_tau*(t14*t216 + t225 + t226) + t210 + t216) + slope_by_x2_1*(cos_omega1_tau*(t14*t218 + t226 + t228) + cos_omega2_tau*(-t222 - t224 - t228) + t210 + t218) + t131*t229 + t132*t229 + t133*t229 + t134*t230 + t136*t230 + t137*t230, -delay_tau1_by_w*t93 + omega1_by_k2*t166 + omega2_by_k2*t169 + omega3_by_k2*t173 + omega4_by_k2*t178 + p1_by_k2*t190 + p2_by_k2*t192 + p3_by_k2*t193 + p4_by_k2*t203 + p5_by_k2*t204 + p6_by_k2*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t234 + t211 + t232*t36) + sin_omega2_tau*(-omega2*t234 + t210*t41 + t232*t41)) + slope_by_v2_1*(sin_omega1_tau*(t220 + t221*t233 + t232*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t214*t81 - t223 - t232*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t232 - t222 - t234) + cos_omega2_tau*(t14*t232 + t226 + t234) + t210 + t232) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t214*t81 - t235) + cos_omega2_tau*(-p1*t233 + t235) + t233) - t134*t87 - t136*t87 - t137*t87, omega1_by_k3*t166 + omega2_by_k3*t169 + omega3_by_k3*t173 + omega4_by_k3*t178 + p1_by_k3*t190 + p2_by_k3*t192 + p3_by_k3*t193 + p4_by_k3*t203 + p5_by_k3*t204 + p6_by_k3*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t238 + omega1*t242 + t236*t36 + t240*t36) + sin_omega2_tau*(omega2*t14*t214*t7*t86 - omega2*t14*t86*t9 - omega2*t238 - omega2*t242)) + slope_by_v2_1*(sin_omega1_tau*(t221*t237 + t221*t241 + t236*t42 + t240*t42) + sin_omega2_tau*(omega2*t243 + omega2*t244 - t236*t45 - t240*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t236 - p1*t240 - t245) + cos_omega2_tau*(t14*t236 + t14*t240 + t245) + t236 + t240) + slope_by_x2_1*(cos_omega1_tau*(t14*t237 + t14*t241 + t246) + cos_omega2_tau*(-t243 - t244 - t246) + t237 + t241) + t131*t247 + t132*t247 + t133*t247, slope_by_tau1]
+    return trace, trace_gradient
 
 
-def one_contact_states(parameters, spectrum, unknowns, lib):
-    """State at the start and behind each transition, row by row.
+def one_contact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+    """State at the start and behind each transition. Boundaries along the phases: constant,
+    slope, cosine and sine amplitudes, one after the other; and the frequencies of each
+    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
+    one below the other; monodromy matrix.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
     Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
     Takes unknowns (4): y, u, w, tau.
     Gives states (3, 4).
-    Operations: 211. Intermediate terms: 50.
-    """
-    [_, _, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
-    [y, u, w, tau] = unknowns
-    # functions of tau in contact
-    t0 = omega1*tau
-    cos_omega1_tau = lib.cos(t0)
-    sin_omega1_tau = lib.sin(t0)
-    t1 = omega2*tau
-    cos_omega2_tau = lib.cos(t1)
-    sin_omega2_tau = lib.sin(t1)
-    # contact for tau, until first-leaves-stop
-    t2 = k1*k3
-    t3 = k2*k3 + t2
-    t4 = 1/(k1*k2 + t3)
-    t5 = t3*t4
-    t6 = p1*t5
-    t7 = t2*t4
-    t8 = p2*t7
-    t9 = p1 - 1
-    t10 = 1/omega1
-    t11 = sin_omega1_tau*t10
-    t13 = sin_omega2_tau/omega2
-    t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t15 = cos_omega1_tau*p1 - cos_omega2_tau*t9
-    x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*y + t15 + t5 + u*(p1*t11 - t13*t9) + w*(p2*sin_omega1_tau*t10 - p2*t13)
-    t16 = p3*t5
-    t18 = p1*t7
-    t19 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
-    t20 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(-t16 + t7*t9) + cos_omega2_tau*(t16 - t18) + t19*y + t20 + t7 + u*(p3*sin_omega1_tau*t10 - p3*t13) + w*(p1*t13 - t11*t9)
-    t21 = omega1*sin_omega1_tau
-    t22 = omega2*sin_omega2_tau
-    v1_1 = -p1*t21 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t14*w + t15*u + t22*t9 + y*(omega2*p2*sin_omega2_tau - p2*t21)
-    v2_1 = -p3*t21 + p3*t22 + sin_omega1_tau*(omega1*t16 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t16 + omega2*t18) + t19*w + t20*u + y*(-p1*t22 + t21*t9)
-    # tau1 completes the period
-    tau1 = T - tau
-    # functions of tau1 in free
-    t23 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t23)
-    sin_omega3_tau1 = lib.sin(t23)
-    t24 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t24)
-    sin_omega4_tau1 = lib.sin(t24)
-    # free for tau1, until first-reaches-stop
-    t25 = 1/omega3
-    t26 = sin_omega3_tau1*t25
-    t27 = 1 - p4
-    t28 = sin_omega4_tau1/omega4
-    t29 = cos_omega3_tau1*p4 + cos_omega4_tau1*t27
-    t30 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t29*x1_1 + t30*x2_1 + v1_1*(p4*t26 + t27*t28) + v2_1*(p5*sin_omega3_tau1*t25 - p5*t28)
-    t31 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
-    t32 = cos_omega3_tau1*t27 + cos_omega4_tau1*p4
-    x2_2 = t31*x1_1 + t32*x2_1 + v1_1*(p6*sin_omega3_tau1*t25 - p6*t28) + v2_1*(p4*t28 + t26*t27)
-    t33 = omega3*sin_omega3_tau1
-    t34 = omega4*sin_omega4_tau1
-    v1_2 = t29*v1_1 + t30*v2_1 + x1_1*(-p4*t33 - t27*t34) + x2_1*(omega4*p5*sin_omega4_tau1 - p5*t33)
-    v2_2 = t31*v1_1 + t32*v2_1 + x1_1*(omega4*p6*sin_omega4_tau1 - p6*t33) + x2_1*(-p4*t34 - t27*t33)
-    return [[1, y, u, w], [x1_1, x2_1, v1_1, v2_1], [x1_2, x2_2, v1_2, v2_2]]
-
-
-def one_contact_boundary_functions(parameters, spectrum, unknowns, lib):
-    """Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes unknowns (4): y, u, w, tau.
     Gives coefficients (12).
     Gives frequencies (4).
-    Operations: 164. Intermediate terms: 39.
+    Gives poincare_jacobian (3, 3).
+    Gives saltations (8, 4).
+    Gives monodromy (4, 4).
+    Operations: 575. Intermediate terms: 201.
     """
-    [_, _, k1, k2, k3, _] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, _] = spectrum
+    [m1, m2, k1, k2, k3, T] = parameters
+    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
     [y, u, w, tau] = unknowns
     # functions of tau in contact
     t0 = omega1*tau
@@ -1967,33 +1189,225 @@ def one_contact_boundary_functions(parameters, spectrum, unknowns, lib):
     t13 = sin_omega1_tau*t12
     t15 = 1/omega2
     t16 = sin_omega2_tau*t15
-    t17 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t18 = cos_omega1_tau*p1 - cos_omega2_tau*t10
-    x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*y + t18 + t5 + u*(p1*t13 - t10*t16) + w*(p2*sin_omega1_tau*t12 - p2*t16)
-    t19 = p3*t5
-    t21 = p1*t7
-    t22 = -cos_omega1_tau*t10 + cos_omega2_tau*p1
-    t23 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(t10*t7 - t19) + cos_omega2_tau*(t19 - t21) + t22*y + t23 + t7 + u*(p3*sin_omega1_tau*t12 - p3*t16) + w*(p1*t16 - t10*t13)
-    t24 = omega1*sin_omega1_tau
-    t25 = omega2*sin_omega2_tau
-    v1_1 = -p1*t24 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t10*t25 + t17*w + t18*u + y*(omega2*p2*sin_omega2_tau - p2*t24)
-    v2_1 = -p3*t24 + p3*t25 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t19) + sin_omega2_tau*(-omega2*t19 + omega2*t21) + t22*w + t23*u + y*(-p1*t25 + t10*t24)
-    # outputs
-    t26 = -p1 - p2*y
-    t27 = p2*w
-    t28 = p5*x2_1
-    t29 = 1 - p4
-    t30 = 1/omega3
-    t31 = p5*v2_1
-    t32 = 1/omega4
-    return (
-        [1 - t5, 0, t26 + t9, -t11 - t26 - 1, -p1*t12*u - t12*t27, t10*t15*u + t15*t27, -1, 0, p4*x1_1 + t28, -t28 + t29*x1_1, p4*t30*v1_1 + t30*t31, t29*t32*v1_1 - t31*t32],
-        [omega1, omega2, omega3, omega4],
-    )
+    t17 = p1*t13 - t10*t16
+    t18 = p2*sin_omega1_tau*t12 - p2*t16
+    t19 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t20 = cos_omega1_tau*p1 - cos_omega2_tau*t10
+    x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*u + t18*w + t19*y + t20 + t5
+    t21 = p3*t5
+    t23 = p1*t7
+    t24 = p3*sin_omega1_tau*t12 - p3*t16
+    t25 = p1*t16 - t10*t13
+    t26 = -cos_omega1_tau*t10 + cos_omega2_tau*p1
+    t27 = cos_omega1_tau*p3 - cos_omega2_tau*p3
+    x2_1 = cos_omega1_tau*(t10*t7 - t21) + cos_omega2_tau*(t21 - t23) + t24*u + t25*w + t26*y + t27 + t7
+    t28 = omega1*sin_omega1_tau
+    t29 = omega2*p2*sin_omega2_tau - p2*t28
+    t30 = p1*t28
+    t31 = omega2*sin_omega2_tau
+    t32 = -t10*t31
+    v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t19*w + t20*u + t29*y - t30 - t32
+    t33 = -p1*t31 + t10*t28
+    t34 = p3*t28
+    v2_1 = p3*t31 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t21) + sin_omega2_tau*(-omega2*t21 + omega2*t23) + t26*w + t27*u + t33*y - t34
+    # tau1 completes the period
+    tau1 = T - tau
+    # functions of tau1 in free
+    t35 = omega3*tau1
+    cos_omega3_tau1 = lib.cos(t35)
+    sin_omega3_tau1 = lib.sin(t35)
+    t36 = omega4*tau1
+    cos_omega4_tau1 = lib.cos(t36)
+    sin_omega4_tau1 = lib.sin(t36)
+    # free for tau1, until first-reaches-stop
+    t37 = 1/omega3
+    t38 = sin_omega3_tau1*t37
+    t39 = 1 - p4
+    t40 = 1/omega4
+    t41 = sin_omega4_tau1*t40
+    t42 = p4*t38 + t39*t41
+    t43 = p5*sin_omega3_tau1*t37 - p5*t41
+    t44 = cos_omega3_tau1*p4 + cos_omega4_tau1*t39
+    t45 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
+    x1_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1
+    t46 = p6*sin_omega3_tau1*t37 - p6*t41
+    t47 = p4*t41 + t38*t39
+    t48 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
+    t49 = cos_omega3_tau1*t39 + cos_omega4_tau1*p4
+    x2_2 = t46*v1_1 + t47*v2_1 + t48*x1_1 + t49*x2_1
+    t50 = omega3*sin_omega3_tau1
+    t51 = omega4*sin_omega4_tau1
+    t52 = -p4*t50 - t39*t51
+    t53 = omega4*p5*sin_omega4_tau1 - p5*t50
+    v1_2 = t44*v1_1 + t45*v2_1 + t52*x1_1 + t53*x2_1
+    t54 = omega4*p6*sin_omega4_tau1 - p6*t50
+    t55 = -p4*t51 - t39*t50
+    v2_2 = t48*v1_1 + t49*v2_1 + t54*x1_1 + t55*x2_1
+    states = [[1, y, u, w], [x1_1, x2_1, v1_1, v2_1], [x1_2, x2_2, v1_2, v2_2]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t74 = -p1 - p2*y
+    t75 = p2*w
+    t76 = p5*x2_1
+    t77 = p5*v2_1
+    coefficients = [1 - t5, 0, t74 + t9, -t11 - t74 - 1, -p1*t12*u - t12*t75, t10*t15*u + t15*t75, -1, 0, p4*x1_1 + t76, t39*x1_1 - t76, p4*t37*v1_1 + t37*t77, t39*t40*v1_1 - t40*t77]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [omega1, omega2, omega3, omega4]
+    if outputs == 3:
+        return states, coefficients, frequencies
+    # Phi along tau
+    carried_x1_1_by_y = t19
+    carried_x1_1_by_u = t17
+    carried_x1_1_by_w = t18
+    carried_x2_1_by_y = t26
+    carried_x2_1_by_u = t24
+    carried_x2_1_by_w = t25
+    carried_v1_1_by_y = t29
+    carried_v1_1_by_u = t20
+    carried_v1_1_by_w = t19
+    carried_v2_1_by_y = t33
+    carried_v2_1_by_u = t27
+    carried_v2_1_by_w = t26
+    # rate of the exit boundary after tau
+    rate_1 = -v1_1
+    # derivatives of the time to the boundary after tau
+    t56 = 1/rate_1
+    delay_tau_by_y = carried_x1_1_by_y*t56
+    delay_tau_by_u = carried_x1_1_by_u*t56
+    delay_tau_by_w = carried_x1_1_by_w*t56
+    # perturbation on the boundary after tau
+    x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
+    x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
+    x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
+    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
+    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
+    t57 = 1/m1
+    t58 = k3*t57
+    t59 = k1*t57
+    t60 = t57*(k1 + k3)
+    t61 = t58 + t59*x2_1 - t60*x1_1
+    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t61
+    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t61
+    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t61
+    t62 = 1/m2
+    t63 = k1*t62
+    t64 = t62*(k1 + k2)
+    t65 = t63*x1_1 - t64*x2_1
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t65
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t65
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t65
+    # Phi along tau1
+    carried_x1_2_by_y = t42*v1_1_on_boundary_by_y + t43*v2_1_on_boundary_by_y + t44*x1_1_on_boundary_by_y + t45*x2_1_on_boundary_by_y
+    carried_x1_2_by_u = t42*v1_1_on_boundary_by_u + t43*v2_1_on_boundary_by_u + t44*x1_1_on_boundary_by_u + t45*x2_1_on_boundary_by_u
+    carried_x1_2_by_w = t42*v1_1_on_boundary_by_w + t43*v2_1_on_boundary_by_w + t44*x1_1_on_boundary_by_w + t45*x2_1_on_boundary_by_w
+    carried_x2_2_by_y = t46*v1_1_on_boundary_by_y + t47*v2_1_on_boundary_by_y + t48*x1_1_on_boundary_by_y + t49*x2_1_on_boundary_by_y
+    carried_x2_2_by_u = t46*v1_1_on_boundary_by_u + t47*v2_1_on_boundary_by_u + t48*x1_1_on_boundary_by_u + t49*x2_1_on_boundary_by_u
+    carried_x2_2_by_w = t46*v1_1_on_boundary_by_w + t47*v2_1_on_boundary_by_w + t48*x1_1_on_boundary_by_w + t49*x2_1_on_boundary_by_w
+    carried_v1_2_by_y = t44*v1_1_on_boundary_by_y + t45*v2_1_on_boundary_by_y + t52*x1_1_on_boundary_by_y + t53*x2_1_on_boundary_by_y
+    carried_v1_2_by_u = t44*v1_1_on_boundary_by_u + t45*v2_1_on_boundary_by_u + t52*x1_1_on_boundary_by_u + t53*x2_1_on_boundary_by_u
+    carried_v1_2_by_w = t44*v1_1_on_boundary_by_w + t45*v2_1_on_boundary_by_w + t52*x1_1_on_boundary_by_w + t53*x2_1_on_boundary_by_w
+    carried_v2_2_by_y = t48*v1_1_on_boundary_by_y + t49*v2_1_on_boundary_by_y + t54*x1_1_on_boundary_by_y + t55*x2_1_on_boundary_by_y
+    carried_v2_2_by_u = t48*v1_1_on_boundary_by_u + t49*v2_1_on_boundary_by_u + t54*x1_1_on_boundary_by_u + t55*x2_1_on_boundary_by_u
+    carried_v2_2_by_w = t48*v1_1_on_boundary_by_w + t49*v2_1_on_boundary_by_w + t54*x1_1_on_boundary_by_w + t55*x2_1_on_boundary_by_w
+    # derivatives of the time to the boundary after tau1
+    t66 = 1/v1_2
+    delay_tau1_by_y = -carried_x1_2_by_y*t66
+    delay_tau1_by_u = -carried_x1_2_by_u*t66
+    delay_tau1_by_w = -carried_x1_2_by_w*t66
+    # perturbation on the boundary after tau1
+    x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
+    x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2
+    x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2
+    t67 = k1*t57*x2_2 - t59*x1_2
+    v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t67
+    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t67
+    v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t67
+    t68 = t63*x1_2 - t64*x2_2
+    v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t68
+    v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t68
+    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t68
+    poincare_jacobian = [[x2_2_on_boundary_by_y, x2_2_on_boundary_by_u, x2_2_on_boundary_by_w], [v1_2_on_boundary_by_y, v1_2_on_boundary_by_u, v1_2_on_boundary_by_w], [v2_2_on_boundary_by_y, v2_2_on_boundary_by_u, v2_2_on_boundary_by_w]]
+    if outputs == 4:
+        return states, coefficients, frequencies, poincare_jacobian
+    # vector fields at transition 1
+    before_v1_1 = t61
+    before_v2_1 = t65
+    behind_v1_1 = k1*t57*x2_1 - t59*x1_1
+    behind_v2_1 = t65
+    # vector fields at transition 2
+    before_v1_2 = t67
+    before_v2_2 = t68
+    behind_v1_2 = t58 + t59*x2_2 - t60*x1_2
+    behind_v2_2 = t68
+    # saltations
+    t69 = 1/v1_1
+    t70 = t69*(before_v1_1 - behind_v1_1)
+    t71 = t69*(before_v2_1 - behind_v2_1)
+    t72 = t66*(-before_v1_2 + behind_v1_2)
+    t73 = t66*(-before_v2_2 + behind_v2_2)
+    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [-t70, 0, 1, 0], [-t71, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [t72, 0, 1, 0], [t73, 0, 0, 1]]
+    if outputs == 5:
+        return states, coefficients, frequencies, poincare_jacobian, saltations
+    # Phi of phase 1
+    phi_1_00 = t20
+    phi_1_01 = t19
+    phi_1_02 = t17
+    phi_1_03 = t18
+    phi_1_10 = t27
+    phi_1_11 = t26
+    phi_1_12 = t24
+    phi_1_13 = t25
+    phi_1_20 = -t30 - t32
+    phi_1_21 = t29
+    phi_1_22 = t20
+    phi_1_23 = t19
+    phi_1_30 = omega2*p3*sin_omega2_tau - t34
+    phi_1_31 = t33
+    phi_1_32 = t27
+    phi_1_33 = t26
+    # saltation of phase 1
+    saltation_1_20 = -phi_1_00*t70 + phi_1_20
+    saltation_1_21 = -phi_1_01*t70 + phi_1_21
+    saltation_1_22 = -phi_1_02*t70 + phi_1_22
+    saltation_1_23 = -phi_1_03*t70 + phi_1_23
+    saltation_1_30 = -phi_1_00*t71 + phi_1_30
+    saltation_1_31 = -phi_1_01*t71 + phi_1_31
+    saltation_1_32 = -phi_1_02*t71 + phi_1_32
+    saltation_1_33 = -phi_1_03*t71 + phi_1_33
+    # Phi of phase 2
+    phi_2_00 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43
+    phi_2_01 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43
+    phi_2_02 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43
+    phi_2_03 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43
+    phi_2_10 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t46 + saltation_1_30*t47
+    phi_2_11 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t46 + saltation_1_31*t47
+    phi_2_12 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t46 + saltation_1_32*t47
+    phi_2_13 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t46 + saltation_1_33*t47
+    phi_2_20 = phi_1_00*t52 + phi_1_10*t53 + saltation_1_20*t44 + saltation_1_30*t45
+    phi_2_21 = phi_1_01*t52 + phi_1_11*t53 + saltation_1_21*t44 + saltation_1_31*t45
+    phi_2_22 = phi_1_02*t52 + phi_1_12*t53 + saltation_1_22*t44 + saltation_1_32*t45
+    phi_2_23 = phi_1_03*t52 + phi_1_13*t53 + saltation_1_23*t44 + saltation_1_33*t45
+    phi_2_30 = phi_1_00*t54 + phi_1_10*t55 + saltation_1_20*t48 + saltation_1_30*t49
+    phi_2_31 = phi_1_01*t54 + phi_1_11*t55 + saltation_1_21*t48 + saltation_1_31*t49
+    phi_2_32 = phi_1_02*t54 + phi_1_12*t55 + saltation_1_22*t48 + saltation_1_32*t49
+    phi_2_33 = phi_1_03*t54 + phi_1_13*t55 + saltation_1_23*t48 + saltation_1_33*t49
+    # saltation of phase 2
+    saltation_2_20 = phi_2_00*t72 + phi_2_20
+    saltation_2_21 = phi_2_01*t72 + phi_2_21
+    saltation_2_22 = phi_2_02*t72 + phi_2_22
+    saltation_2_23 = phi_2_03*t72 + phi_2_23
+    saltation_2_30 = phi_2_00*t73 + phi_2_30
+    saltation_2_31 = phi_2_01*t73 + phi_2_31
+    saltation_2_32 = phi_2_02*t73 + phi_2_32
+    saltation_2_33 = phi_2_03*t73 + phi_2_33
+    monodromy = [[phi_2_00, phi_2_01, phi_2_02, phi_2_03], [phi_2_10, phi_2_11, phi_2_12, phi_2_13], [saltation_2_20, saltation_2_21, saltation_2_22, saltation_2_23], [saltation_2_30, saltation_2_31, saltation_2_32, saltation_2_33]]
+    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
 
 
-def one_contact_flow_contact(parameters, spectrum, time, state, lib):
+def one_contact_flow_contact(parameters, spectrum, time, state, *, lib):
     """State after a time in contact.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
@@ -2007,7 +1421,7 @@ def one_contact_flow_contact(parameters, spectrum, time, state, lib):
     [_, omega1, omega2, p1, p2, p3, _, _, _, _, _, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = omega1*t
     t1 = lib.sin(t0)
     t2 = 1/omega1
@@ -2036,7 +1450,7 @@ def one_contact_flow_contact(parameters, spectrum, time, state, lib):
     return [t10*(t16*t4 + t18) + t11*x1 + t12*x2 + t16 + t9*(-t18 - t19) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8), t10*(t22 - t24) + t17 + t20*x1 + t21*x2 + t9*(t17*t4 - t22) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4), t1*(omega1*t18 + omega1*t19) + t11*v1 + t12*v2 + t7*(-omega2*t14*t15*t4 - omega2*t18) + x1*(-p1*t25 + t26*t4) + x2*(omega2*p2*t7 - p2*t25), t1*(-omega1*t17*t4 + omega1*t22) + t20*v1 + t21*v2 + t7*(-omega2*t22 + omega2*t24) + x1*(omega2*p3*t7 - p3*t25) + x2*(-p1*t26 + t25*t4)]
 
 
-def one_contact_flow_free(parameters, spectrum, time, state, lib):
+def one_contact_flow_free(parameters, spectrum, time, state, *, lib):
     """State after a time in free.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
@@ -2049,7 +1463,7 @@ def one_contact_flow_free(parameters, spectrum, time, state, lib):
     [_, _, _, _, _, _, _, omega3, omega4, p4, p5, p6] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = 1/omega3
     t1 = omega3*t
     t2 = lib.sin(t1)
@@ -2069,15 +1483,18 @@ def one_contact_flow_free(parameters, spectrum, time, state, lib):
     return [t10*x1 + t11*x2 + v1*(p4*t3 + t4*t7) + v2*(p5*t0*t2 - p5*t7), t12*x1 + t13*x2 + v1*(p6*t0*t2 - p6*t7) + v2*(p4*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p4*t14 - t15*t4) + x2*(omega4*p5*t6 - p5*t14), t12*v1 + t13*v2 + x1*(omega4*p6*t6 - p6*t14) + x2*(-p4*t15 - t14*t4)]
 
 
-def one_contact_reduced(parameters, spectrum, reduced, lib):
-    """Reduced equations and their derivatives by the reduced unknowns.
+def one_contact_reduced(parameters, spectrum, reduced, *, lib, outputs=4):
+    """All unknowns from the reduced ones; how singular the linear equations for them are: 0
+    if they are; the equations for these and their derivatives.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
     Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
     Takes reduced (1): tau.
-    Gives residual (1).
-    Gives jacobian (1, 1).
-    Operations: 378. Intermediate terms: 122.
+    Gives unknowns (4).
+    Gives determinants (1).
+    Gives reduced_residual (1).
+    Gives reduced_jacobian (1, 1).
+    Operations: 446. Intermediate terms: 137.
     """
     [_, _, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
@@ -2112,216 +1529,140 @@ def one_contact_reduced(parameters, spectrum, reduced, lib):
     t18 = t15*t17
     t19 = omega1*sin_omega1_half_tau
     coefficient11 = omega2*sin_omega2_half_tau*t15*t17 - t18*t19
-    t20 = 1 - p1
-    coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t20
+    t20 = p1 - 1
+    coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t20
     coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2
-    t22 = p1*t12
-    t23 = p1*t13
-    t24 = p1*t14 + t22 + t23
-    t25 = -t12 - t13 - t14 + t24
-    t26 = t15*t19
-    t27 = omega2*sin_omega2_half_tau*t15
-    coefficient21 = -t24*t27 + t25*t26
+    t23 = p1*t12
+    t24 = p1*t13
+    t25 = p1*t14 + t23 + t24
+    t26 = -t12 - t13 - t14 + t25
+    t27 = t15*t19
+    t28 = omega2*sin_omega2_half_tau*t15
+    coefficient21 = -t25*t28 + t26*t27
     coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3
-    coefficient23 = cos_omega1_half_tau*t20 + cos_omega2_half_tau*p1
-    t28 = omega3*sin_omega3_half_tau1
-    coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t28
-    t29 = p4 - 1
-    coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t29
+    coefficient23 = -cos_omega1_half_tau*t20 + cos_omega2_half_tau*p1
+    t29 = omega3*sin_omega3_half_tau1
+    coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t29
+    t30 = p4 - 1
+    coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t30
     coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5
     # right-hand sides of the linear equations
-    t30 = -t16 + t22
-    t31 = k1*k2*p1 - t12 - t16
-    right1 = t26*t30 - t27*t31
-    t32 = p3*t12 + t23
-    t33 = t13 - t32
-    right2 = -omega2*sin_omega2_half_tau*t15*t32 - t26*t33
-    t35 = omega4*sin_omega4_half_tau1
-    right3 = p4*t28 - t29*t35
+    t31 = -t16 + t23
+    t32 = k1*k2*p1 - t12 - t16
+    right1 = t27*t31 - t28*t32
+    t33 = p3*t12 + t24
+    t34 = t13 - t33
+    right2 = -omega2*sin_omega2_half_tau*t15*t33 - t27*t34
+    t36 = omega4*sin_omega4_half_tau1
+    right3 = p4*t29 - t30*t36
     # determinant of the linear equations
-    t36 = coefficient22*coefficient33
-    t37 = coefficient21*coefficient32
-    t38 = coefficient23*coefficient32
-    t39 = coefficient21*coefficient33
-    t40 = coefficient22*coefficient31
-    determinant = coefficient11*t36 - coefficient11*t38 + coefficient12*coefficient23*coefficient31 - coefficient12*t39 + coefficient13*t37 - coefficient13*t40
+    t37 = coefficient22*coefficient33
+    t38 = coefficient21*coefficient32
+    t39 = coefficient23*coefficient32
+    t40 = coefficient21*coefficient33
+    t41 = coefficient22*coefficient31
+    determinant = coefficient11*t37 - coefficient11*t39 + coefficient12*coefficient23*coefficient31 - coefficient12*t40 + coefficient13*t38 - coefficient13*t41
     # numerators of Cramer's rule
-    t41 = coefficient12*coefficient23
-    t42 = coefficient12*coefficient33
-    t43 = coefficient13*coefficient22
-    numerator1 = coefficient13*coefficient32*right2 + right1*t36 - right1*t38 - right2*t42 + right3*t41 - right3*t43
-    t44 = coefficient11*coefficient23
-    t45 = coefficient13*coefficient31
-    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t39 - right2*t45 - right3*t44
-    t46 = coefficient11*coefficient22
-    t47 = coefficient11*coefficient32
-    t48 = coefficient12*coefficient21
-    numerator3 = coefficient12*coefficient31*right2 + right1*t37 - right1*t40 - right2*t47 + right3*t46 - right3*t48
+    t42 = coefficient12*coefficient23
+    t43 = coefficient12*coefficient33
+    t44 = coefficient13*coefficient22
+    numerator1 = coefficient13*coefficient32*right2 + right1*t37 - right1*t39 - right2*t43 + right3*t42 - right3*t44
+    t45 = coefficient11*coefficient23
+    t46 = coefficient13*coefficient31
+    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t40 - right2*t46 - right3*t45
+    t47 = coefficient11*coefficient22
+    t48 = coefficient11*coefficient32
+    t49 = coefficient12*coefficient21
+    numerator3 = coefficient12*coefficient31*right2 + right1*t38 - right1*t41 - right2*t48 + right3*t47 - right3*t49
+    # y, u, w by Cramer's rule
+    t50 = 1/determinant
+    y = numerator1*t50
+    u = numerator2*t50
+    w = numerator3*t50
+    unknowns = [y, u, w, tau]
+    if outputs == 1:
+        return unknowns
+    # determinants
+    t77 = 2*p2**2
+    t78 = half_tau**2
+    t79 = t77*t78
+    t80 = omega1**4/(omega1**2*t78 + 1)
+    t81 = omega2**4/(omega2**2*t78 + 1)
+    t82 = p1**2
+    t83 = t20**2 + t82
+    t84 = 2*t78
+    t85 = 2*p5**2
+    t86 = half_tau1**2
+    t87 = t85*t86
+    determinants = [determinant/(lib.sqrt(2*p3**2 + t20**2*t80*t84 + t81*t82*t84 + t83)*lib.sqrt(t77 + t79*t80 + t79*t81 + t83)*lib.sqrt(omega3**4*t87/(omega3**2*t86 + 1) + omega4**4*t87/(omega4**2*t86 + 1) + p4**2 + t30**2 + t85))]
+    if outputs == 2:
+        return unknowns, determinants
+    # reduced_residual
+    t88 = omega4*p6*sin_omega4_half_tau1 - p6*t29
+    t89 = -p4*t36 + t29*t30
+    t90 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6
+    t91 = cos_omega3_half_tau1*t30 - cos_omega4_half_tau1*p4
+    reduced_residual = [determinant*t88 + numerator1*t89 + numerator2*t90 + numerator3*t91]
+    if outputs == 3:
+        return unknowns, determinants, reduced_residual
     # d/dtau of: functions of half_tau in contact
-    t49 = omega1/2
-    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t49
-    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t49
-    t50 = omega2/2
-    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t50
-    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t50
+    t51 = omega1/2
+    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t51
+    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t51
+    t52 = omega2/2
+    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t52
+    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t52
     # d/dtau of: functions of half_tau1 in free
-    t51 = omega3/2
-    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t51
-    sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t51
-    t52 = omega4/2
-    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t52
-    sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t52
+    t53 = omega3/2
+    cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t53
+    sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t53
+    t54 = omega4/2
+    cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t54
+    sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t54
     # d/dtau of: coefficients of the linear equations
-    t53 = omega1*sin_omega1_half_tau_by_tau
-    coefficient11_by_tau = omega2*sin_omega2_half_tau_by_tau*t15*t17 - t18*t53
-    coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 + cos_omega2_half_tau_by_tau*t20
+    t55 = omega1*sin_omega1_half_tau_by_tau
+    coefficient11_by_tau = omega2*sin_omega2_half_tau_by_tau*t15*t17 - t18*t55
+    coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 - cos_omega2_half_tau_by_tau*t20
     coefficient13_by_tau = cos_omega1_half_tau_by_tau*p2 - cos_omega2_half_tau_by_tau*p2
-    t54 = t15*t53
-    t55 = omega2*sin_omega2_half_tau_by_tau*t15
-    coefficient21_by_tau = -t24*t55 + t25*t54
+    t56 = t15*t55
+    t57 = omega2*sin_omega2_half_tau_by_tau*t15
+    coefficient21_by_tau = -t25*t57 + t26*t56
     coefficient22_by_tau = cos_omega1_half_tau_by_tau*p3 - cos_omega2_half_tau_by_tau*p3
-    coefficient23_by_tau = cos_omega1_half_tau_by_tau*t20 + cos_omega2_half_tau_by_tau*p1
-    t56 = omega3*sin_omega3_half_tau1_by_tau
-    coefficient31_by_tau = omega4*p5*sin_omega4_half_tau1_by_tau - p5*t56
-    coefficient32_by_tau = -cos_omega3_half_tau1_by_tau*p4 + cos_omega4_half_tau1_by_tau*t29
+    coefficient23_by_tau = -cos_omega1_half_tau_by_tau*t20 + cos_omega2_half_tau_by_tau*p1
+    t58 = omega3*sin_omega3_half_tau1_by_tau
+    coefficient31_by_tau = omega4*p5*sin_omega4_half_tau1_by_tau - p5*t58
+    coefficient32_by_tau = -cos_omega3_half_tau1_by_tau*p4 + cos_omega4_half_tau1_by_tau*t30
     coefficient33_by_tau = -cos_omega3_half_tau1_by_tau*p5 + cos_omega4_half_tau1_by_tau*p5
     # d/dtau of: right-hand sides of the linear equations
-    right1_by_tau = t30*t54 - t31*t55
-    right2_by_tau = -omega2*sin_omega2_half_tau_by_tau*t15*t32 - t33*t54
-    right3_by_tau = -omega4*sin_omega4_half_tau1_by_tau*t29 + p4*t56
+    right1_by_tau = t31*t56 - t32*t57
+    right2_by_tau = -omega2*sin_omega2_half_tau_by_tau*t15*t33 - t34*t56
+    right3_by_tau = -omega4*sin_omega4_half_tau1_by_tau*t30 + p4*t58
     # d/dtau of: determinant of the linear equations
-    t57 = t36 - t38
-    t58 = coefficient23*coefficient31 - t39
-    t59 = t37 - t40
-    t60 = coefficient13*coefficient32 - t42
-    t61 = coefficient11*coefficient33 - t45
-    t62 = coefficient12*coefficient31 - t47
-    t63 = t41 - t43
-    t64 = coefficient13*coefficient21 - t44
-    t65 = t46 - t48
-    determinant_by_tau = coefficient11_by_tau*t57 + coefficient12_by_tau*t58 + coefficient13_by_tau*t59 + coefficient21_by_tau*t60 + coefficient22_by_tau*t61 + coefficient23_by_tau*t62 + coefficient31_by_tau*t63 + coefficient32_by_tau*t64 + coefficient33_by_tau*t65
+    t59 = t37 - t39
+    t60 = coefficient23*coefficient31 - t40
+    t61 = t38 - t41
+    t62 = coefficient13*coefficient32 - t43
+    t63 = coefficient11*coefficient33 - t46
+    t64 = coefficient12*coefficient31 - t48
+    t65 = t42 - t44
+    t66 = coefficient13*coefficient21 - t45
+    t67 = t47 - t49
+    determinant_by_tau = coefficient11_by_tau*t59 + coefficient12_by_tau*t60 + coefficient13_by_tau*t61 + coefficient21_by_tau*t62 + coefficient22_by_tau*t63 + coefficient23_by_tau*t64 + coefficient31_by_tau*t65 + coefficient32_by_tau*t66 + coefficient33_by_tau*t67
     # d/dtau of: numerators of Cramer's rule
-    t66 = coefficient23*right3 - coefficient33*right2
-    t67 = coefficient22*right3 - coefficient32*right2
-    t68 = coefficient13*right3 - coefficient33*right1
-    t69 = coefficient12*right3 - coefficient32*right1
-    t70 = coefficient13*right2 - coefficient23*right1
-    t71 = coefficient12*right2 - coefficient22*right1
-    numerator1_by_tau = coefficient12_by_tau*t66 - coefficient13_by_tau*t67 - coefficient22_by_tau*t68 + coefficient23_by_tau*t69 + coefficient32_by_tau*t70 - coefficient33_by_tau*t71 + right1_by_tau*t57 + right2_by_tau*t60 + right3_by_tau*t63
-    t72 = coefficient21*right3 - coefficient31*right2
-    t73 = coefficient11*right3 - coefficient31*right1
-    t74 = coefficient11*right2 - coefficient21*right1
-    numerator2_by_tau = -coefficient11_by_tau*t66 + coefficient13_by_tau*t72 + coefficient21_by_tau*t68 - coefficient23_by_tau*t73 - coefficient31_by_tau*t70 + coefficient33_by_tau*t74 + right1_by_tau*t58 + right2_by_tau*t61 + right3_by_tau*t64
-    numerator3_by_tau = coefficient11_by_tau*t67 - coefficient12_by_tau*t72 - coefficient21_by_tau*t69 + coefficient22_by_tau*t73 + coefficient31_by_tau*t71 - coefficient32_by_tau*t74 + right1_by_tau*t59 + right2_by_tau*t62 + right3_by_tau*t65
-    # outputs
-    t75 = omega4*p6*sin_omega4_half_tau1 - p6*t28
-    t76 = -p4*t35 + t28*t29
-    t77 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6
-    t78 = cos_omega3_half_tau1*t29 - cos_omega4_half_tau1*p4
-    t79 = numerator2*p6
-    t80 = determinant*p6
-    return (
-        [determinant*t75 + numerator1*t76 + numerator2*t77 + numerator3*t78],
-        [[cos_omega3_half_tau1_by_tau*(numerator3*t29 - t79) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t79) + determinant_by_tau*t75 + numerator1_by_tau*t76 + numerator2_by_tau*t77 + numerator3_by_tau*t78 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t29 - omega3*t80) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t80)]],
-    )
-
-
-def one_contact_expand(parameters, spectrum, reduced, lib):
-    """All unknowns from the reduced ones, and how singular the linear equations for them are: 0 if they are.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes reduced (1): tau.
-    Gives unknowns (4).
-    Gives determinants (1).
-    Operations: 220. Intermediate terms: 71.
-    """
-    [_, _, k1, k2, k3, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, _] = spectrum
-    [tau] = reduced
-    # half of tau
-    half_tau = tau/2
-    # functions of half_tau in contact
-    t0 = half_tau*omega1
-    cos_omega1_half_tau = lib.cos(t0)
-    sin_omega1_half_tau = lib.sin(t0)
-    t1 = half_tau*omega2
-    cos_omega2_half_tau = lib.cos(t1)
-    sin_omega2_half_tau = lib.sin(t1)
-    # tau1 completes the period
-    tau1 = T - tau
-    # half of tau1
-    half_tau1 = tau1/2
-    # functions of half_tau1 in free
-    t2 = half_tau1*omega3
-    cos_omega3_half_tau1 = lib.cos(t2)
-    sin_omega3_half_tau1 = lib.sin(t2)
-    t3 = half_tau1*omega4
-    cos_omega4_half_tau1 = lib.cos(t3)
-    sin_omega4_half_tau1 = lib.sin(t3)
-    # coefficients of the linear equations
-    t4 = k1*k2
-    t5 = k1*k3
-    t6 = k2*k3
-    t7 = 1/(t4 + t5 + t6)
-    t8 = p2*t5
-    t9 = p2*t4 + p2*t6 + t8
-    t10 = omega1*sin_omega1_half_tau
-    coefficient11 = omega2*sin_omega2_half_tau*t7*t9 - t10*t7*t9
-    t11 = p1 - 1
-    coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t11
-    coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2
-    t14 = p1*t4
-    t15 = p1*t5
-    t16 = p1*t6 + t14 + t15
-    t17 = t10*t7
-    t18 = omega2*sin_omega2_half_tau*t7
-    coefficient21 = -t16*t18 + t17*(t16 - t4 - t5 - t6)
-    coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3
-    coefficient23 = -cos_omega1_half_tau*t11 + cos_omega2_half_tau*p1
-    t19 = omega3*sin_omega3_half_tau1
-    coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t19
-    t20 = p4 - 1
-    coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t20
-    coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5
-    # right-hand sides of the linear equations
-    right1 = t17*(t14 - t8) - t18*(k1*k2*p1 - t4 - t8)
-    t21 = p3*t4 + t15
-    right2 = -omega2*sin_omega2_half_tau*t21*t7 - t17*(-t21 + t5)
-    right3 = -omega4*sin_omega4_half_tau1*t20 + p4*t19
-    # determinant of the linear equations
-    t22 = coefficient22*coefficient33
-    t23 = coefficient12*coefficient23
-    t24 = coefficient13*coefficient32
-    t25 = coefficient23*coefficient32
-    t26 = coefficient12*coefficient33
-    t27 = coefficient13*coefficient22
-    determinant = coefficient11*t22 - coefficient11*t25 + coefficient21*t24 - coefficient21*t26 + coefficient31*t23 - coefficient31*t27
-    # numerators of Cramer's rule
-    numerator1 = right1*t22 - right1*t25 + right2*t24 - right2*t26 + right3*t23 - right3*t27
-    t28 = coefficient11*right3
-    t29 = coefficient31*right2
-    t30 = coefficient21*right1
-    numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 - coefficient13*t29 + coefficient23*coefficient31*right1 - coefficient23*t28 - coefficient33*t30
-    numerator3 = -coefficient11*coefficient32*right2 - coefficient12*coefficient21*right3 + coefficient12*t29 - coefficient22*coefficient31*right1 + coefficient22*t28 + coefficient32*t30
-    # y, u, w by Cramer's rule
-    t31 = 1/determinant
-    y = numerator1*t31
-    u = numerator2*t31
-    w = numerator3*t31
-    # outputs
-    t32 = 2*p2**2
-    t33 = half_tau**2
-    t34 = t32*t33
-    t35 = omega1**4/(omega1**2*t33 + 1)
-    t36 = omega2**4/(omega2**2*t33 + 1)
-    t37 = p1**2
-    t38 = t11**2 + t37
-    t39 = 2*t33
-    t40 = 2*p5**2
-    t41 = half_tau1**2
-    t42 = t40*t41
-    return (
-        [y, u, w, tau],
-        [determinant/(lib.sqrt(2*p3**2 + t11**2*t35*t39 + t36*t37*t39 + t38)*lib.sqrt(t32 + t34*t35 + t34*t36 + t38)*lib.sqrt(omega3**4*t42/(omega3**2*t41 + 1) + omega4**4*t42/(omega4**2*t41 + 1) + p4**2 + t20**2 + t40))],
-    )
+    t68 = coefficient23*right3 - coefficient33*right2
+    t69 = coefficient22*right3 - coefficient32*right2
+    t70 = coefficient13*right3 - coefficient33*right1
+    t71 = coefficient12*right3 - coefficient32*right1
+    t72 = coefficient13*right2 - coefficient23*right1
+    t73 = coefficient12*right2 - coefficient22*right1
+    numerator1_by_tau = coefficient12_by_tau*t68 - coefficient13_by_tau*t69 - coefficient22_by_tau*t70 + coefficient23_by_tau*t71 + coefficient32_by_tau*t72 - coefficient33_by_tau*t73 + right1_by_tau*t59 + right2_by_tau*t62 + right3_by_tau*t65
+    t74 = coefficient21*right3 - coefficient31*right2
+    t75 = coefficient11*right3 - coefficient31*right1
+    t76 = coefficient11*right2 - coefficient21*right1
+    numerator2_by_tau = -coefficient11_by_tau*t68 + coefficient13_by_tau*t74 + coefficient21_by_tau*t70 - coefficient23_by_tau*t75 - coefficient31_by_tau*t72 + coefficient33_by_tau*t76 + right1_by_tau*t60 + right2_by_tau*t63 + right3_by_tau*t66
+    numerator3_by_tau = coefficient11_by_tau*t69 - coefficient12_by_tau*t74 - coefficient21_by_tau*t71 + coefficient22_by_tau*t75 + coefficient31_by_tau*t73 - coefficient32_by_tau*t76 + right1_by_tau*t61 + right2_by_tau*t64 + right3_by_tau*t67
+    # reduced_jacobian
+    t92 = numerator2*p6
+    t93 = determinant*p6
+    reduced_jacobian = [[cos_omega3_half_tau1_by_tau*(numerator3*t30 - t92) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t92) + determinant_by_tau*t88 + numerator1_by_tau*t89 + numerator2_by_tau*t90 + numerator3_by_tau*t91 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t30 - omega3*t93) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t93)]]
+    return unknowns, determinants, reduced_residual, reduced_jacobian

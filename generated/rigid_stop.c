@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 76fb1bebde21ace6 */
+ * SymPy 1.14.0, derivation 90747bf74ee5ccb4 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -10,9 +10,10 @@
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Takes parameters (4); gives spectrum (7), derivatives (7, 4), row by row.
+ * An output that is NULL is not wanted.
  * Operations: 179. Intermediate terms: 70. */
 void rigid_stop_spectrum(
-    const double parameters[4], double spectrum[7], double derivatives[28])
+    const double parameters[4], double *spectrum, double *derivatives)
 {
     const double k1 = parameters[0];
     const double k2 = parameters[1];
@@ -44,6 +45,17 @@ void rigid_stop_spectrum(
     const double p3 = -k1*t16;
     const double t17 = sqrt(t3);
     const double omega3 = t10*t17;
+    if (spectrum) {
+        spectrum[0] = gap1;
+        spectrum[1] = omega1;
+        spectrum[2] = omega2;
+        spectrum[3] = p1;
+        spectrum[4] = p2;
+        spectrum[5] = p3;
+        spectrum[6] = omega3;
+    }
+    if (!derivatives)
+        return;
     /* d/dk1 of: spectrum */
     const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
     const double t18 = (1.0/2.0)*gap1_by_k1;
@@ -93,41 +105,36 @@ void rigid_stop_spectrum(
     const double p2_by_m2 = t1*t36;
     const double p3_by_m2 = k1*t14*t32 + t27*t36;
     const double omega3_by_m2 = -1.0/2.0*t17*t35;
-    spectrum[0] = gap1;
-    spectrum[1] = omega1;
-    spectrum[2] = omega2;
-    spectrum[3] = p1;
-    spectrum[4] = p2;
-    spectrum[5] = p3;
-    spectrum[6] = omega3;
-    derivatives[0] = gap1_by_k1;
-    derivatives[1] = gap1_by_k2;
-    derivatives[2] = gap1_by_m1;
-    derivatives[3] = gap1_by_m2;
-    derivatives[4] = omega1_by_k1;
-    derivatives[5] = omega1_by_k2;
-    derivatives[6] = omega1_by_m1;
-    derivatives[7] = omega1_by_m2;
-    derivatives[8] = omega2_by_k1;
-    derivatives[9] = omega2_by_k2;
-    derivatives[10] = omega2_by_m1;
-    derivatives[11] = omega2_by_m2;
-    derivatives[12] = p1_by_k1;
-    derivatives[13] = p1_by_k2;
-    derivatives[14] = p1_by_m1;
-    derivatives[15] = p1_by_m2;
-    derivatives[16] = p2_by_k1;
-    derivatives[17] = p2_by_k2;
-    derivatives[18] = p2_by_m1;
-    derivatives[19] = p2_by_m2;
-    derivatives[20] = p3_by_k1;
-    derivatives[21] = p3_by_k2;
-    derivatives[22] = p3_by_m1;
-    derivatives[23] = p3_by_m2;
-    derivatives[24] = omega3_by_k1;
-    derivatives[25] = omega3_by_k2;
-    derivatives[26] = 0;
-    derivatives[27] = omega3_by_m2;
+    if (derivatives) {
+        derivatives[0] = gap1_by_k1;
+        derivatives[1] = gap1_by_k2;
+        derivatives[2] = gap1_by_m1;
+        derivatives[3] = gap1_by_m2;
+        derivatives[4] = omega1_by_k1;
+        derivatives[5] = omega1_by_k2;
+        derivatives[6] = omega1_by_m1;
+        derivatives[7] = omega1_by_m2;
+        derivatives[8] = omega2_by_k1;
+        derivatives[9] = omega2_by_k2;
+        derivatives[10] = omega2_by_m1;
+        derivatives[11] = omega2_by_m2;
+        derivatives[12] = p1_by_k1;
+        derivatives[13] = p1_by_k2;
+        derivatives[14] = p1_by_m1;
+        derivatives[15] = p1_by_m2;
+        derivatives[16] = p2_by_k1;
+        derivatives[17] = p2_by_k2;
+        derivatives[18] = p2_by_m1;
+        derivatives[19] = p2_by_m2;
+        derivatives[20] = p3_by_k1;
+        derivatives[21] = p3_by_k2;
+        derivatives[22] = p3_by_m1;
+        derivatives[23] = p3_by_m2;
+        derivatives[24] = omega3_by_k1;
+        derivatives[25] = omega3_by_k2;
+        derivatives[26] = 0;
+        derivatives[27] = omega3_by_m2;
+    }
 }
 
 /* State after a time in free.
@@ -147,7 +154,7 @@ void rigid_stop_flow_free(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = (1.0/(omega1));
     const double t1 = omega1*t;
     const double t2 = sin(t1);
@@ -184,7 +191,7 @@ void rigid_stop_flow_contact(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = (1.0/((k1 + k2)));
     const double t1 = k1*t0;
     const double t2 = omega3*t;
@@ -209,51 +216,24 @@ void rigid_stop_fields(
     const double m2 = parameters[1];
     const double k1 = parameters[2];
     const double k2 = parameters[3];
-    /* outputs */
+    /* fields */
     const double t0 = k1/m1;
     const double t1 = (1.0/(m2));
     const double t2 = k1*t1;
     const double t3 = -t1*(k1 + k2);
-    fields[0] = 0;
-    fields[1] = 0;
-    fields[2] = 1;
-    fields[3] = 0;
-    fields[4] = 0;
-    fields[5] = 0;
-    fields[6] = 0;
-    fields[7] = 0;
-    fields[8] = 1;
-    fields[9] = 0;
-    fields[10] = -t0;
-    fields[11] = t0;
-    fields[12] = 0;
-    fields[13] = 0;
-    fields[14] = 0;
-    fields[15] = t2;
-    fields[16] = t3;
-    fields[17] = 0;
-    fields[18] = 0;
-    fields[19] = 0;
-    fields[20] = 0;
-    fields[21] = 0;
-    fields[22] = 1;
-    fields[23] = 0;
-    fields[24] = 0;
-    fields[25] = 0;
-    fields[26] = 0;
-    fields[27] = 0;
-    fields[28] = 1;
-    fields[29] = 0;
-    fields[30] = 0;
-    fields[31] = 0;
-    fields[32] = 0;
-    fields[33] = 0;
-    fields[34] = 0;
-    fields[35] = t2;
-    fields[36] = t3;
-    fields[37] = 0;
-    fields[38] = 0;
-    fields[39] = 0;
+    static const unsigned char nonsmooth_fields_places[] = {
+        0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 0, 4, 5, 0, 0, 0, 0, 0, 1, 0, 0,
+        0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 4, 5, 0, 0, 0,
+    };
+    double nonsmooth_fields_values[6];
+    nonsmooth_fields_values[0] = 0;
+    nonsmooth_fields_values[1] = 1;
+    nonsmooth_fields_values[2] = -t0;
+    nonsmooth_fields_values[3] = t0;
+    nonsmooth_fields_values[4] = t2;
+    nonsmooth_fields_values[5] = t3;
+    for (int i = 0; i < 40; ++i)
+        fields[i] = nonsmooth_fields_values[nonsmooth_fields_places[i]];
 }
 
 /* Affine functions of the state: gradients, constants last.
@@ -297,73 +277,25 @@ void rigid_stop_resets(
     const double parameters[5], double resets[60])
 {
     const double r = parameters[4];
-    resets[0] = 1;
-    resets[1] = 0;
-    resets[2] = 0;
-    resets[3] = 0;
-    resets[4] = 0;
-    resets[5] = 0;
-    resets[6] = 1;
-    resets[7] = 0;
-    resets[8] = 0;
-    resets[9] = 0;
-    resets[10] = 0;
-    resets[11] = 0;
-    resets[12] = 1;
-    resets[13] = 0;
-    resets[14] = 0;
-    resets[15] = 0;
-    resets[16] = 0;
-    resets[17] = 0;
-    resets[18] = 1;
-    resets[19] = 0;
-    resets[20] = 1;
-    resets[21] = 0;
-    resets[22] = 0;
-    resets[23] = 0;
-    resets[24] = 0;
-    resets[25] = 0;
-    resets[26] = 1;
-    resets[27] = 0;
-    resets[28] = 0;
-    resets[29] = 0;
-    resets[30] = 0;
-    resets[31] = 0;
-    resets[32] = -r;
-    resets[33] = 0;
-    resets[34] = 0;
-    resets[35] = 0;
-    resets[36] = 0;
-    resets[37] = 0;
-    resets[38] = 1;
-    resets[39] = 0;
-    resets[40] = 0;
-    resets[41] = 0;
-    resets[42] = 0;
-    resets[43] = 0;
-    resets[44] = 1;
-    resets[45] = 0;
-    resets[46] = 1;
-    resets[47] = 0;
-    resets[48] = 0;
-    resets[49] = 0;
-    resets[50] = 0;
-    resets[51] = 0;
-    resets[52] = 0;
-    resets[53] = 0;
-    resets[54] = 0;
-    resets[55] = 0;
-    resets[56] = 0;
-    resets[57] = 0;
-    resets[58] = 1;
-    resets[59] = 0;
+    static const unsigned char nonsmooth_resets_places[] = {
+        0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1, 1,
+        1, 0, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1,
+        1, 1, 1, 1, 1, 1, 1, 1, 0, 1,
+    };
+    double nonsmooth_resets_values[3];
+    nonsmooth_resets_values[0] = 1;
+    nonsmooth_resets_values[1] = 0;
+    nonsmooth_resets_values[2] = -r;
+    for (int i = 0; i < 60; ++i)
+        resets[i] = nonsmooth_resets_values[nonsmooth_resets_places[i]];
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
  * Takes parameters (5), spectrum (7); gives exponents (5, 2), coefficients (36, 5), row by row.
+ * An output that is NULL is not wanted.
  * Operations: 40. Intermediate terms: 5. */
 void rigid_stop_modes(
-    const double parameters[5], const double spectrum[7], double exponents[10], double coefficients[180])
+    const double parameters[5], const double spectrum[7], double *exponents, double *coefficients)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -373,209 +305,79 @@ void rigid_stop_modes(
     const double p2 = spectrum[4];
     const double p3 = spectrum[5];
     const double omega3 = spectrum[6];
-    /* outputs */
+    if (exponents) {
+        exponents[0] = 0;
+        exponents[1] = 0;
+        exponents[2] = 0;
+        exponents[3] = omega1;
+        exponents[4] = 0;
+        exponents[5] = omega2;
+        exponents[6] = 0;
+        exponents[7] = 0;
+        exponents[8] = 0;
+        exponents[9] = omega3;
+    }
+    if (!coefficients)
+        return;
+    /* coefficients */
     const double t0 = 1 - p1;
     const double t1 = (1.0/(omega1));
     const double t4 = (1.0/(omega2));
     const double t5 = k1/(k1 + k2);
     const double t7 = (1.0/(omega3));
-    exponents[0] = 0;
-    exponents[1] = 0;
-    exponents[2] = 0;
-    exponents[3] = omega1;
-    exponents[4] = 0;
-    exponents[5] = omega2;
-    exponents[6] = 0;
-    exponents[7] = 0;
-    exponents[8] = 0;
-    exponents[9] = omega3;
-    coefficients[0] = 0;
-    coefficients[1] = 0;
-    coefficients[2] = 0;
-    coefficients[3] = 0;
-    coefficients[4] = 0;
-    coefficients[5] = 0;
-    coefficients[6] = 0;
-    coefficients[7] = 0;
-    coefficients[8] = 0;
-    coefficients[9] = 0;
-    coefficients[10] = 0;
-    coefficients[11] = 0;
-    coefficients[12] = 0;
-    coefficients[13] = 0;
-    coefficients[14] = 0;
-    coefficients[15] = 0;
-    coefficients[16] = 0;
-    coefficients[17] = 0;
-    coefficients[18] = 0;
-    coefficients[19] = 0;
-    coefficients[20] = p1;
-    coefficients[21] = p2;
-    coefficients[22] = 0;
-    coefficients[23] = 0;
-    coefficients[24] = 0;
-    coefficients[25] = p3;
-    coefficients[26] = t0;
-    coefficients[27] = 0;
-    coefficients[28] = 0;
-    coefficients[29] = 0;
-    coefficients[30] = 0;
-    coefficients[31] = 0;
-    coefficients[32] = p1;
-    coefficients[33] = p2;
-    coefficients[34] = 0;
-    coefficients[35] = 0;
-    coefficients[36] = 0;
-    coefficients[37] = p3;
-    coefficients[38] = t0;
-    coefficients[39] = 0;
-    coefficients[40] = 0;
-    coefficients[41] = 0;
-    coefficients[42] = p1*t1;
-    coefficients[43] = p2*t1;
-    coefficients[44] = 0;
-    coefficients[45] = 0;
-    coefficients[46] = 0;
-    coefficients[47] = p3*t1;
-    coefficients[48] = t0*t1;
-    coefficients[49] = 0;
-    coefficients[50] = -omega1*p1;
-    coefficients[51] = -omega1*p2;
-    coefficients[52] = 0;
-    coefficients[53] = 0;
-    coefficients[54] = 0;
-    coefficients[55] = -omega1*p3;
-    coefficients[56] = -omega1*t0;
-    coefficients[57] = 0;
-    coefficients[58] = 0;
-    coefficients[59] = 0;
-    coefficients[60] = t0;
-    coefficients[61] = -p2;
-    coefficients[62] = 0;
-    coefficients[63] = 0;
-    coefficients[64] = 0;
-    coefficients[65] = -p3;
-    coefficients[66] = p1;
-    coefficients[67] = 0;
-    coefficients[68] = 0;
-    coefficients[69] = 0;
-    coefficients[70] = 0;
-    coefficients[71] = 0;
-    coefficients[72] = t0;
-    coefficients[73] = -p2;
-    coefficients[74] = 0;
-    coefficients[75] = 0;
-    coefficients[76] = 0;
-    coefficients[77] = -p3;
-    coefficients[78] = p1;
-    coefficients[79] = 0;
-    coefficients[80] = 0;
-    coefficients[81] = 0;
-    coefficients[82] = t0*t4;
-    coefficients[83] = -p2*t4;
-    coefficients[84] = 0;
-    coefficients[85] = 0;
-    coefficients[86] = 0;
-    coefficients[87] = -p3*t4;
-    coefficients[88] = p1*t4;
-    coefficients[89] = 0;
-    coefficients[90] = -omega2*t0;
-    coefficients[91] = omega2*p2;
-    coefficients[92] = 0;
-    coefficients[93] = 0;
-    coefficients[94] = 0;
-    coefficients[95] = omega2*p3;
-    coefficients[96] = -omega2*p1;
-    coefficients[97] = 0;
-    coefficients[98] = 0;
-    coefficients[99] = 0;
-    coefficients[100] = 1;
-    coefficients[101] = 0;
-    coefficients[102] = 0;
-    coefficients[103] = 0;
-    coefficients[104] = 0;
-    coefficients[105] = t5;
-    coefficients[106] = 0;
-    coefficients[107] = 0;
-    coefficients[108] = 0;
-    coefficients[109] = 0;
-    coefficients[110] = 0;
-    coefficients[111] = 0;
-    coefficients[112] = 1;
-    coefficients[113] = 0;
-    coefficients[114] = 0;
-    coefficients[115] = 0;
-    coefficients[116] = 0;
-    coefficients[117] = t5;
-    coefficients[118] = 0;
-    coefficients[119] = 0;
-    coefficients[120] = 0;
-    coefficients[121] = 0;
-    coefficients[122] = 1;
-    coefficients[123] = 0;
-    coefficients[124] = 0;
-    coefficients[125] = 0;
-    coefficients[126] = 0;
-    coefficients[127] = t5;
-    coefficients[128] = 0;
-    coefficients[129] = 0;
-    coefficients[130] = 0;
-    coefficients[131] = 0;
-    coefficients[132] = 0;
-    coefficients[133] = 0;
-    coefficients[134] = 0;
-    coefficients[135] = 0;
-    coefficients[136] = 0;
-    coefficients[137] = 0;
-    coefficients[138] = 0;
-    coefficients[139] = 0;
-    coefficients[140] = 0;
-    coefficients[141] = 0;
-    coefficients[142] = 0;
-    coefficients[143] = 0;
-    coefficients[144] = 0;
-    coefficients[145] = -t5;
-    coefficients[146] = 1;
-    coefficients[147] = 0;
-    coefficients[148] = 0;
-    coefficients[149] = 0;
-    coefficients[150] = 0;
-    coefficients[151] = 0;
-    coefficients[152] = 0;
-    coefficients[153] = 0;
-    coefficients[154] = 0;
-    coefficients[155] = 0;
-    coefficients[156] = 0;
-    coefficients[157] = -t5;
-    coefficients[158] = 1;
-    coefficients[159] = 0;
-    coefficients[160] = 0;
-    coefficients[161] = 0;
-    coefficients[162] = 0;
-    coefficients[163] = 0;
-    coefficients[164] = 0;
-    coefficients[165] = 0;
-    coefficients[166] = 0;
-    coefficients[167] = -t5*t7;
-    coefficients[168] = t7;
-    coefficients[169] = 0;
-    coefficients[170] = 0;
-    coefficients[171] = 0;
-    coefficients[172] = 0;
-    coefficients[173] = 0;
-    coefficients[174] = 0;
-    coefficients[175] = omega3*t5;
-    coefficients[176] = -omega3;
-    coefficients[177] = 0;
-    coefficients[178] = 0;
-    coefficients[179] = 0;
+    if (coefficients) {
+        static const unsigned char nonsmooth_coefficients_places[] = {
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0,
+            3, 4, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0, 3, 4, 0, 0, 0, 5, 6, 0, 0, 0, 7, 8, 0,
+            9, 10, 0, 0, 0, 11, 12, 0, 0, 0, 4, 13, 0, 0, 0, 14, 1, 0, 0, 0, 0, 0, 4, 13, 0,
+            0, 0, 14, 1, 0, 0, 0, 15, 16, 0, 0, 0, 17, 18, 0, 19, 20, 0, 0, 0, 21, 22, 0, 0, 0,
+            23, 0, 0, 0, 0, 24, 0, 0, 0, 0, 0, 0, 23, 0, 0, 0, 0, 24, 0, 0, 0, 0, 23, 0, 0,
+            0, 0, 24, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 25, 23, 0, 0, 0,
+            0, 0, 0, 0, 0, 0, 0, 25, 23, 0, 0, 0, 0, 0, 0, 0, 0, 26, 27, 0, 0, 0, 0, 0, 0,
+            28, 29, 0, 0, 0,
+        };
+        double nonsmooth_coefficients_values[30];
+        nonsmooth_coefficients_values[0] = 0;
+        nonsmooth_coefficients_values[1] = p1;
+        nonsmooth_coefficients_values[2] = p2;
+        nonsmooth_coefficients_values[3] = p3;
+        nonsmooth_coefficients_values[4] = t0;
+        nonsmooth_coefficients_values[5] = p1*t1;
+        nonsmooth_coefficients_values[6] = p2*t1;
+        nonsmooth_coefficients_values[7] = p3*t1;
+        nonsmooth_coefficients_values[8] = t0*t1;
+        nonsmooth_coefficients_values[9] = -omega1*p1;
+        nonsmooth_coefficients_values[10] = -omega1*p2;
+        nonsmooth_coefficients_values[11] = -omega1*p3;
+        nonsmooth_coefficients_values[12] = -omega1*t0;
+        nonsmooth_coefficients_values[13] = -p2;
+        nonsmooth_coefficients_values[14] = -p3;
+        nonsmooth_coefficients_values[15] = t0*t4;
+        nonsmooth_coefficients_values[16] = -p2*t4;
+        nonsmooth_coefficients_values[17] = -p3*t4;
+        nonsmooth_coefficients_values[18] = p1*t4;
+        nonsmooth_coefficients_values[19] = -omega2*t0;
+        nonsmooth_coefficients_values[20] = omega2*p2;
+        nonsmooth_coefficients_values[21] = omega2*p3;
+        nonsmooth_coefficients_values[22] = -omega2*p1;
+        nonsmooth_coefficients_values[23] = 1;
+        nonsmooth_coefficients_values[24] = t5;
+        nonsmooth_coefficients_values[25] = -t5;
+        nonsmooth_coefficients_values[26] = -t5*t7;
+        nonsmooth_coefficients_values[27] = t7;
+        nonsmooth_coefficients_values[28] = omega3*t5;
+        nonsmooth_coefficients_values[29] = -omega3;
+        for (int i = 0; i < 180; ++i)
+            coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
+    }
 }
 
-/* Switching and periodicity equations.
- * Takes parameters (5), spectrum (7), unknowns (2); gives residual (2), row by row.
- * Operations: 34. Intermediate terms: 13. */
-void rigid_stop_one_impact_residual(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double residual[2])
+/* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
+ * Takes parameters (5), spectrum (7), unknowns (2), spectrum_derivatives (7, 4); gives residual (2), jacobian (2, 2), parameter_jacobian (2, 5), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 239. Intermediate terms: 62. */
+void rigid_stop_one_impact_equations(
+    const double parameters[5], const double spectrum[7], const double unknowns[2], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -591,103 +393,36 @@ void rigid_stop_one_impact_residual(
     const double t0 = half_T*omega1;
     const double cos_omega1_half_T = cos(t0);
     const double sin_omega1_half_T = sin(t0);
-    const double t1 = half_T*omega2;
-    const double cos_omega2_half_T = cos(t1);
-    const double sin_omega2_half_T = sin(t1);
-    /* outputs */
-    const double t2 = cos_omega1_half_T*u;
-    const double t3 = p2*y;
-    const double t4 = p1 - 1;
-    const double t5 = omega2*sin_omega2_half_T;
-    const double t6 = cos_omega2_half_T*u;
-    const double t7 = omega1*sin_omega1_half_T;
-    residual[0] = p1*t2 - t4*t6 + t5*(t3 + t4) - t7*(p1 + t3);
-    residual[1] = p3*t2 - p3*t6 - t5*(p1*y - p3) + t7*(p1*y - p3 - y);
-}
-
-/* Derivatives of the equations by the unknowns.
- * Takes parameters (5), spectrum (7), unknowns (2); gives jacobian (2, 2), row by row.
- * Operations: 23. Intermediate terms: 9. */
-void rigid_stop_one_impact_jacobian(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double jacobian[4])
-{
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    (void)unknowns;
-    /* half of T */
-    const double half_T = (1.0/2.0)*T;
-    /* functions of half_T in free */
-    const double t0 = half_T*omega1;
-    const double cos_omega1_half_T = cos(t0);
-    const double sin_omega1_half_T = sin(t0);
-    const double t1 = half_T*omega2;
-    const double cos_omega2_half_T = cos(t1);
-    const double sin_omega2_half_T = sin(t1);
-    /* outputs */
-    const double t2 = omega1*sin_omega1_half_T;
-    const double t3 = p1 - 1;
-    jacobian[0] = omega2*p2*sin_omega2_half_T - p2*t2;
-    jacobian[1] = cos_omega1_half_T*p1 - cos_omega2_half_T*t3;
-    jacobian[2] = -omega2*p1*sin_omega2_half_T + t2*t3;
-    jacobian[3] = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
-}
-
-/* Equations and their derivatives by the unknowns, sharing all intermediate terms.
- * Takes parameters (5), spectrum (7), unknowns (2); gives residual (2), jacobian (2, 2), row by row.
- * Operations: 45. Intermediate terms: 15. */
-void rigid_stop_one_impact_residual_and_jacobian(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double residual[2], double jacobian[4])
-{
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* half of T */
-    const double half_T = (1.0/2.0)*T;
-    /* functions of half_T in free */
-    const double t0 = half_T*omega1;
-    const double cos_omega1_half_T = cos(t0);
-    const double sin_omega1_half_T = sin(t0);
-    const double t1 = half_T*omega2;
-    const double cos_omega2_half_T = cos(t1);
-    const double sin_omega2_half_T = sin(t1);
-    /* outputs */
-    const double t2 = cos_omega1_half_T*p1;
-    const double t3 = p2*y;
-    const double t4 = p1 - 1;
-    const double t5 = omega2*sin_omega2_half_T;
-    const double t6 = cos_omega2_half_T*t4;
-    const double t7 = omega1*sin_omega1_half_T;
-    const double t8 = cos_omega1_half_T*p3;
-    const double t9 = cos_omega2_half_T*p3;
-    residual[0] = t2*u + t5*(t3 + t4) - t6*u - t7*(p1 + t3);
-    residual[1] = -t5*(p1*y - p3) + t7*(p1*y - p3 - y) + t8*u - t9*u;
-    jacobian[0] = omega2*p2*sin_omega2_half_T - p2*t7;
-    jacobian[1] = t2 - t6;
-    jacobian[2] = -p1*t5 + t4*t7;
-    jacobian[3] = t8 - t9;
-}
-
-/* Total derivatives of the equations by the parameters, through the spectrum too.
- * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 4), unknowns (2); gives parameter_jacobian (2, 5), row by row.
- * Operations: 212. Intermediate terms: 57. */
-void rigid_stop_one_impact_parameter_jacobian(
-    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[28], const double unknowns[2], double parameter_jacobian[10])
-{
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double t3 = half_T*omega2;
+    const double cos_omega2_half_T = cos(t3);
+    const double sin_omega2_half_T = sin(t3);
+    /* residual */
+    const double t16 = cos_omega1_half_T*p1;
+    const double t17 = p2*y;
+    const double t18 = p1 - 1;
+    const double t19 = t17 + t18;
+    const double t20 = omega2*sin_omega2_half_T;
+    const double t21 = cos_omega2_half_T*t18;
+    const double t22 = p1 + t17;
+    const double t23 = omega1*sin_omega1_half_T;
+    const double t24 = cos_omega1_half_T*p3;
+    const double t25 = p1*y - p3 - y;
+    const double t26 = cos_omega2_half_T*p3;
+    const double t27 = p1*y - p3;
+    if (residual) {
+        residual[0] = t16*u + t19*t20 - t21*u - t22*t23;
+        residual[1] = -t20*t27 + t23*t25 + t24*u - t26*u;
+    }
+    if (!jacobian && !parameter_jacobian)
+        return;
+    if (jacobian) {
+        jacobian[0] = omega2*p2*sin_omega2_half_T - p2*t23;
+        jacobian[1] = t16 - t21;
+        jacobian[2] = -p1*t20 + t18*t23;
+        jacobian[3] = t24 - t26;
+    }
+    if (!parameter_jacobian)
+        return;
     const double omega1_by_k1 = spectrum_derivatives[4];
     const double omega1_by_k2 = spectrum_derivatives[5];
     const double omega1_by_m1 = spectrum_derivatives[6];
@@ -708,17 +443,6 @@ void rigid_stop_one_impact_parameter_jacobian(
     const double p3_by_k2 = spectrum_derivatives[21];
     const double p3_by_m1 = spectrum_derivatives[22];
     const double p3_by_m2 = spectrum_derivatives[23];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* half of T */
-    const double half_T = (1.0/2.0)*T;
-    /* functions of half_T in free */
-    const double t0 = half_T*omega1;
-    const double cos_omega1_half_T = cos(t0);
-    const double sin_omega1_half_T = sin(t0);
-    const double t3 = half_T*omega2;
-    const double cos_omega2_half_T = cos(t3);
-    const double sin_omega2_half_T = sin(t3);
     /* d/dm1 of: functions of half_T in free */
     const double t6 = half_T*omega1_by_m1;
     const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
@@ -754,298 +478,40 @@ void rigid_stop_one_impact_parameter_jacobian(
     const double t15 = (1.0/2.0)*omega2;
     const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t15;
     const double sin_omega2_half_T_by_T = cos_omega2_half_T*t15;
-    /* outputs */
-    const double t16 = omega1*sin_omega1_half_T;
-    const double t17 = cos_omega1_half_T*u - cos_omega2_half_T*u + omega2*sin_omega2_half_T - t16;
-    const double t18 = -omega2*sin_omega2_half_T*y + t16*y;
-    const double t20 = p1*u;
-    const double t21 = p2*y;
-    const double t22 = p1 - 1;
-    const double t23 = t21 + t22;
-    const double t24 = sin_omega2_half_T*t23;
-    const double t25 = omega2*t23;
-    const double t26 = t22*u;
-    const double t27 = p1 + t21;
-    const double t28 = sin_omega1_half_T*t27;
-    const double t29 = omega1*t27;
-    const double t30 = p3*u;
-    const double t31 = p1*y - p3 - y;
-    const double t32 = sin_omega1_half_T*t31;
-    const double t33 = omega1*t31;
-    const double t34 = p1*y - p3;
-    const double t35 = sin_omega2_half_T*t34;
-    const double t36 = omega2*t34;
-    parameter_jacobian[0] = cos_omega1_half_T_by_m1*t20 - cos_omega2_half_T_by_m1*t26 - omega1_by_m1*t28 + omega2_by_m1*t24 + p1_by_m1*t17 - p2_by_m1*t18 - sin_omega1_half_T_by_m1*t29 + sin_omega2_half_T_by_m1*t25;
-    parameter_jacobian[1] = cos_omega1_half_T_by_m2*t20 - cos_omega2_half_T_by_m2*t26 - omega1_by_m2*t28 + omega2_by_m2*t24 + p1_by_m2*t17 - p2_by_m2*t18 - sin_omega1_half_T_by_m2*t29 + sin_omega2_half_T_by_m2*t25;
-    parameter_jacobian[2] = cos_omega1_half_T_by_k1*t20 - cos_omega2_half_T_by_k1*t26 - omega1_by_k1*t28 + omega2_by_k1*t24 + p1_by_k1*t17 - p2_by_k1*t18 - sin_omega1_half_T_by_k1*t29 + sin_omega2_half_T_by_k1*t25;
-    parameter_jacobian[3] = cos_omega1_half_T_by_k2*t20 - cos_omega2_half_T_by_k2*t26 - omega1_by_k2*t28 + omega2_by_k2*t24 + p1_by_k2*t17 - p2_by_k2*t18 - sin_omega1_half_T_by_k2*t29 + sin_omega2_half_T_by_k2*t25;
-    parameter_jacobian[4] = cos_omega1_half_T_by_T*t20 - cos_omega2_half_T_by_T*t26 - sin_omega1_half_T_by_T*t29 + sin_omega2_half_T_by_T*t25;
-    parameter_jacobian[5] = cos_omega1_half_T_by_m1*t30 - cos_omega2_half_T_by_m1*t30 + omega1_by_m1*t32 - omega2_by_m1*t35 + p1_by_m1*t18 + p3_by_m1*t17 + sin_omega1_half_T_by_m1*t33 - sin_omega2_half_T_by_m1*t36;
-    parameter_jacobian[6] = cos_omega1_half_T_by_m2*t30 - cos_omega2_half_T_by_m2*t30 + omega1_by_m2*t32 - omega2_by_m2*t35 + p1_by_m2*t18 + p3_by_m2*t17 + sin_omega1_half_T_by_m2*t33 - sin_omega2_half_T_by_m2*t36;
-    parameter_jacobian[7] = cos_omega1_half_T_by_k1*t30 - cos_omega2_half_T_by_k1*t30 + omega1_by_k1*t32 - omega2_by_k1*t35 + p1_by_k1*t18 + p3_by_k1*t17 + sin_omega1_half_T_by_k1*t33 - sin_omega2_half_T_by_k1*t36;
-    parameter_jacobian[8] = cos_omega1_half_T_by_k2*t30 - cos_omega2_half_T_by_k2*t30 + omega1_by_k2*t32 - omega2_by_k2*t35 + p1_by_k2*t18 + p3_by_k2*t17 + sin_omega1_half_T_by_k2*t33 - sin_omega2_half_T_by_k2*t36;
-    parameter_jacobian[9] = cos_omega1_half_T_by_T*t30 - cos_omega2_half_T_by_T*t30 + sin_omega1_half_T_by_T*t33 - sin_omega2_half_T_by_T*t36;
+    /* parameter_jacobian */
+    const double t28 = cos_omega1_half_T*u - cos_omega2_half_T*u + t20 - t23;
+    const double t29 = -omega2*sin_omega2_half_T*y + t23*y;
+    const double t31 = p1*u;
+    const double t32 = sin_omega2_half_T*t19;
+    const double t33 = omega2*t19;
+    const double t34 = t18*u;
+    const double t35 = sin_omega1_half_T*t22;
+    const double t36 = omega1*t22;
+    const double t37 = p3*u;
+    const double t38 = sin_omega1_half_T*t25;
+    const double t39 = omega1*t25;
+    const double t40 = sin_omega2_half_T*t27;
+    const double t41 = omega2*t27;
+    if (parameter_jacobian) {
+        parameter_jacobian[0] = cos_omega1_half_T_by_m1*t31 - cos_omega2_half_T_by_m1*t34 - omega1_by_m1*t35 + omega2_by_m1*t32 + p1_by_m1*t28 - p2_by_m1*t29 - sin_omega1_half_T_by_m1*t36 + sin_omega2_half_T_by_m1*t33;
+        parameter_jacobian[1] = cos_omega1_half_T_by_m2*t31 - cos_omega2_half_T_by_m2*t34 - omega1_by_m2*t35 + omega2_by_m2*t32 + p1_by_m2*t28 - p2_by_m2*t29 - sin_omega1_half_T_by_m2*t36 + sin_omega2_half_T_by_m2*t33;
+        parameter_jacobian[2] = cos_omega1_half_T_by_k1*t31 - cos_omega2_half_T_by_k1*t34 - omega1_by_k1*t35 + omega2_by_k1*t32 + p1_by_k1*t28 - p2_by_k1*t29 - sin_omega1_half_T_by_k1*t36 + sin_omega2_half_T_by_k1*t33;
+        parameter_jacobian[3] = cos_omega1_half_T_by_k2*t31 - cos_omega2_half_T_by_k2*t34 - omega1_by_k2*t35 + omega2_by_k2*t32 + p1_by_k2*t28 - p2_by_k2*t29 - sin_omega1_half_T_by_k2*t36 + sin_omega2_half_T_by_k2*t33;
+        parameter_jacobian[4] = cos_omega1_half_T_by_T*t31 - cos_omega2_half_T_by_T*t34 - sin_omega1_half_T_by_T*t36 + sin_omega2_half_T_by_T*t33;
+        parameter_jacobian[5] = cos_omega1_half_T_by_m1*t37 - cos_omega2_half_T_by_m1*t37 + omega1_by_m1*t38 - omega2_by_m1*t40 + p1_by_m1*t29 + p3_by_m1*t28 + sin_omega1_half_T_by_m1*t39 - sin_omega2_half_T_by_m1*t41;
+        parameter_jacobian[6] = cos_omega1_half_T_by_m2*t37 - cos_omega2_half_T_by_m2*t37 + omega1_by_m2*t38 - omega2_by_m2*t40 + p1_by_m2*t29 + p3_by_m2*t28 + sin_omega1_half_T_by_m2*t39 - sin_omega2_half_T_by_m2*t41;
+        parameter_jacobian[7] = cos_omega1_half_T_by_k1*t37 - cos_omega2_half_T_by_k1*t37 + omega1_by_k1*t38 - omega2_by_k1*t40 + p1_by_k1*t29 + p3_by_k1*t28 + sin_omega1_half_T_by_k1*t39 - sin_omega2_half_T_by_k1*t41;
+        parameter_jacobian[8] = cos_omega1_half_T_by_k2*t37 - cos_omega2_half_T_by_k2*t37 + omega1_by_k2*t38 - omega2_by_k2*t40 + p1_by_k2*t29 + p3_by_k2*t28 + sin_omega1_half_T_by_k2*t39 - sin_omega2_half_T_by_k2*t41;
+        parameter_jacobian[9] = cos_omega1_half_T_by_T*t37 - cos_omega2_half_T_by_T*t37 + sin_omega1_half_T_by_T*t39 - sin_omega2_half_T_by_T*t41;
+    }
 }
 
-/* Jacobian of the Poincare map in the section's coordinates.
- * Takes parameters (5), spectrum (7), unknowns (2); gives poincare_jacobian (3, 3), row by row.
- * Operations: 109. Intermediate terms: 53. */
-void rigid_stop_one_impact_poincare_jacobian(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double poincare_jacobian[9])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* functions of T in free */
-    const double t0 = T*omega1;
-    const double cos_omega1_T = cos(t0);
-    const double sin_omega1_T = sin(t0);
-    const double t1 = T*omega2;
-    const double cos_omega2_T = cos(t1);
-    const double sin_omega2_T = sin(t1);
-    /* free for T, until first-reaches-stop */
-    const double t2 = (1.0/(omega1));
-    const double t3 = sin_omega1_T*t2;
-    const double t4 = 1 - p1;
-    const double t5 = sin_omega2_T/omega2;
-    const double t6 = p1*t3 + t4*t5;
-    const double t7 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t8 = cos_omega1_T*p1 + cos_omega2_T*t4;
-    const double x1_1 = t6*u + t7*y + t8;
-    const double t9 = p3*sin_omega1_T*t2 - p3*t5;
-    const double t10 = cos_omega1_T*t4 + cos_omega2_T*p1;
-    const double t11 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t10*y + t11 + t9*u;
-    const double t12 = omega1*sin_omega1_T;
-    const double t13 = omega2*p2*sin_omega2_T - p2*t12;
-    const double t14 = omega2*sin_omega2_T;
-    const double v1_1 = -p1*t12 + t13*y - t14*t4 + t8*u;
-    const double t15 = -p1*t14 - t12*t4;
-    const double v2_1 = -p3*t12 + p3*t14 + t11*u + t15*y;
-    /* Phi along T */
-    const double carried_x1_1_by_y = t7;
-    const double carried_x1_1_by_u = t6;
-    const double carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t5;
-    const double carried_x2_1_by_y = t10;
-    const double carried_x2_1_by_u = t9;
-    const double carried_x2_1_by_w = p1*t5 + t3*t4;
-    const double carried_v1_1_by_y = t13;
-    const double carried_v1_1_by_u = t8;
-    const double carried_v1_1_by_w = t7;
-    const double carried_v2_1_by_y = t15;
-    const double carried_v2_1_by_u = t11;
-    const double carried_v2_1_by_w = t10;
-    /* derivatives of the time to the boundary after T */
-    const double t16 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t16;
-    const double delay_T_by_u = -carried_x1_1_by_u*t16;
-    const double delay_T_by_w = -carried_x1_1_by_w*t16;
-    /* perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
-    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1;
-    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1;
-    const double t17 = (1.0/(m1));
-    const double t18 = -k1*t17*x1_1 + k1*t17*x2_1;
-    const double v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t18;
-    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t18;
-    const double v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t18;
-    const double t19 = (1.0/(m2));
-    const double t20 = k1*t19*x1_1 - t19*x2_1*(k1 + k2);
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t20;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t20;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t20;
-    poincare_jacobian[0] = x2_1_on_boundary_by_y;
-    poincare_jacobian[1] = x2_1_on_boundary_by_u;
-    poincare_jacobian[2] = x2_1_on_boundary_by_w;
-    poincare_jacobian[3] = v1_1_on_boundary_by_y;
-    poincare_jacobian[4] = v1_1_on_boundary_by_u;
-    poincare_jacobian[5] = v1_1_on_boundary_by_w;
-    poincare_jacobian[6] = v2_1_on_boundary_by_y;
-    poincare_jacobian[7] = v2_1_on_boundary_by_u;
-    poincare_jacobian[8] = v2_1_on_boundary_by_w;
-}
-
-/* Saltation matrices of the transitions, one below the other.
- * Takes parameters (5), spectrum (7), unknowns (2); gives saltations (4, 4), row by row.
- * Operations: 73. Intermediate terms: 22. */
-void rigid_stop_one_impact_saltations(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double saltations[16])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* functions of T in free */
-    const double t0 = T*omega1;
-    const double cos_omega1_T = cos(t0);
-    const double sin_omega1_T = sin(t0);
-    const double t1 = T*omega2;
-    const double cos_omega2_T = cos(t1);
-    const double sin_omega2_T = sin(t1);
-    /* free for T, until first-reaches-stop */
-    const double t2 = (1.0/(omega1));
-    const double t3 = 1 - p1;
-    const double t4 = sin_omega2_T/omega2;
-    const double t5 = cos_omega1_T*p1 + cos_omega2_T*t3;
-    const double x1_1 = t5 + u*(p1*sin_omega1_T*t2 + t3*t4) + y*(cos_omega1_T*p2 - cos_omega2_T*p2);
-    const double x2_1 = cos_omega1_T*p3 - cos_omega2_T*p3 + u*(p3*sin_omega1_T*t2 - p3*t4) + y*(cos_omega1_T*t3 + cos_omega2_T*p1);
-    const double t6 = omega1*sin_omega1_T;
-    const double v1_1 = -omega2*sin_omega2_T*t3 - p1*t6 + t5*u + y*(omega2*p2*sin_omega2_T - p2*t6);
-    /* transition to free */
-    const double v1_1_reset = -v1_1;
-    /* vector fields at transition 1 */
-    const double t7 = (1.0/(m1));
-    const double before_v1_1 = -k1*t7*x1_1 + k1*t7*x2_1;
-    const double t9 = (1.0/(m2));
-    const double before_v2_1 = k1*t9*x1_1 - t9*x2_1*(k1 + k2);
-    const double behind_v1_1 = before_v1_1;
-    const double behind_v2_1 = before_v2_1;
-    /* outputs */
-    const double t11 = (1.0/(v1_1));
-    saltations[0] = t11*(-v1_1 + v1_1_reset) + 1;
-    saltations[1] = 0;
-    saltations[2] = 0;
-    saltations[3] = 0;
-    saltations[4] = 0;
-    saltations[5] = 1;
-    saltations[6] = 0;
-    saltations[7] = 0;
-    saltations[8] = t11*(before_v1_1 + behind_v1_1);
-    saltations[9] = 0;
-    saltations[10] = -1;
-    saltations[11] = 0;
-    saltations[12] = t11*(-before_v2_1 + behind_v2_1);
-    saltations[13] = 0;
-    saltations[14] = 0;
-    saltations[15] = 1;
-}
-
-/* Monodromy matrix: the product of flows and saltation matrices over a period.
- * Takes parameters (5), spectrum (7), unknowns (2); gives monodromy (4, 4), row by row.
- * Operations: 108. Intermediate terms: 62. */
-void rigid_stop_one_impact_monodromy(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double monodromy[16])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* functions of T in free */
-    const double t0 = T*omega1;
-    const double cos_omega1_T = cos(t0);
-    const double sin_omega1_T = sin(t0);
-    const double t1 = T*omega2;
-    const double cos_omega2_T = cos(t1);
-    const double sin_omega2_T = sin(t1);
-    /* free for T, until first-reaches-stop */
-    const double t2 = (1.0/(omega1));
-    const double t3 = sin_omega1_T*t2;
-    const double t4 = 1 - p1;
-    const double t5 = sin_omega2_T/omega2;
-    const double t6 = p1*t3 + t4*t5;
-    const double t7 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t8 = cos_omega1_T*p1 + cos_omega2_T*t4;
-    const double x1_1 = t6*u + t7*y + t8;
-    const double t9 = p3*sin_omega1_T*t2 - p3*t5;
-    const double t10 = cos_omega1_T*t4 + cos_omega2_T*p1;
-    const double t11 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t10*y + t11 + t9*u;
-    const double t12 = omega1*sin_omega1_T;
-    const double t13 = omega2*p2*sin_omega2_T - p2*t12;
-    const double t14 = omega2*sin_omega2_T;
-    const double t15 = p1*t12 + t14*t4;
-    const double v1_1 = t13*y - t15 + t8*u;
-    /* transition to free */
-    const double v1_1_reset = -v1_1;
-    /* vector fields at transition 1 */
-    const double t16 = (1.0/(m1));
-    const double before_v1_1 = -k1*t16*x1_1 + k1*t16*x2_1;
-    const double t18 = (1.0/(m2));
-    const double before_v2_1 = k1*t18*x1_1 - t18*x2_1*(k1 + k2);
-    const double behind_v1_1 = before_v1_1;
-    const double behind_v2_1 = before_v2_1;
-    /* Phi of phase 1 */
-    const double phi_1_00 = t8;
-    const double phi_1_01 = t7;
-    const double phi_1_02 = t6;
-    const double phi_1_03 = p2*sin_omega1_T*t2 - p2*t5;
-    const double phi_1_10 = t11;
-    const double phi_1_11 = t10;
-    const double phi_1_12 = t9;
-    const double phi_1_13 = p1*t5 + t3*t4;
-    const double phi_1_20 = -t15;
-    const double phi_1_21 = t13;
-    const double phi_1_22 = t8;
-    const double phi_1_23 = t7;
-    const double phi_1_30 = omega2*p3*sin_omega2_T - p3*t12;
-    const double phi_1_31 = -p1*t14 - t12*t4;
-    const double phi_1_32 = t11;
-    const double phi_1_33 = t10;
-    /* saltation of phase 1 */
-    const double t20 = (1.0/(v1_1));
-    const double t21 = t20*(-v1_1 + v1_1_reset) + 1;
-    const double saltation_1_00 = phi_1_00*t21;
-    const double saltation_1_01 = phi_1_01*t21;
-    const double saltation_1_02 = phi_1_02*t21;
-    const double saltation_1_03 = phi_1_03*t21;
-    const double t22 = t20*(before_v1_1 + behind_v1_1);
-    const double saltation_1_20 = phi_1_00*t22 - phi_1_20;
-    const double saltation_1_21 = phi_1_01*t22 - phi_1_21;
-    const double saltation_1_22 = phi_1_02*t22 - phi_1_22;
-    const double saltation_1_23 = phi_1_03*t22 - phi_1_23;
-    const double t23 = t20*(-before_v2_1 + behind_v2_1);
-    const double saltation_1_30 = phi_1_00*t23 + phi_1_30;
-    const double saltation_1_31 = phi_1_01*t23 + phi_1_31;
-    const double saltation_1_32 = phi_1_02*t23 + phi_1_32;
-    const double saltation_1_33 = phi_1_03*t23 + phi_1_33;
-    monodromy[0] = saltation_1_00;
-    monodromy[1] = saltation_1_01;
-    monodromy[2] = saltation_1_02;
-    monodromy[3] = saltation_1_03;
-    monodromy[4] = phi_1_10;
-    monodromy[5] = phi_1_11;
-    monodromy[6] = phi_1_12;
-    monodromy[7] = phi_1_13;
-    monodromy[8] = saltation_1_20;
-    monodromy[9] = saltation_1_21;
-    monodromy[10] = saltation_1_22;
-    monodromy[11] = saltation_1_23;
-    monodromy[12] = saltation_1_30;
-    monodromy[13] = saltation_1_31;
-    monodromy[14] = saltation_1_32;
-    monodromy[15] = saltation_1_33;
-}
-
-/* Trace of the Poincare map's Jacobian.
- * Takes parameters (5), spectrum (7), unknowns (2); gives trace, row by row.
- * Operations: 94. Intermediate terms: 35. */
+/* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
+ * Takes parameters (5), spectrum (7), unknowns (2), spectrum_derivatives (7, 4); gives trace, trace_gradient (7), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 373. Intermediate terms: 99. */
 void rigid_stop_one_impact_trace(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double *trace)
+    const double parameters[5], const double spectrum[7], const double unknowns[2], const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -1057,87 +523,6 @@ void rigid_stop_one_impact_trace(
     const double p1 = spectrum[3];
     const double p2 = spectrum[4];
     const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* functions of T in free */
-    const double t0 = T*omega1;
-    const double cos_omega1_T = cos(t0);
-    const double sin_omega1_T = sin(t0);
-    const double t1 = T*omega2;
-    const double cos_omega2_T = cos(t1);
-    const double sin_omega2_T = sin(t1);
-    /* free for T, until first-reaches-stop */
-    const double t2 = (1.0/(omega1));
-    const double t3 = 1 - p1;
-    const double t4 = sin_omega2_T/omega2;
-    const double t5 = p1*sin_omega1_T*t2 + t3*t4;
-    const double t6 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t7 = cos_omega1_T*p1 + cos_omega2_T*t3;
-    const double x1_1 = t5*u + t6*y + t7;
-    const double t8 = cos_omega1_T*t3 + cos_omega2_T*p1;
-    const double t9 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t8*y + t9 + u*(p3*sin_omega1_T*t2 - p3*t4);
-    const double t10 = omega1*sin_omega1_T;
-    const double t11 = omega2*sin_omega2_T;
-    const double v1_1 = -p1*t10 - t11*t3 + t7*u + y*(omega2*p2*sin_omega2_T - p2*t10);
-    const double v2_1 = -p3*t10 + p3*t11 + t9*u + y*(-p1*t11 - t10*t3);
-    /* Phi along T */
-    const double carried_x1_1_by_y = t6;
-    const double carried_x1_1_by_u = t5;
-    const double carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t4;
-    const double carried_x2_1_by_y = t8;
-    const double carried_v1_1_by_u = t7;
-    const double carried_v2_1_by_w = t8;
-    /* derivatives of the time to the boundary after T */
-    const double t12 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t12;
-    const double delay_T_by_u = -carried_x1_1_by_u*t12;
-    const double delay_T_by_w = -carried_x1_1_by_w*t12;
-    /* perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
-    const double t13 = (1.0/(m1));
-    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1);
-    const double t14 = (1.0/(m2));
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2));
-    *trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
-}
-
-/* Derivatives of the trace by the unknowns, then in total by the parameters.
- * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 4), unknowns (2); gives trace_gradient (7), row by row.
- * Operations: 365. Intermediate terms: 91. */
-void rigid_stop_one_impact_trace_gradient(
-    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[28], const double unknowns[2], double trace_gradient[7])
-{
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega1_by_k1 = spectrum_derivatives[4];
-    const double omega1_by_k2 = spectrum_derivatives[5];
-    const double omega1_by_m1 = spectrum_derivatives[6];
-    const double omega1_by_m2 = spectrum_derivatives[7];
-    const double omega2_by_k1 = spectrum_derivatives[8];
-    const double omega2_by_k2 = spectrum_derivatives[9];
-    const double omega2_by_m1 = spectrum_derivatives[10];
-    const double omega2_by_m2 = spectrum_derivatives[11];
-    const double p1_by_k1 = spectrum_derivatives[12];
-    const double p1_by_k2 = spectrum_derivatives[13];
-    const double p1_by_m1 = spectrum_derivatives[14];
-    const double p1_by_m2 = spectrum_derivatives[15];
-    const double p2_by_k1 = spectrum_derivatives[16];
-    const double p2_by_k2 = spectrum_derivatives[17];
-    const double p2_by_m1 = spectrum_derivatives[18];
-    const double p2_by_m2 = spectrum_derivatives[19];
-    const double p3_by_k1 = spectrum_derivatives[20];
-    const double p3_by_k2 = spectrum_derivatives[21];
-    const double p3_by_m1 = spectrum_derivatives[22];
-    const double p3_by_m2 = spectrum_derivatives[23];
     const double y = unknowns[0];
     const double u = unknowns[1];
     /* functions of T in free */
@@ -1176,85 +561,126 @@ void rigid_stop_one_impact_trace_gradient(
     const double carried_x1_1_by_u = t12;
     const double t26 = sin_omega2_T*t8;
     const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26;
+    const double carried_x2_1_by_y = t17;
+    const double carried_v1_1_by_u = t14;
+    const double carried_v2_1_by_w = t17;
     /* derivatives of the time to the boundary after T */
     const double t27 = (1.0/(v1_1));
     const double delay_T_by_y = -carried_x1_1_by_y*t27;
     const double delay_T_by_u = -carried_x1_1_by_u*t27;
     const double delay_T_by_w = -carried_x1_1_by_w*t27;
-    /* back through: derivatives of the time to the boundary after T */
-    const double t28 = (1.0/(m2));
+    /* perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
+    const double t28 = (1.0/(m1));
     const double t29 = t28*x1_1;
-    const double t30 = k1 + k2;
-    const double t31 = t28*x2_1;
-    const double slope_by_delay_T_by_w = k1*t29 - t30*t31;
-    const double t32 = (1.0/(m1));
-    const double t33 = t32*x1_1;
-    const double slope_by_delay_T_by_u = -k1*t32*x2_1 + k1*t33;
+    const double t30 = -k1*t28*x2_1 + k1*t29;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t30;
+    const double t31 = (1.0/(m2));
+    const double t32 = t31*x1_1;
+    const double t33 = k1 + k2;
+    const double t34 = t31*x2_1;
+    const double t35 = k1*t32 - t33*t34;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t35;
+    if (trace) {
+        *trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
+    }
+    if (!trace_gradient)
+        return;
+    const double omega1_by_k1 = spectrum_derivatives[4];
+    const double omega1_by_k2 = spectrum_derivatives[5];
+    const double omega1_by_m1 = spectrum_derivatives[6];
+    const double omega1_by_m2 = spectrum_derivatives[7];
+    const double omega2_by_k1 = spectrum_derivatives[8];
+    const double omega2_by_k2 = spectrum_derivatives[9];
+    const double omega2_by_m1 = spectrum_derivatives[10];
+    const double omega2_by_m2 = spectrum_derivatives[11];
+    const double p1_by_k1 = spectrum_derivatives[12];
+    const double p1_by_k2 = spectrum_derivatives[13];
+    const double p1_by_m1 = spectrum_derivatives[14];
+    const double p1_by_m2 = spectrum_derivatives[15];
+    const double p2_by_k1 = spectrum_derivatives[16];
+    const double p2_by_k2 = spectrum_derivatives[17];
+    const double p2_by_m1 = spectrum_derivatives[18];
+    const double p2_by_m2 = spectrum_derivatives[19];
+    const double p3_by_k1 = spectrum_derivatives[20];
+    const double p3_by_k2 = spectrum_derivatives[21];
+    const double p3_by_m1 = spectrum_derivatives[22];
+    const double p3_by_m2 = spectrum_derivatives[23];
+    /* back through: derivatives of the time to the boundary after T */
+    const double slope_by_delay_T_by_w = t35;
+    const double slope_by_delay_T_by_u = t30;
     /* back through: Phi along T */
     const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27;
     const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27;
     const double slope_by_carried_x1_1_by_y = -t27*v2_1;
     /* back through: free for T, until first-reaches-stop */
-    const double t34 = (1.0/(v1_1*v1_1));
-    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t34 + carried_x1_1_by_w*slope_by_delay_T_by_w*t34 + carried_x1_1_by_y*t34*v2_1;
-    const double t35 = delay_T_by_u*k1*t32;
-    const double t36 = delay_T_by_w*t28;
-    const double slope_by_x2_1 = -t30*t36 - t35;
-    const double slope_by_x1_1 = k1*t36 + t35;
+    const double t36 = (1.0/(v1_1*v1_1));
+    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t36 + carried_x1_1_by_w*slope_by_delay_T_by_w*t36 + carried_x1_1_by_y*t36*v2_1;
+    const double t37 = delay_T_by_u*k1*t28;
+    const double t38 = delay_T_by_w*t31;
+    const double slope_by_x2_1 = -t33*t38 - t37;
+    const double slope_by_x1_1 = k1*t38 + t37;
     /* back through: functions of T in free */
-    const double t37 = p1*y;
-    const double t38 = p2*y;
-    const double t39 = -t8*t9;
-    const double t40 = p2*slope_by_carried_x1_1_by_w;
-    const double t41 = slope_by_x1_1*u;
-    const double t42 = p3*u;
-    const double t43 = slope_by_x2_1*t42;
-    const double slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t37) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(omega2*t38 - t22) + t39*t41 - t40*t8 - t43*t8;
-    const double t44 = 3*p1;
-    const double t45 = p2*slope_by_carried_x1_1_by_y;
-    const double t46 = slope_by_v1_1*u;
-    const double t47 = delay_T_by_y*t42;
-    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t38 - t9) + slope_by_x2_1*(-p3 + t37) + t44 - t45 - t46*t9 - t47 - 1;
-    const double t48 = -t9*y;
-    const double t49 = p1*t6;
-    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t48 - t25) + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*(-omega1*t38 - t21) + t40*t6 + t41*t49 + t43*t6;
-    const double slope_by_cos_omega1_T = p1*t46 + slope_by_x1_1*(p1 + t38) + slope_by_x2_1*(p3 + t48) - t44 + t45 + t47 + 2;
-    /* outputs */
-    const double t50 = p3*sin_omega1_T;
-    const double t51 = sin_omega1_T*slope_by_cos_omega1_T;
-    const double t52 = (1.0/(omega1*omega1));
-    const double t53 = t52*t7;
-    const double t54 = slope_by_x2_1*u;
-    const double t55 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t51 + delay_T_by_y*(-sin_omega1_T*t48 - t50) - sin_omega1_T*t40*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(-sin_omega1_T*t38 - t7) - t41*t53 - t50*t52*t54;
-    const double t56 = sin_omega2_T*slope_by_cos_omega2_T;
-    const double t57 = (1.0/(omega2*omega2));
-    const double t58 = t11*t57;
-    const double t59 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t56 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t37) + sin_omega2_T*t40*t57 - slope_by_carried_x1_1_by_u*t58 + slope_by_v1_1*(sin_omega2_T*t38 - t11) + t15*t54*t57 - t41*t58;
-    const double t60 = sin_omega1_T*t6 - t26;
-    const double t61 = cos_omega1_T - cos_omega2_T;
-    const double t62 = -t19 + t23 + t61*u;
-    const double t63 = t60*u + t61;
-    const double t64 = t19 - t23;
-    const double t65 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t64*y + slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*t62 + slope_by_x1_1*t63 - slope_by_x2_1*t61*y;
-    const double t66 = slope_by_carried_x1_1_by_w*t60 + slope_by_carried_x1_1_by_y*t61 - slope_by_v1_1*t64*y + slope_by_x1_1*t61*y;
-    const double t67 = delay_T_by_y*t62 + slope_by_x2_1*t63;
-    const double t68 = k1/(m1*m1);
-    const double t69 = (1.0/(m2*m2));
-    trace_gradient[0] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
-    trace_gradient[1] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
-    trace_gradient[2] = -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t55 + omega2_by_m1*t59 + p1_by_m1*t65 + p2_by_m1*t66 + p3_by_m1*t67;
-    trace_gradient[3] = delay_T_by_w*(-k1*t69*x1_1 + t30*t69*x2_1) + omega1_by_m2*t55 + omega2_by_m2*t59 + p1_by_m2*t65 + p2_by_m2*t66 + p3_by_m2*t67;
-    trace_gradient[4] = -delay_T_by_u*(t32*x2_1 - t33) + delay_T_by_w*(t29 - t31) + omega1_by_k1*t55 + omega2_by_k1*t59 + p1_by_k1*t65 + p2_by_k1*t66 + p3_by_k1*t67;
-    trace_gradient[5] = -delay_T_by_w*t31 + omega1_by_k2*t55 + omega2_by_k2*t59 + p1_by_k2*t65 + p2_by_k2*t66 + p3_by_k2*t67;
-    trace_gradient[6] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t51 - omega2*t56;
+    const double t39 = p1*y;
+    const double t40 = p2*y;
+    const double t41 = -t8*t9;
+    const double t42 = p2*slope_by_carried_x1_1_by_w;
+    const double t43 = slope_by_x1_1*u;
+    const double t44 = p3*u;
+    const double t45 = slope_by_x2_1*t44;
+    const double slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t39) + slope_by_carried_x1_1_by_u*t41 + slope_by_v1_1*(omega2*t40 - t22) + t41*t43 - t42*t8 - t45*t8;
+    const double t46 = 3*p1;
+    const double t47 = p2*slope_by_carried_x1_1_by_y;
+    const double t48 = slope_by_v1_1*u;
+    const double t49 = delay_T_by_y*t44;
+    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t40 - t9) + slope_by_x2_1*(-p3 + t39) + t46 - t47 - t48*t9 - t49 - 1;
+    const double t50 = -t9*y;
+    const double t51 = p1*t6;
+    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t50 - t25) + slope_by_carried_x1_1_by_u*t51 + slope_by_v1_1*(-omega1*t40 - t21) + t42*t6 + t43*t51 + t45*t6;
+    const double slope_by_cos_omega1_T = p1*t48 + slope_by_x1_1*(p1 + t40) + slope_by_x2_1*(p3 + t50) - t46 + t47 + t49 + 2;
+    /* trace_gradient */
+    const double t52 = p3*sin_omega1_T;
+    const double t53 = sin_omega1_T*slope_by_cos_omega1_T;
+    const double t54 = (1.0/(omega1*omega1));
+    const double t55 = t54*t7;
+    const double t56 = slope_by_x2_1*u;
+    const double t57 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t53 + delay_T_by_y*(-sin_omega1_T*t50 - t52) - sin_omega1_T*t42*t54 - slope_by_carried_x1_1_by_u*t55 + slope_by_v1_1*(-sin_omega1_T*t40 - t7) - t43*t55 - t52*t54*t56;
+    const double t58 = sin_omega2_T*slope_by_cos_omega2_T;
+    const double t59 = (1.0/(omega2*omega2));
+    const double t60 = t11*t59;
+    const double t61 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t58 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t39) + sin_omega2_T*t42*t59 - slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*(sin_omega2_T*t40 - t11) + t15*t56*t59 - t43*t60;
+    const double t62 = sin_omega1_T*t6 - t26;
+    const double t63 = cos_omega1_T - cos_omega2_T;
+    const double t64 = -t19 + t23 + t63*u;
+    const double t65 = t62*u + t63;
+    const double t66 = t19 - t23;
+    const double t67 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t66*y + slope_by_carried_x1_1_by_u*t62 + slope_by_v1_1*t64 + slope_by_x1_1*t65 - slope_by_x2_1*t63*y;
+    const double t68 = slope_by_carried_x1_1_by_w*t62 + slope_by_carried_x1_1_by_y*t63 - slope_by_v1_1*t66*y + slope_by_x1_1*t63*y;
+    const double t69 = delay_T_by_y*t64 + slope_by_x2_1*t65;
+    const double t70 = k1/(m1*m1);
+    const double t71 = (1.0/(m2*m2));
+    if (trace_gradient) {
+        trace_gradient[0] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
+        trace_gradient[1] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
+        trace_gradient[2] = -delay_T_by_u*(t70*x1_1 - t70*x2_1) + omega1_by_m1*t57 + omega2_by_m1*t61 + p1_by_m1*t67 + p2_by_m1*t68 + p3_by_m1*t69;
+        trace_gradient[3] = delay_T_by_w*(-k1*t71*x1_1 + t33*t71*x2_1) + omega1_by_m2*t57 + omega2_by_m2*t61 + p1_by_m2*t67 + p2_by_m2*t68 + p3_by_m2*t69;
+        trace_gradient[4] = -delay_T_by_u*(t28*x2_1 - t29) + delay_T_by_w*(t32 - t34) + omega1_by_k1*t57 + omega2_by_k1*t61 + p1_by_k1*t67 + p2_by_k1*t68 + p3_by_k1*t69;
+        trace_gradient[5] = -delay_T_by_w*t34 + omega1_by_k2*t57 + omega2_by_k2*t61 + p1_by_k2*t67 + p2_by_k2*t68 + p3_by_k2*t69;
+        trace_gradient[6] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t53 - omega2*t58;
+    }
 }
 
-/* State at the start and behind each transition, row by row.
- * Takes parameters (5), spectrum (7), unknowns (2); gives states (2, 4), row by row.
- * Operations: 62. Intermediate terms: 18. */
-void rigid_stop_one_impact_states(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double states[8])
+/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
+ * Takes parameters (5), spectrum (7), unknowns (2); gives states (2, 4), coefficients (6), frequencies (2), poincare_jacobian (3, 3), saltations (4, 4), monodromy (4, 4), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 152. Intermediate terms: 93. */
+void rigid_stop_one_impact_passage(
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy)
 {
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
     const double T = parameters[4];
     const double omega1 = spectrum[1];
     const double omega2 = spectrum[2];
@@ -1272,51 +698,180 @@ void rigid_stop_one_impact_states(
     const double sin_omega2_T = sin(t1);
     /* free for T, until first-reaches-stop */
     const double t2 = (1.0/(omega1));
-    const double t3 = 1 - p1;
-    const double t4 = sin_omega2_T/omega2;
-    const double t5 = cos_omega1_T*p1 + cos_omega2_T*t3;
-    const double x1_1 = t5 + u*(p1*sin_omega1_T*t2 + t3*t4) + y*(cos_omega1_T*p2 - cos_omega2_T*p2);
-    const double t6 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t6 + u*(p3*sin_omega1_T*t2 - p3*t4) + y*(cos_omega1_T*t3 + cos_omega2_T*p1);
-    const double t7 = omega1*sin_omega1_T;
-    const double t8 = omega2*sin_omega2_T;
-    const double v1_1 = -p1*t7 - t3*t8 + t5*u + y*(omega2*p2*sin_omega2_T - p2*t7);
-    const double v2_1 = -p3*t7 + p3*t8 + t6*u + y*(-p1*t8 - t3*t7);
+    const double t3 = sin_omega1_T*t2;
+    const double t4 = p1 - 1;
+    const double t6 = (1.0/(omega2));
+    const double t7 = sin_omega2_T*t6;
+    const double t8 = p1*t3 - t4*t7;
+    const double t9 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t10 = cos_omega1_T*p1 - cos_omega2_T*t4;
+    const double x1_1 = t10 + t8*u + t9*y;
+    const double t11 = p3*sin_omega1_T*t2 - p3*t7;
+    const double t12 = -cos_omega1_T*t4 + cos_omega2_T*p1;
+    const double t13 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t11*u + t12*y + t13;
+    const double t14 = omega1*sin_omega1_T;
+    const double t15 = omega2*p2*sin_omega2_T - p2*t14;
+    const double t16 = omega2*sin_omega2_T;
+    const double t17 = p1*t14 - t16*t4;
+    const double v1_1 = t10*u + t15*y - t17;
+    const double t18 = -p1*t16 + t14*t4;
+    const double t19 = p3*t14;
+    const double v2_1 = p3*t16 + t13*u + t18*y - t19;
     /* transition to free */
     const double v1_1_reset = -v1_1;
-    states[0] = 1;
-    states[1] = y;
-    states[2] = u;
-    states[3] = 0;
-    states[4] = x1_1;
-    states[5] = x2_1;
-    states[6] = v1_1_reset;
-    states[7] = v2_1;
-}
-
-/* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
- * Takes parameters (5), spectrum (7), unknowns (2); gives coefficients (6), frequencies (2), row by row.
- * Operations: 9. Intermediate terms: 1. */
-void rigid_stop_one_impact_boundary_functions(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double coefficients[6], double frequencies[2])
-{
-    (void)parameters;
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    /* outputs */
-    const double t0 = p1 + p2*y;
-    coefficients[0] = -1;
-    coefficients[1] = 0;
-    coefficients[2] = t0;
-    coefficients[3] = 1 - t0;
-    coefficients[4] = p1*u/omega1;
-    coefficients[5] = u*(1 - p1)/omega2;
-    frequencies[0] = omega1;
-    frequencies[1] = omega2;
+    if (states) {
+        states[0] = 1;
+        states[1] = y;
+        states[2] = u;
+        states[3] = 0;
+        states[4] = x1_1;
+        states[5] = x2_1;
+        states[6] = v1_1_reset;
+        states[7] = v2_1;
+    }
+    if (!coefficients && !frequencies && !poincare_jacobian && !saltations && !monodromy)
+        return;
+    /* coefficients */
+    const double t30 = p2*y;
+    if (coefficients) {
+        coefficients[0] = -1;
+        coefficients[1] = 0;
+        coefficients[2] = p1 + t30;
+        coefficients[3] = -t30 - t4;
+        coefficients[4] = p1*t2*u;
+        coefficients[5] = -t4*t6*u;
+    }
+    if (!frequencies && !poincare_jacobian && !saltations && !monodromy)
+        return;
+    if (frequencies) {
+        frequencies[0] = omega1;
+        frequencies[1] = omega2;
+    }
+    if (!poincare_jacobian && !saltations && !monodromy)
+        return;
+    /* Phi along T */
+    const double carried_x1_1_by_y = t9;
+    const double carried_x1_1_by_u = t8;
+    const double carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t7;
+    const double carried_x2_1_by_y = t12;
+    const double carried_x2_1_by_u = t11;
+    const double carried_x2_1_by_w = p1*t7 - t3*t4;
+    const double carried_v1_1_by_y = t15;
+    const double carried_v1_1_by_u = t10;
+    const double carried_v1_1_by_w = t9;
+    const double carried_v2_1_by_y = t18;
+    const double carried_v2_1_by_u = t13;
+    const double carried_v2_1_by_w = t12;
+    /* derivatives of the time to the boundary after T */
+    const double t22 = (1.0/(v1_1));
+    const double delay_T_by_y = -carried_x1_1_by_y*t22;
+    const double delay_T_by_u = -carried_x1_1_by_u*t22;
+    const double delay_T_by_w = -carried_x1_1_by_w*t22;
+    /* perturbation on the boundary after T */
+    const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
+    const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1;
+    const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1;
+    const double t23 = (1.0/(m1));
+    const double t24 = -k1*t23*x1_1 + k1*t23*x2_1;
+    const double v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t24;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t24;
+    const double v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t24;
+    const double t25 = (1.0/(m2));
+    const double t26 = k1*t25*x1_1 - t25*x2_1*(k1 + k2);
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t26;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t26;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t26;
+    if (poincare_jacobian) {
+        poincare_jacobian[0] = x2_1_on_boundary_by_y;
+        poincare_jacobian[1] = x2_1_on_boundary_by_u;
+        poincare_jacobian[2] = x2_1_on_boundary_by_w;
+        poincare_jacobian[3] = v1_1_on_boundary_by_y;
+        poincare_jacobian[4] = v1_1_on_boundary_by_u;
+        poincare_jacobian[5] = v1_1_on_boundary_by_w;
+        poincare_jacobian[6] = v2_1_on_boundary_by_y;
+        poincare_jacobian[7] = v2_1_on_boundary_by_u;
+        poincare_jacobian[8] = v2_1_on_boundary_by_w;
+    }
+    if (!saltations && !monodromy)
+        return;
+    /* vector fields at transition 1 */
+    const double before_v1_1 = t24;
+    const double before_v2_1 = t26;
+    const double behind_v1_1 = t24;
+    const double behind_v2_1 = t26;
+    /* saltations */
+    const double t27 = t22*(-v1_1 + v1_1_reset) + 1;
+    const double t28 = t22*(before_v1_1 + behind_v1_1);
+    const double t29 = t22*(-before_v2_1 + behind_v2_1);
+    if (saltations) {
+        saltations[0] = t27;
+        saltations[1] = 0;
+        saltations[2] = 0;
+        saltations[3] = 0;
+        saltations[4] = 0;
+        saltations[5] = 1;
+        saltations[6] = 0;
+        saltations[7] = 0;
+        saltations[8] = t28;
+        saltations[9] = 0;
+        saltations[10] = -1;
+        saltations[11] = 0;
+        saltations[12] = t29;
+        saltations[13] = 0;
+        saltations[14] = 0;
+        saltations[15] = 1;
+    }
+    if (!monodromy)
+        return;
+    /* Phi of phase 1 */
+    const double phi_1_00 = t10;
+    const double phi_1_01 = t9;
+    const double phi_1_02 = t8;
+    const double phi_1_03 = carried_x1_1_by_w;
+    const double phi_1_10 = t13;
+    const double phi_1_11 = t12;
+    const double phi_1_12 = t11;
+    const double phi_1_13 = carried_x2_1_by_w;
+    const double phi_1_20 = -t17;
+    const double phi_1_21 = t15;
+    const double phi_1_22 = t10;
+    const double phi_1_23 = t9;
+    const double phi_1_30 = omega2*p3*sin_omega2_T - t19;
+    const double phi_1_31 = t18;
+    const double phi_1_32 = t13;
+    const double phi_1_33 = t12;
+    /* saltation of phase 1 */
+    const double saltation_1_00 = phi_1_00*t27;
+    const double saltation_1_01 = phi_1_01*t27;
+    const double saltation_1_02 = phi_1_02*t27;
+    const double saltation_1_03 = phi_1_03*t27;
+    const double saltation_1_20 = phi_1_00*t28 - phi_1_20;
+    const double saltation_1_21 = phi_1_01*t28 - phi_1_21;
+    const double saltation_1_22 = phi_1_02*t28 - phi_1_22;
+    const double saltation_1_23 = phi_1_03*t28 - phi_1_23;
+    const double saltation_1_30 = phi_1_00*t29 + phi_1_30;
+    const double saltation_1_31 = phi_1_01*t29 + phi_1_31;
+    const double saltation_1_32 = phi_1_02*t29 + phi_1_32;
+    const double saltation_1_33 = phi_1_03*t29 + phi_1_33;
+    if (monodromy) {
+        monodromy[0] = saltation_1_00;
+        monodromy[1] = saltation_1_01;
+        monodromy[2] = saltation_1_02;
+        monodromy[3] = saltation_1_03;
+        monodromy[4] = phi_1_10;
+        monodromy[5] = phi_1_11;
+        monodromy[6] = phi_1_12;
+        monodromy[7] = phi_1_13;
+        monodromy[8] = saltation_1_20;
+        monodromy[9] = saltation_1_21;
+        monodromy[10] = saltation_1_22;
+        monodromy[11] = saltation_1_23;
+        monodromy[12] = saltation_1_30;
+        monodromy[13] = saltation_1_31;
+        monodromy[14] = saltation_1_32;
+        monodromy[15] = saltation_1_33;
+    }
 }
 
 /* State after a time in free.
@@ -1336,7 +891,7 @@ void rigid_stop_one_impact_flow_free(
     const double x2 = state[1];
     const double v1 = state[2];
     const double v2 = state[3];
-    /* outputs */
+    /* state_after */
     const double t0 = (1.0/(omega1));
     const double t1 = omega1*t;
     const double t2 = sin(t1);
@@ -1359,11 +914,12 @@ void rigid_stop_one_impact_flow_free(
     state_after[3] = t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4);
 }
 
-/* All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
+/* All unknowns; how singular the linear equations for them are: 0 if they are.
  * Takes parameters (5), spectrum (7); gives unknowns (2), determinants (1), row by row.
+ * An output that is NULL is not wanted.
  * Operations: 76. Intermediate terms: 28. */
-void rigid_stop_one_impact_expand(
-    const double parameters[5], const double spectrum[7], double unknowns[2], double determinants[1])
+void rigid_stop_one_impact_reduced(
+    const double parameters[5], const double spectrum[7], double *unknowns, double *determinants)
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -1400,16 +956,22 @@ void rigid_stop_one_impact_expand(
     const double t5 = (1.0/(determinant));
     const double y = numerator1*t5;
     const double u = numerator2*t5;
-    /* outputs */
+    if (unknowns) {
+        unknowns[0] = y;
+        unknowns[1] = u;
+    }
+    if (!determinants)
+        return;
+    /* determinants */
     const double t6 = (p1*p1);
     const double t7 = (half_T*half_T);
     const double t8 = 2*t7;
     const double t9 = (omega2*omega2*omega2*omega2)*t8/((omega2*omega2)*t7 + 1);
     const double t10 = (omega1*omega1*omega1*omega1)*t8/((omega1*omega1)*t7 + 1);
     const double t11 = (p2*p2);
-    unknowns[0] = y;
-    unknowns[1] = u;
-    determinants[0] = determinant/(sqrt(2*(p3*p3) + t10*(t3*t3) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t3*t3) + t6));
+    if (determinants) {
+        determinants[0] = determinant/(sqrt(2*(p3*p3) + t10*(t3*t3) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t3*t3) + t6));
+    }
 }
 
 /* Newton's method on the reduced equations for `count` points.
@@ -1519,7 +1081,7 @@ void rigid_stop_one_impact_solve(
             const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t19*x1_1 + k1*t19*x2_1);
             const double t20 = (1.0/(m2));
             const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t20*x1_1 - t20*x2_1*(k1 + k2));
-            /* outputs */
+            /* determinants */
             const double t21 = (p1*p1);
             const double t22 = (half_T*half_T);
             const double t23 = 2*t22;
@@ -1599,7 +1161,7 @@ void rigid_stop_one_impact_admissible(
         const double durations[] = {p[4]};
         double spectral[7], derivatives[28], coefficients[6], frequencies[2];
         rigid_stop_spectrum(q, spectral, derivatives);
-        rigid_stop_one_impact_boundary_functions(p, spectral, u, coefficients, frequencies);
+        rigid_stop_one_impact_passage(p, spectral, u, NULL, coefficients, frequencies, NULL, NULL, NULL);
         /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {u[0], u[1]};
         double size = 0.0, missed = 0.0;
@@ -1826,6 +1388,10 @@ void rigid_stop_one_impact_directions(
             nonsmooth_sincos(t3, &sine_1, &cosine_1);
             const double cos_omega2_half_T = cosine_1;
             const double sin_omega2_half_T = sine_1;
+            /* jacobian */
+            const double t16 = omega1*sin_omega1_half_T;
+            const double t17 = p1 - 1;
+            const double t18 = omega2*sin_omega2_half_T;
             /* d/dm1 of: functions of half_T in free */
             const double t6 = half_T*omega1_by_m1;
             const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
@@ -1861,10 +1427,7 @@ void rigid_stop_one_impact_directions(
             const double t15 = (1.0/2.0)*omega2;
             const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t15;
             const double sin_omega2_half_T_by_T = cos_omega2_half_T*t15;
-            /* outputs */
-            const double t16 = omega1*sin_omega1_half_T;
-            const double t17 = p1 - 1;
-            const double t18 = omega2*sin_omega2_half_T;
+            /* parameter_jacobian */
             const double t19 = cos_omega1_half_T*u - cos_omega2_half_T*u - t16 + t18;
             const double t20 = -omega2*sin_omega2_half_T*y + t16*y;
             const double t22 = p1*u;
@@ -2015,7 +1578,7 @@ void rigid_stop_one_impact_directions(
             const double t49 = p1*t6;
             const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t48 - t25) + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*(-omega1*t38 - t21) + t40*t6 + t41*t49 + t43*t6;
             const double slope_by_cos_omega1_T = p1*t46 + slope_by_x1_1*(p1 + t38) + slope_by_x2_1*(p3 + t48) - t44 + t45 + t47 + 2;
-            /* outputs */
+            /* trace_gradient */
             const double t50 = p3*sin_omega1_T;
             const double t51 = sin_omega1_T*slope_by_cos_omega1_T;
             const double t52 = (1.0/(omega1*omega1));

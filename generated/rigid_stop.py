@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 76fb1bebde21ace6
+# SymPy 1.14.0, derivation 90747bf74ee5ccb4
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "76fb1bebde21ace6"
+DERIVATION = "90747bf74ee5ccb4"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -149,28 +149,30 @@ ORBITS = {'one-impact': {'derived': True,
                                              'T': '2*pi'},
                               'guess': {'y': '0.162', 'u': '-0.372'}}}}
 
-KERNELS = {'spectrum': ([(4,)], [(7,), (7, 4)]),
- 'flow_free': ([(5,), (7,), (), (4,)], [(4,)]),
- 'flow_contact': ([(5,), (7,), (), (4,)], [(4,)]),
- 'fields': ([(5,)], [(8, 5)]),
- 'rows': ([(5,)], [(5, 5)]),
- 'resets': ([(5,)], [(12, 5)]),
- 'modes': ([(5,), (7,)], [(5, 2), (36, 5)]),
- 'one_impact_residual': ([(5,), (7,), (2,)], [(2,)]),
- 'one_impact_jacobian': ([(5,), (7,), (2,)], [(2, 2)]),
- 'one_impact_residual_and_jacobian': ([(5,), (7,), (2,)], [(2,), (2, 2)]),
- 'one_impact_parameter_jacobian': ([(5,), (7,), (7, 4), (2,)], [(2, 5)]),
- 'one_impact_poincare_jacobian': ([(5,), (7,), (2,)], [(3, 3)]),
- 'one_impact_saltations': ([(5,), (7,), (2,)], [(4, 4)]),
- 'one_impact_monodromy': ([(5,), (7,), (2,)], [(4, 4)]),
- 'one_impact_trace': ([(5,), (7,), (2,)], [()]),
- 'one_impact_trace_gradient': ([(5,), (7,), (7, 4), (2,)], [(7,)]),
- 'one_impact_states': ([(5,), (7,), (2,)], [(2, 4)]),
- 'one_impact_boundary_functions': ([(5,), (7,), (2,)], [(6,), (2,)]),
- 'one_impact_flow_free': ([(5,), (7,), (), (4,)], [(4,)]),
- 'one_impact_expand': ([(5,), (7,)], [(2,), (1,)])}
+KERNELS = {'spectrum': ([((4,), 0)], [('spectrum', (7,)), ('derivatives', (7, 4))]),
+ 'flow_free': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
+ 'flow_contact': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
+ 'fields': ([((5,), 0)], [('fields', (8, 5))]),
+ 'rows': ([((5,), 0)], [('rows', (5, 5))]),
+ 'resets': ([((5,), 0)], [('resets', (12, 5))]),
+ 'modes': ([((5,), 0), ((7,), 0)], [('exponents', (5, 2)), ('coefficients', (36, 5))]),
+ 'one_impact_equations': ([((5,), 0), ((7,), 0), ((2,), 0), ((7, 4), 2)],
+                          [('residual', (2,)),
+                           ('jacobian', (2, 2)),
+                           ('parameter_jacobian', (2, 5))]),
+ 'one_impact_trace': ([((5,), 0), ((7,), 0), ((2,), 0), ((7, 4), 1)],
+                      [('trace', ()), ('trace_gradient', (7,))]),
+ 'one_impact_passage': ([((5,), 0), ((7,), 0), ((2,), 0)],
+                        [('states', (2, 4)),
+                         ('coefficients', (6,)),
+                         ('frequencies', (2,)),
+                         ('poincare_jacobian', (3, 3)),
+                         ('saltations', (4, 4)),
+                         ('monodromy', (4, 4))]),
+ 'one_impact_flow_free': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
+ 'one_impact_reduced': ([((5,), 0), ((7,), 0)], [('unknowns', (2,)), ('determinants', (1,))])}
 
-def spectrum(parameters, lib):
+def spectrum(parameters, *, lib, outputs=2):
     """Frequencies and projector coefficients, with their derivatives by the parameters.
 
     Takes parameters (4): k1, k2, m1, m2.
@@ -205,6 +207,9 @@ def spectrum(parameters, lib):
     p3 = -k1*t16
     t17 = lib.sqrt(t3)
     omega3 = t10*t17
+    spectrum = [gap1, omega1, omega2, p1, p2, p3, omega3]
+    if outputs == 1:
+        return spectrum
     # d/dk1 of: spectrum
     gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2))
     t18 = gap1_by_k1/2
@@ -254,13 +259,11 @@ def spectrum(parameters, lib):
     p2_by_m2 = t1*t36
     p3_by_m2 = k1*t14*t32 + t27*t36
     omega3_by_m2 = -t17*t35/2
-    return (
-        [gap1, omega1, omega2, p1, p2, p3, omega3],
-        [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m2]],
-    )
+    derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m2]]
+    return spectrum, derivatives
 
 
-def flow_free(parameters, spectrum, time, state, lib):
+def flow_free(parameters, spectrum, time, state, *, lib):
     """State after a time in free.
 
     Takes parameters (5): m1, m2, k1, k2, r.
@@ -273,7 +276,7 @@ def flow_free(parameters, spectrum, time, state, lib):
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = 1/omega1
     t1 = omega1*t
     t2 = lib.sin(t1)
@@ -293,7 +296,7 @@ def flow_free(parameters, spectrum, time, state, lib):
     return [t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14), t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4)]
 
 
-def flow_contact(parameters, spectrum, time, state, lib):
+def flow_contact(parameters, spectrum, time, state, *, lib):
     """State after a time in contact.
 
     Takes parameters (5): m1, m2, k1, k2, r.
@@ -307,7 +310,7 @@ def flow_contact(parameters, spectrum, time, state, lib):
     [_, _, _, _, _, _, omega3] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = 1/(k1 + k2)
     t1 = k1*t0
     t2 = omega3*t
@@ -319,7 +322,7 @@ def flow_contact(parameters, spectrum, time, state, lib):
     return [t*v1 + x1, t4*v2 + t5*x2 + t6*x1 + v1*(t*t1 - t1*t4), v1, t1*t7*x1 + t5*v2 + t6*v1 - t7*x2]
 
 
-def fields(parameters, lib):
+def fields(parameters, *, lib):
     """Vector fields of the configurations, one below the other, offsets last.
 
     Takes parameters (5): m1, m2, k1, k2, r.
@@ -327,7 +330,7 @@ def fields(parameters, lib):
     Operations: 7. Intermediate terms: 4.
     """
     [m1, m2, k1, k2, _] = parameters
-    # outputs
+    # fields
     t0 = k1/m1
     t1 = 1/m2
     t2 = k1*t1
@@ -335,7 +338,7 @@ def fields(parameters, lib):
     return [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-t0, t0, 0, 0, 0], [t2, t3, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [t2, t3, 0, 0, 0]]
 
 
-def rows(parameters, lib):
+def rows(parameters, *, lib):
     """Affine functions of the state: gradients, constants last.
 
     Takes parameters (5): m1, m2, k1, k2, r.
@@ -346,7 +349,7 @@ def rows(parameters, lib):
     return [[1, 0, 0, 0, -1], [k1, -k1, 0, 0, 0], [0, 0, 1, 0, 0], [-k1, k1, 0, 0, 0], [0, 0, 0, 0, 0]]
 
 
-def resets(parameters, lib):
+def resets(parameters, *, lib):
     """Affine resets of the state, one below the other, offsets last.
 
     Takes parameters (5): m1, m2, k1, k2, r.
@@ -357,7 +360,7 @@ def resets(parameters, lib):
     return [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, -r, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 1], [0, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 1, 0]]
 
 
-def modes(parameters, spectrum, lib):
+def modes(parameters, spectrum, *, lib, outputs=2):
     """Exponents of the modes; coefficients of their functions, offsets last.
 
     Takes parameters (5): m1, m2, k1, k2, r.
@@ -368,129 +371,38 @@ def modes(parameters, spectrum, lib):
     """
     [_, _, k1, k2, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
-    # outputs
+    exponents = [[0, 0], [0, omega1], [0, omega2], [0, 0], [0, omega3]]
+    if outputs == 1:
+        return exponents
+    # coefficients
     t0 = 1 - p1
     t1 = 1/omega1
     t4 = 1/omega2
     t5 = k1/(k1 + k2)
     t7 = 1/omega3
-    return (
-        [[0, 0], [0, omega1], [0, omega2], [0, 0], [0, omega3]],
-        [[0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, 0], [p3, t0, 0, 0, 0], [0, 0, p1, p2, 0], [0, 0, p3, t0, 0], [0, 0, p1*t1, p2*t1, 0], [0, 0, p3*t1, t0*t1, 0], [-omega1*p1, -omega1*p2, 0, 0, 0], [-omega1*p3, -omega1*t0, 0, 0, 0], [t0, -p2, 0, 0, 0], [-p3, p1, 0, 0, 0], [0, 0, t0, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t0*t4, -p2*t4, 0], [0, 0, -p3*t4, p1*t4, 0], [-omega2*t0, omega2*p2, 0, 0, 0], [omega2*p3, -omega2*p1, 0, 0, 0], [1, 0, 0, 0, 0], [t5, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-t5, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, -t5, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t5*t7, t7, 0], [0, 0, 0, 0, 0], [omega3*t5, -omega3, 0, 0, 0]],
-    )
+    coefficients = [[0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, 0], [p3, t0, 0, 0, 0], [0, 0, p1, p2, 0], [0, 0, p3, t0, 0], [0, 0, p1*t1, p2*t1, 0], [0, 0, p3*t1, t0*t1, 0], [-omega1*p1, -omega1*p2, 0, 0, 0], [-omega1*p3, -omega1*t0, 0, 0, 0], [t0, -p2, 0, 0, 0], [-p3, p1, 0, 0, 0], [0, 0, t0, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t0*t4, -p2*t4, 0], [0, 0, -p3*t4, p1*t4, 0], [-omega2*t0, omega2*p2, 0, 0, 0], [omega2*p3, -omega2*p1, 0, 0, 0], [1, 0, 0, 0, 0], [t5, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-t5, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, -t5, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t5*t7, t7, 0], [0, 0, 0, 0, 0], [omega3*t5, -omega3, 0, 0, 0]]
+    return exponents, coefficients
 
 
-def one_impact_residual(parameters, spectrum, unknowns, lib):
-    """Switching and periodicity equations.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (2): y, u.
-    Gives residual (2).
-    Operations: 34. Intermediate terms: 13.
-    """
-    [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [y, u] = unknowns
-    # half of T
-    half_T = T/2
-    # functions of half_T in free
-    t0 = half_T*omega1
-    cos_omega1_half_T = lib.cos(t0)
-    sin_omega1_half_T = lib.sin(t0)
-    t1 = half_T*omega2
-    cos_omega2_half_T = lib.cos(t1)
-    sin_omega2_half_T = lib.sin(t1)
-    # outputs
-    t2 = cos_omega1_half_T*u
-    t3 = p2*y
-    t4 = p1 - 1
-    t5 = omega2*sin_omega2_half_T
-    t6 = cos_omega2_half_T*u
-    t7 = omega1*sin_omega1_half_T
-    return [p1*t2 - t4*t6 + t5*(t3 + t4) - t7*(p1 + t3), p3*t2 - p3*t6 - t5*(p1*y - p3) + t7*(p1*y - p3 - y)]
-
-
-def one_impact_jacobian(parameters, spectrum, unknowns, lib):
-    """Derivatives of the equations by the unknowns.
+def one_impact_equations(parameters, spectrum, unknowns, spectrum_derivatives=None, *, lib, outputs=3):
+    """Switching and periodicity equations; their derivatives by the unknowns; those by the
+    parameters, in total, through the spectrum too.
 
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
-    Gives jacobian (2, 2).
-    Operations: 23. Intermediate terms: 9.
-    """
-    [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    # half of T
-    half_T = T/2
-    # functions of half_T in free
-    t0 = half_T*omega1
-    cos_omega1_half_T = lib.cos(t0)
-    sin_omega1_half_T = lib.sin(t0)
-    t1 = half_T*omega2
-    cos_omega2_half_T = lib.cos(t1)
-    sin_omega2_half_T = lib.sin(t1)
-    # outputs
-    t2 = omega1*sin_omega1_half_T
-    t3 = p1 - 1
-    return [[omega2*p2*sin_omega2_half_T - p2*t2, cos_omega1_half_T*p1 - cos_omega2_half_T*t3], [-omega2*p1*sin_omega2_half_T + t2*t3, cos_omega1_half_T*p3 - cos_omega2_half_T*p3]]
-
-
-def one_impact_residual_and_jacobian(parameters, spectrum, unknowns, lib):
-    """Equations and their derivatives by the unknowns, sharing all intermediate terms.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (2): y, u.
-    Gives residual (2).
-    Gives jacobian (2, 2).
-    Operations: 45. Intermediate terms: 15.
-    """
-    [_, _, _, _, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [y, u] = unknowns
-    # half of T
-    half_T = T/2
-    # functions of half_T in free
-    t0 = half_T*omega1
-    cos_omega1_half_T = lib.cos(t0)
-    sin_omega1_half_T = lib.sin(t0)
-    t1 = half_T*omega2
-    cos_omega2_half_T = lib.cos(t1)
-    sin_omega2_half_T = lib.sin(t1)
-    # outputs
-    t2 = cos_omega1_half_T*p1
-    t3 = p2*y
-    t4 = p1 - 1
-    t5 = omega2*sin_omega2_half_T
-    t6 = cos_omega2_half_T*t4
-    t7 = omega1*sin_omega1_half_T
-    t8 = cos_omega1_half_T*p3
-    t9 = cos_omega2_half_T*p3
-    return (
-        [t2*u + t5*(t3 + t4) - t6*u - t7*(p1 + t3), -t5*(p1*y - p3) + t7*(p1*y - p3 - y) + t8*u - t9*u],
-        [[omega2*p2*sin_omega2_half_T - p2*t7, t2 - t6], [-p1*t5 + t4*t7, t8 - t9]],
-    )
-
-
-def one_impact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, unknowns, lib):
-    """Total derivatives of the equations by the parameters, through the spectrum too.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes spectrum_derivatives (7, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
         omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2, omega2_by_k1, omega2_by_k2,
         omega2_by_m1, omega2_by_m2, p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2, p2_by_k1,
         p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2, omega3_by_k1,
-        omega3_by_k2, omega3_by_m1, omega3_by_m2.
-    Takes unknowns (2): y, u.
+        omega3_by_k2, omega3_by_m1, omega3_by_m2, for parameter_jacobian.
+    Gives residual (2).
+    Gives jacobian (2, 2).
     Gives parameter_jacobian (2, 5).
-    Operations: 212. Intermediate terms: 57.
+    Operations: 239. Intermediate terms: 62.
     """
     [_, _, _, _, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
     [y, u] = unknowns
     # half of T
     half_T = T/2
@@ -501,6 +413,26 @@ def one_impact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, un
     t3 = half_T*omega2
     cos_omega2_half_T = lib.cos(t3)
     sin_omega2_half_T = lib.sin(t3)
+    # residual
+    t16 = cos_omega1_half_T*p1
+    t17 = p2*y
+    t18 = p1 - 1
+    t19 = t17 + t18
+    t20 = omega2*sin_omega2_half_T
+    t21 = cos_omega2_half_T*t18
+    t22 = p1 + t17
+    t23 = omega1*sin_omega1_half_T
+    t24 = cos_omega1_half_T*p3
+    t25 = p1*y - p3 - y
+    t26 = cos_omega2_half_T*p3
+    t27 = p1*y - p3
+    residual = [t16*u + t19*t20 - t21*u - t22*t23, -t20*t27 + t23*t25 + t24*u - t26*u]
+    if outputs == 1:
+        return residual
+    jacobian = [[omega2*p2*sin_omega2_half_T - p2*t23, t16 - t21], [-p1*t20 + t18*t23, t24 - t26]]
+    if outputs == 2:
+        return residual, jacobian
+    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
     # d/dm1 of: functions of half_T in free
     t6 = half_T*omega1_by_m1
     cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6
@@ -536,300 +468,42 @@ def one_impact_parameter_jacobian(parameters, spectrum, spectrum_derivatives, un
     t15 = omega2/2
     cos_omega2_half_T_by_T = -sin_omega2_half_T*t15
     sin_omega2_half_T_by_T = cos_omega2_half_T*t15
-    # outputs
-    t16 = omega1*sin_omega1_half_T
-    t17 = cos_omega1_half_T*u - cos_omega2_half_T*u + omega2*sin_omega2_half_T - t16
-    t18 = -omega2*sin_omega2_half_T*y + t16*y
-    t20 = p1*u
-    t21 = p2*y
-    t22 = p1 - 1
-    t23 = t21 + t22
-    t24 = sin_omega2_half_T*t23
-    t25 = omega2*t23
-    t26 = t22*u
-    t27 = p1 + t21
-    t28 = sin_omega1_half_T*t27
-    t29 = omega1*t27
-    t30 = p3*u
-    t31 = p1*y - p3 - y
-    t32 = sin_omega1_half_T*t31
-    t33 = omega1*t31
-    t34 = p1*y - p3
-    t35 = sin_omega2_half_T*t34
-    t36 = omega2*t34
-    return [[cos_omega1_half_T_by_m1*t20 - cos_omega2_half_T_by_m1*t26 - omega1_by_m1*t28 + omega2_by_m1*t24 + p1_by_m1*t17 - p2_by_m1*t18 - sin_omega1_half_T_by_m1*t29 + sin_omega2_half_T_by_m1*t25, cos_omega1_half_T_by_m2*t20 - cos_omega2_half_T_by_m2*t26 - omega1_by_m2*t28 + omega2_by_m2*t24 + p1_by_m2*t17 - p2_by_m2*t18 - sin_omega1_half_T_by_m2*t29 + sin_omega2_half_T_by_m2*t25, cos_omega1_half_T_by_k1*t20 - cos_omega2_half_T_by_k1*t26 - omega1_by_k1*t28 + omega2_by_k1*t24 + p1_by_k1*t17 - p2_by_k1*t18 - sin_omega1_half_T_by_k1*t29 + sin_omega2_half_T_by_k1*t25, cos_omega1_half_T_by_k2*t20 - cos_omega2_half_T_by_k2*t26 - omega1_by_k2*t28 + omega2_by_k2*t24 + p1_by_k2*t17 - p2_by_k2*t18 - sin_omega1_half_T_by_k2*t29 + sin_omega2_half_T_by_k2*t25, cos_omega1_half_T_by_T*t20 - cos_omega2_half_T_by_T*t26 - sin_omega1_half_T_by_T*t29 + sin_omega2_half_T_by_T*t25], [cos_omega1_half_T_by_m1*t30 - cos_omega2_half_T_by_m1*t30 + omega1_by_m1*t32 - omega2_by_m1*t35 + p1_by_m1*t18 + p3_by_m1*t17 + sin_omega1_half_T_by_m1*t33 - sin_omega2_half_T_by_m1*t36, cos_omega1_half_T_by_m2*t30 - cos_omega2_half_T_by_m2*t30 + omega1_by_m2*t32 - omega2_by_m2*t35 + p1_by_m2*t18 + p3_by_m2*t17 + sin_omega1_half_T_by_m2*t33 - sin_omega2_half_T_by_m2*t36, cos_omega1_half_T_by_k1*t30 - cos_omega2_half_T_by_k1*t30 + omega1_by_k1*t32 - omega2_by_k1*t35 + p1_by_k1*t18 + p3_by_k1*t17 + sin_omega1_half_T_by_k1*t33 - sin_omega2_half_T_by_k1*t36, cos_omega1_half_T_by_k2*t30 - cos_omega2_half_T_by_k2*t30 + omega1_by_k2*t32 - omega2_by_k2*t35 + p1_by_k2*t18 + p3_by_k2*t17 + sin_omega1_half_T_by_k2*t33 - sin_omega2_half_T_by_k2*t36, cos_omega1_half_T_by_T*t30 - cos_omega2_half_T_by_T*t30 + sin_omega1_half_T_by_T*t33 - sin_omega2_half_T_by_T*t36]]
+    # parameter_jacobian
+    t28 = cos_omega1_half_T*u - cos_omega2_half_T*u + t20 - t23
+    t29 = -omega2*sin_omega2_half_T*y + t23*y
+    t31 = p1*u
+    t32 = sin_omega2_half_T*t19
+    t33 = omega2*t19
+    t34 = t18*u
+    t35 = sin_omega1_half_T*t22
+    t36 = omega1*t22
+    t37 = p3*u
+    t38 = sin_omega1_half_T*t25
+    t39 = omega1*t25
+    t40 = sin_omega2_half_T*t27
+    t41 = omega2*t27
+    parameter_jacobian = [[cos_omega1_half_T_by_m1*t31 - cos_omega2_half_T_by_m1*t34 - omega1_by_m1*t35 + omega2_by_m1*t32 + p1_by_m1*t28 - p2_by_m1*t29 - sin_omega1_half_T_by_m1*t36 + sin_omega2_half_T_by_m1*t33, cos_omega1_half_T_by_m2*t31 - cos_omega2_half_T_by_m2*t34 - omega1_by_m2*t35 + omega2_by_m2*t32 + p1_by_m2*t28 - p2_by_m2*t29 - sin_omega1_half_T_by_m2*t36 + sin_omega2_half_T_by_m2*t33, cos_omega1_half_T_by_k1*t31 - cos_omega2_half_T_by_k1*t34 - omega1_by_k1*t35 + omega2_by_k1*t32 + p1_by_k1*t28 - p2_by_k1*t29 - sin_omega1_half_T_by_k1*t36 + sin_omega2_half_T_by_k1*t33, cos_omega1_half_T_by_k2*t31 - cos_omega2_half_T_by_k2*t34 - omega1_by_k2*t35 + omega2_by_k2*t32 + p1_by_k2*t28 - p2_by_k2*t29 - sin_omega1_half_T_by_k2*t36 + sin_omega2_half_T_by_k2*t33, cos_omega1_half_T_by_T*t31 - cos_omega2_half_T_by_T*t34 - sin_omega1_half_T_by_T*t36 + sin_omega2_half_T_by_T*t33], [cos_omega1_half_T_by_m1*t37 - cos_omega2_half_T_by_m1*t37 + omega1_by_m1*t38 - omega2_by_m1*t40 + p1_by_m1*t29 + p3_by_m1*t28 + sin_omega1_half_T_by_m1*t39 - sin_omega2_half_T_by_m1*t41, cos_omega1_half_T_by_m2*t37 - cos_omega2_half_T_by_m2*t37 + omega1_by_m2*t38 - omega2_by_m2*t40 + p1_by_m2*t29 + p3_by_m2*t28 + sin_omega1_half_T_by_m2*t39 - sin_omega2_half_T_by_m2*t41, cos_omega1_half_T_by_k1*t37 - cos_omega2_half_T_by_k1*t37 + omega1_by_k1*t38 - omega2_by_k1*t40 + p1_by_k1*t29 + p3_by_k1*t28 + sin_omega1_half_T_by_k1*t39 - sin_omega2_half_T_by_k1*t41, cos_omega1_half_T_by_k2*t37 - cos_omega2_half_T_by_k2*t37 + omega1_by_k2*t38 - omega2_by_k2*t40 + p1_by_k2*t29 + p3_by_k2*t28 + sin_omega1_half_T_by_k2*t39 - sin_omega2_half_T_by_k2*t41, cos_omega1_half_T_by_T*t37 - cos_omega2_half_T_by_T*t37 + sin_omega1_half_T_by_T*t39 - sin_omega2_half_T_by_T*t41]]
+    return residual, jacobian, parameter_jacobian
 
 
-def one_impact_poincare_jacobian(parameters, spectrum, unknowns, lib):
-    """Jacobian of the Poincare map in the section's coordinates.
+def one_impact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, *, lib, outputs=2):
+    """Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total
+    by the parameters.
 
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
-    Gives poincare_jacobian (3, 3).
-    Operations: 109. Intermediate terms: 53.
-    """
-    [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [y, u] = unknowns
-    # functions of T in free
-    t0 = T*omega1
-    cos_omega1_T = lib.cos(t0)
-    sin_omega1_T = lib.sin(t0)
-    t1 = T*omega2
-    cos_omega2_T = lib.cos(t1)
-    sin_omega2_T = lib.sin(t1)
-    # free for T, until first-reaches-stop
-    t2 = 1/omega1
-    t3 = sin_omega1_T*t2
-    t4 = 1 - p1
-    t5 = sin_omega2_T/omega2
-    t6 = p1*t3 + t4*t5
-    t7 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t8 = cos_omega1_T*p1 + cos_omega2_T*t4
-    x1_1 = t6*u + t7*y + t8
-    t9 = p3*sin_omega1_T*t2 - p3*t5
-    t10 = cos_omega1_T*t4 + cos_omega2_T*p1
-    t11 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t10*y + t11 + t9*u
-    t12 = omega1*sin_omega1_T
-    t13 = omega2*p2*sin_omega2_T - p2*t12
-    t14 = omega2*sin_omega2_T
-    v1_1 = -p1*t12 + t13*y - t14*t4 + t8*u
-    t15 = -p1*t14 - t12*t4
-    v2_1 = -p3*t12 + p3*t14 + t11*u + t15*y
-    # Phi along T
-    carried_x1_1_by_y = t7
-    carried_x1_1_by_u = t6
-    carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t5
-    carried_x2_1_by_y = t10
-    carried_x2_1_by_u = t9
-    carried_x2_1_by_w = p1*t5 + t3*t4
-    carried_v1_1_by_y = t13
-    carried_v1_1_by_u = t8
-    carried_v1_1_by_w = t7
-    carried_v2_1_by_y = t15
-    carried_v2_1_by_u = t11
-    carried_v2_1_by_w = t10
-    # derivatives of the time to the boundary after T
-    t16 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t16
-    delay_T_by_u = -carried_x1_1_by_u*t16
-    delay_T_by_w = -carried_x1_1_by_w*t16
-    # perturbation on the boundary after T
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
-    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1
-    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1
-    t17 = 1/m1
-    t18 = -k1*t17*x1_1 + k1*t17*x2_1
-    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t18
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t18
-    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t18
-    t19 = 1/m2
-    t20 = k1*t19*x1_1 - t19*x2_1*(k1 + k2)
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t20
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t20
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t20
-    return [[x2_1_on_boundary_by_y, x2_1_on_boundary_by_u, x2_1_on_boundary_by_w], [v1_1_on_boundary_by_y, v1_1_on_boundary_by_u, v1_1_on_boundary_by_w], [v2_1_on_boundary_by_y, v2_1_on_boundary_by_u, v2_1_on_boundary_by_w]]
-
-
-def one_impact_saltations(parameters, spectrum, unknowns, lib):
-    """Saltation matrices of the transitions, one below the other.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (2): y, u.
-    Gives saltations (4, 4).
-    Operations: 73. Intermediate terms: 22.
-    """
-    [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [y, u] = unknowns
-    # functions of T in free
-    t0 = T*omega1
-    cos_omega1_T = lib.cos(t0)
-    sin_omega1_T = lib.sin(t0)
-    t1 = T*omega2
-    cos_omega2_T = lib.cos(t1)
-    sin_omega2_T = lib.sin(t1)
-    # free for T, until first-reaches-stop
-    t2 = 1/omega1
-    t3 = 1 - p1
-    t4 = sin_omega2_T/omega2
-    t5 = cos_omega1_T*p1 + cos_omega2_T*t3
-    x1_1 = t5 + u*(p1*sin_omega1_T*t2 + t3*t4) + y*(cos_omega1_T*p2 - cos_omega2_T*p2)
-    x2_1 = cos_omega1_T*p3 - cos_omega2_T*p3 + u*(p3*sin_omega1_T*t2 - p3*t4) + y*(cos_omega1_T*t3 + cos_omega2_T*p1)
-    t6 = omega1*sin_omega1_T
-    v1_1 = -omega2*sin_omega2_T*t3 - p1*t6 + t5*u + y*(omega2*p2*sin_omega2_T - p2*t6)
-    # transition to free
-    v1_1_reset = -v1_1
-    # vector fields at transition 1
-    t7 = 1/m1
-    before_v1_1 = -k1*t7*x1_1 + k1*t7*x2_1
-    t9 = 1/m2
-    before_v2_1 = k1*t9*x1_1 - t9*x2_1*(k1 + k2)
-    behind_v1_1 = before_v1_1
-    behind_v2_1 = before_v2_1
-    # outputs
-    t11 = 1/v1_1
-    return [[t11*(-v1_1 + v1_1_reset) + 1, 0, 0, 0], [0, 1, 0, 0], [t11*(before_v1_1 + behind_v1_1), 0, -1, 0], [t11*(-before_v2_1 + behind_v2_1), 0, 0, 1]]
-
-
-def one_impact_monodromy(parameters, spectrum, unknowns, lib):
-    """Monodromy matrix: the product of flows and saltation matrices over a period.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (2): y, u.
-    Gives monodromy (4, 4).
-    Operations: 108. Intermediate terms: 62.
-    """
-    [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [y, u] = unknowns
-    # functions of T in free
-    t0 = T*omega1
-    cos_omega1_T = lib.cos(t0)
-    sin_omega1_T = lib.sin(t0)
-    t1 = T*omega2
-    cos_omega2_T = lib.cos(t1)
-    sin_omega2_T = lib.sin(t1)
-    # free for T, until first-reaches-stop
-    t2 = 1/omega1
-    t3 = sin_omega1_T*t2
-    t4 = 1 - p1
-    t5 = sin_omega2_T/omega2
-    t6 = p1*t3 + t4*t5
-    t7 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t8 = cos_omega1_T*p1 + cos_omega2_T*t4
-    x1_1 = t6*u + t7*y + t8
-    t9 = p3*sin_omega1_T*t2 - p3*t5
-    t10 = cos_omega1_T*t4 + cos_omega2_T*p1
-    t11 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t10*y + t11 + t9*u
-    t12 = omega1*sin_omega1_T
-    t13 = omega2*p2*sin_omega2_T - p2*t12
-    t14 = omega2*sin_omega2_T
-    t15 = p1*t12 + t14*t4
-    v1_1 = t13*y - t15 + t8*u
-    # transition to free
-    v1_1_reset = -v1_1
-    # vector fields at transition 1
-    t16 = 1/m1
-    before_v1_1 = -k1*t16*x1_1 + k1*t16*x2_1
-    t18 = 1/m2
-    before_v2_1 = k1*t18*x1_1 - t18*x2_1*(k1 + k2)
-    behind_v1_1 = before_v1_1
-    behind_v2_1 = before_v2_1
-    # Phi of phase 1
-    phi_1_00 = t8
-    phi_1_01 = t7
-    phi_1_02 = t6
-    phi_1_03 = p2*sin_omega1_T*t2 - p2*t5
-    phi_1_10 = t11
-    phi_1_11 = t10
-    phi_1_12 = t9
-    phi_1_13 = p1*t5 + t3*t4
-    phi_1_20 = -t15
-    phi_1_21 = t13
-    phi_1_22 = t8
-    phi_1_23 = t7
-    phi_1_30 = omega2*p3*sin_omega2_T - p3*t12
-    phi_1_31 = -p1*t14 - t12*t4
-    phi_1_32 = t11
-    phi_1_33 = t10
-    # saltation of phase 1
-    t20 = 1/v1_1
-    t21 = t20*(-v1_1 + v1_1_reset) + 1
-    saltation_1_00 = phi_1_00*t21
-    saltation_1_01 = phi_1_01*t21
-    saltation_1_02 = phi_1_02*t21
-    saltation_1_03 = phi_1_03*t21
-    t22 = t20*(before_v1_1 + behind_v1_1)
-    saltation_1_20 = phi_1_00*t22 - phi_1_20
-    saltation_1_21 = phi_1_01*t22 - phi_1_21
-    saltation_1_22 = phi_1_02*t22 - phi_1_22
-    saltation_1_23 = phi_1_03*t22 - phi_1_23
-    t23 = t20*(-before_v2_1 + behind_v2_1)
-    saltation_1_30 = phi_1_00*t23 + phi_1_30
-    saltation_1_31 = phi_1_01*t23 + phi_1_31
-    saltation_1_32 = phi_1_02*t23 + phi_1_32
-    saltation_1_33 = phi_1_03*t23 + phi_1_33
-    return [[saltation_1_00, saltation_1_01, saltation_1_02, saltation_1_03], [phi_1_10, phi_1_11, phi_1_12, phi_1_13], [saltation_1_20, saltation_1_21, saltation_1_22, saltation_1_23], [saltation_1_30, saltation_1_31, saltation_1_32, saltation_1_33]]
-
-
-def one_impact_trace(parameters, spectrum, unknowns, lib):
-    """Trace of the Poincare map's Jacobian.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (2): y, u.
-    Gives trace.
-    Operations: 94. Intermediate terms: 35.
-    """
-    [m1, m2, k1, k2, T] = parameters
-    [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [y, u] = unknowns
-    # functions of T in free
-    t0 = T*omega1
-    cos_omega1_T = lib.cos(t0)
-    sin_omega1_T = lib.sin(t0)
-    t1 = T*omega2
-    cos_omega2_T = lib.cos(t1)
-    sin_omega2_T = lib.sin(t1)
-    # free for T, until first-reaches-stop
-    t2 = 1/omega1
-    t3 = 1 - p1
-    t4 = sin_omega2_T/omega2
-    t5 = p1*sin_omega1_T*t2 + t3*t4
-    t6 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t7 = cos_omega1_T*p1 + cos_omega2_T*t3
-    x1_1 = t5*u + t6*y + t7
-    t8 = cos_omega1_T*t3 + cos_omega2_T*p1
-    t9 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t8*y + t9 + u*(p3*sin_omega1_T*t2 - p3*t4)
-    t10 = omega1*sin_omega1_T
-    t11 = omega2*sin_omega2_T
-    v1_1 = -p1*t10 - t11*t3 + t7*u + y*(omega2*p2*sin_omega2_T - p2*t10)
-    v2_1 = -p3*t10 + p3*t11 + t9*u + y*(-p1*t11 - t10*t3)
-    # Phi along T
-    carried_x1_1_by_y = t6
-    carried_x1_1_by_u = t5
-    carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t4
-    carried_x2_1_by_y = t8
-    carried_v1_1_by_u = t7
-    carried_v2_1_by_w = t8
-    # derivatives of the time to the boundary after T
-    t12 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t12
-    delay_T_by_u = -carried_x1_1_by_u*t12
-    delay_T_by_w = -carried_x1_1_by_w*t12
-    # perturbation on the boundary after T
-    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
-    t13 = 1/m1
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t13*x1_1 + k1*t13*x2_1)
-    t14 = 1/m2
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t14*x1_1 - t14*x2_1*(k1 + k2))
-    return v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y
-
-
-def one_impact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknowns, lib):
-    """Derivatives of the trace by the unknowns, then in total by the parameters.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes spectrum_derivatives (7, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
         omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2, omega2_by_k1, omega2_by_k2,
         omega2_by_m1, omega2_by_m2, p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2, p2_by_k1,
         p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2, omega3_by_k1,
-        omega3_by_k2, omega3_by_m1, omega3_by_m2.
-    Takes unknowns (2): y, u.
+        omega3_by_k2, omega3_by_m1, omega3_by_m2, for trace_gradient.
+    Gives trace.
     Gives trace_gradient (7).
-    Operations: 365. Intermediate terms: 91.
+    Operations: 373. Intermediate terms: 99.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
     [y, u] = unknowns
     # functions of T in free
     t0 = T*omega1
@@ -867,83 +541,105 @@ def one_impact_trace_gradient(parameters, spectrum, spectrum_derivatives, unknow
     carried_x1_1_by_u = t12
     t26 = sin_omega2_T*t8
     carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26
+    carried_x2_1_by_y = t17
+    carried_v1_1_by_u = t14
+    carried_v2_1_by_w = t17
     # derivatives of the time to the boundary after T
     t27 = 1/v1_1
     delay_T_by_y = -carried_x1_1_by_y*t27
     delay_T_by_u = -carried_x1_1_by_u*t27
     delay_T_by_w = -carried_x1_1_by_w*t27
-    # back through: derivatives of the time to the boundary after T
-    t28 = 1/m2
+    # perturbation on the boundary after T
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
+    t28 = 1/m1
     t29 = t28*x1_1
-    t30 = k1 + k2
-    t31 = t28*x2_1
-    slope_by_delay_T_by_w = k1*t29 - t30*t31
-    t32 = 1/m1
-    t33 = t32*x1_1
-    slope_by_delay_T_by_u = -k1*t32*x2_1 + k1*t33
+    t30 = -k1*t28*x2_1 + k1*t29
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t30
+    t31 = 1/m2
+    t32 = t31*x1_1
+    t33 = k1 + k2
+    t34 = t31*x2_1
+    t35 = k1*t32 - t33*t34
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t35
+    trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y
+    if outputs == 1:
+        return trace
+    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
+    # back through: derivatives of the time to the boundary after T
+    slope_by_delay_T_by_w = t35
+    slope_by_delay_T_by_u = t30
     # back through: Phi along T
     slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27
     slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27
     slope_by_carried_x1_1_by_y = -t27*v2_1
     # back through: free for T, until first-reaches-stop
-    t34 = 1/v1_1**2
-    slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t34 + carried_x1_1_by_w*slope_by_delay_T_by_w*t34 + carried_x1_1_by_y*t34*v2_1
-    t35 = delay_T_by_u*k1*t32
-    t36 = delay_T_by_w*t28
-    slope_by_x2_1 = -t30*t36 - t35
-    slope_by_x1_1 = k1*t36 + t35
+    t36 = 1/v1_1**2
+    slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t36 + carried_x1_1_by_w*slope_by_delay_T_by_w*t36 + carried_x1_1_by_y*t36*v2_1
+    t37 = delay_T_by_u*k1*t28
+    t38 = delay_T_by_w*t31
+    slope_by_x2_1 = -t33*t38 - t37
+    slope_by_x1_1 = k1*t38 + t37
     # back through: functions of T in free
-    t37 = p1*y
-    t38 = p2*y
-    t39 = -t8*t9
-    t40 = p2*slope_by_carried_x1_1_by_w
-    t41 = slope_by_x1_1*u
-    t42 = p3*u
-    t43 = slope_by_x2_1*t42
-    slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t37) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(omega2*t38 - t22) + t39*t41 - t40*t8 - t43*t8
-    t44 = 3*p1
-    t45 = p2*slope_by_carried_x1_1_by_y
-    t46 = slope_by_v1_1*u
-    t47 = delay_T_by_y*t42
-    slope_by_cos_omega2_T = slope_by_x1_1*(-t38 - t9) + slope_by_x2_1*(-p3 + t37) + t44 - t45 - t46*t9 - t47 - 1
-    t48 = -t9*y
-    t49 = p1*t6
-    slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t48 - t25) + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*(-omega1*t38 - t21) + t40*t6 + t41*t49 + t43*t6
-    slope_by_cos_omega1_T = p1*t46 + slope_by_x1_1*(p1 + t38) + slope_by_x2_1*(p3 + t48) - t44 + t45 + t47 + 2
-    # outputs
-    t50 = p3*sin_omega1_T
-    t51 = sin_omega1_T*slope_by_cos_omega1_T
-    t52 = 1/omega1**2
-    t53 = t52*t7
-    t54 = slope_by_x2_1*u
-    t55 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t51 + delay_T_by_y*(-sin_omega1_T*t48 - t50) - sin_omega1_T*t40*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(-sin_omega1_T*t38 - t7) - t41*t53 - t50*t52*t54
-    t56 = sin_omega2_T*slope_by_cos_omega2_T
-    t57 = 1/omega2**2
-    t58 = t11*t57
-    t59 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t56 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t37) + sin_omega2_T*t40*t57 - slope_by_carried_x1_1_by_u*t58 + slope_by_v1_1*(sin_omega2_T*t38 - t11) + t15*t54*t57 - t41*t58
-    t60 = sin_omega1_T*t6 - t26
-    t61 = cos_omega1_T - cos_omega2_T
-    t62 = -t19 + t23 + t61*u
-    t63 = t60*u + t61
-    t64 = t19 - t23
-    t65 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t64*y + slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*t62 + slope_by_x1_1*t63 - slope_by_x2_1*t61*y
-    t66 = slope_by_carried_x1_1_by_w*t60 + slope_by_carried_x1_1_by_y*t61 - slope_by_v1_1*t64*y + slope_by_x1_1*t61*y
-    t67 = delay_T_by_y*t62 + slope_by_x2_1*t63
-    t68 = k1/m1**2
-    t69 = 1/m2**2
-    return [delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17, delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16, -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t55 + omega2_by_m1*t59 + p1_by_m1*t65 + p2_by_m1*t66 + p3_by_m1*t67, delay_T_by_w*(-k1*t69*x1_1 + t30*t69*x2_1) + omega1_by_m2*t55 + omega2_by_m2*t59 + p1_by_m2*t65 + p2_by_m2*t66 + p3_by_m2*t67, -delay_T_by_u*(t32*x2_1 - t33) + delay_T_by_w*(t29 - t31) + omega1_by_k1*t55 + omega2_by_k1*t59 + p1_by_k1*t65 + p2_by_k1*t66 + p3_by_k1*t67, -delay_T_by_w*t31 + omega1_by_k2*t55 + omega2_by_k2*t59 + p1_by_k2*t65 + p2_by_k2*t66 + p3_by_k2*t67, cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t51 - omega2*t56]
+    t39 = p1*y
+    t40 = p2*y
+    t41 = -t8*t9
+    t42 = p2*slope_by_carried_x1_1_by_w
+    t43 = slope_by_x1_1*u
+    t44 = p3*u
+    t45 = slope_by_x2_1*t44
+    slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t39) + slope_by_carried_x1_1_by_u*t41 + slope_by_v1_1*(omega2*t40 - t22) + t41*t43 - t42*t8 - t45*t8
+    t46 = 3*p1
+    t47 = p2*slope_by_carried_x1_1_by_y
+    t48 = slope_by_v1_1*u
+    t49 = delay_T_by_y*t44
+    slope_by_cos_omega2_T = slope_by_x1_1*(-t40 - t9) + slope_by_x2_1*(-p3 + t39) + t46 - t47 - t48*t9 - t49 - 1
+    t50 = -t9*y
+    t51 = p1*t6
+    slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t50 - t25) + slope_by_carried_x1_1_by_u*t51 + slope_by_v1_1*(-omega1*t40 - t21) + t42*t6 + t43*t51 + t45*t6
+    slope_by_cos_omega1_T = p1*t48 + slope_by_x1_1*(p1 + t40) + slope_by_x2_1*(p3 + t50) - t46 + t47 + t49 + 2
+    # trace_gradient
+    t52 = p3*sin_omega1_T
+    t53 = sin_omega1_T*slope_by_cos_omega1_T
+    t54 = 1/omega1**2
+    t55 = t54*t7
+    t56 = slope_by_x2_1*u
+    t57 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t53 + delay_T_by_y*(-sin_omega1_T*t50 - t52) - sin_omega1_T*t42*t54 - slope_by_carried_x1_1_by_u*t55 + slope_by_v1_1*(-sin_omega1_T*t40 - t7) - t43*t55 - t52*t54*t56
+    t58 = sin_omega2_T*slope_by_cos_omega2_T
+    t59 = 1/omega2**2
+    t60 = t11*t59
+    t61 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t58 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t39) + sin_omega2_T*t42*t59 - slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*(sin_omega2_T*t40 - t11) + t15*t56*t59 - t43*t60
+    t62 = sin_omega1_T*t6 - t26
+    t63 = cos_omega1_T - cos_omega2_T
+    t64 = -t19 + t23 + t63*u
+    t65 = t62*u + t63
+    t66 = t19 - t23
+    t67 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t66*y + slope_by_carried_x1_1_by_u*t62 + slope_by_v1_1*t64 + slope_by_x1_1*t65 - slope_by_x2_1*t63*y
+    t68 = slope_by_carried_x1_1_by_w*t62 + slope_by_carried_x1_1_by_y*t63 - slope_by_v1_1*t66*y + slope_by_x1_1*t63*y
+    t69 = delay_T_by_y*t64 + slope_by_x2_1*t65
+    t70 = k1/m1**2
+    t71 = 1/m2**2
+    trace_gradient = [delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17, delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16, -delay_T_by_u*(t70*x1_1 - t70*x2_1) + omega1_by_m1*t57 + omega2_by_m1*t61 + p1_by_m1*t67 + p2_by_m1*t68 + p3_by_m1*t69, delay_T_by_w*(-k1*t71*x1_1 + t33*t71*x2_1) + omega1_by_m2*t57 + omega2_by_m2*t61 + p1_by_m2*t67 + p2_by_m2*t68 + p3_by_m2*t69, -delay_T_by_u*(t28*x2_1 - t29) + delay_T_by_w*(t32 - t34) + omega1_by_k1*t57 + omega2_by_k1*t61 + p1_by_k1*t67 + p2_by_k1*t68 + p3_by_k1*t69, -delay_T_by_w*t34 + omega1_by_k2*t57 + omega2_by_k2*t61 + p1_by_k2*t67 + p2_by_k2*t68 + p3_by_k2*t69, cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t53 - omega2*t58]
+    return trace, trace_gradient
 
 
-def one_impact_states(parameters, spectrum, unknowns, lib):
-    """State at the start and behind each transition, row by row.
+def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+    """State at the start and behind each transition. Boundaries along the phases: constant,
+    slope, cosine and sine amplitudes, one after the other; and the frequencies of each
+    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
+    one below the other; monodromy matrix.
 
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
     Gives states (2, 4).
-    Operations: 62. Intermediate terms: 18.
+    Gives coefficients (6).
+    Gives frequencies (2).
+    Gives poincare_jacobian (3, 3).
+    Gives saltations (4, 4).
+    Gives monodromy (4, 4).
+    Operations: 152. Intermediate terms: 93.
     """
-    [_, _, _, _, T] = parameters
+    [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [y, u] = unknowns
     # functions of T in free
@@ -955,42 +651,121 @@ def one_impact_states(parameters, spectrum, unknowns, lib):
     sin_omega2_T = lib.sin(t1)
     # free for T, until first-reaches-stop
     t2 = 1/omega1
-    t3 = 1 - p1
-    t4 = sin_omega2_T/omega2
-    t5 = cos_omega1_T*p1 + cos_omega2_T*t3
-    x1_1 = t5 + u*(p1*sin_omega1_T*t2 + t3*t4) + y*(cos_omega1_T*p2 - cos_omega2_T*p2)
-    t6 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t6 + u*(p3*sin_omega1_T*t2 - p3*t4) + y*(cos_omega1_T*t3 + cos_omega2_T*p1)
-    t7 = omega1*sin_omega1_T
-    t8 = omega2*sin_omega2_T
-    v1_1 = -p1*t7 - t3*t8 + t5*u + y*(omega2*p2*sin_omega2_T - p2*t7)
-    v2_1 = -p3*t7 + p3*t8 + t6*u + y*(-p1*t8 - t3*t7)
+    t3 = sin_omega1_T*t2
+    t4 = p1 - 1
+    t6 = 1/omega2
+    t7 = sin_omega2_T*t6
+    t8 = p1*t3 - t4*t7
+    t9 = cos_omega1_T*p2 - cos_omega2_T*p2
+    t10 = cos_omega1_T*p1 - cos_omega2_T*t4
+    x1_1 = t10 + t8*u + t9*y
+    t11 = p3*sin_omega1_T*t2 - p3*t7
+    t12 = -cos_omega1_T*t4 + cos_omega2_T*p1
+    t13 = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = t11*u + t12*y + t13
+    t14 = omega1*sin_omega1_T
+    t15 = omega2*p2*sin_omega2_T - p2*t14
+    t16 = omega2*sin_omega2_T
+    t17 = p1*t14 - t16*t4
+    v1_1 = t10*u + t15*y - t17
+    t18 = -p1*t16 + t14*t4
+    t19 = p3*t14
+    v2_1 = p3*t16 + t13*u + t18*y - t19
     # transition to free
     v1_1_reset = -v1_1
-    return [[1, y, u, 0], [x1_1, x2_1, v1_1_reset, v2_1]]
+    states = [[1, y, u, 0], [x1_1, x2_1, v1_1_reset, v2_1]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t30 = p2*y
+    coefficients = [-1, 0, p1 + t30, -t30 - t4, p1*t2*u, -t4*t6*u]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [omega1, omega2]
+    if outputs == 3:
+        return states, coefficients, frequencies
+    # Phi along T
+    carried_x1_1_by_y = t9
+    carried_x1_1_by_u = t8
+    carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t7
+    carried_x2_1_by_y = t12
+    carried_x2_1_by_u = t11
+    carried_x2_1_by_w = p1*t7 - t3*t4
+    carried_v1_1_by_y = t15
+    carried_v1_1_by_u = t10
+    carried_v1_1_by_w = t9
+    carried_v2_1_by_y = t18
+    carried_v2_1_by_u = t13
+    carried_v2_1_by_w = t12
+    # derivatives of the time to the boundary after T
+    t22 = 1/v1_1
+    delay_T_by_y = -carried_x1_1_by_y*t22
+    delay_T_by_u = -carried_x1_1_by_u*t22
+    delay_T_by_w = -carried_x1_1_by_w*t22
+    # perturbation on the boundary after T
+    x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
+    x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1
+    x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1
+    t23 = 1/m1
+    t24 = -k1*t23*x1_1 + k1*t23*x2_1
+    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t24
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t24
+    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t24
+    t25 = 1/m2
+    t26 = k1*t25*x1_1 - t25*x2_1*(k1 + k2)
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t26
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t26
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t26
+    poincare_jacobian = [[x2_1_on_boundary_by_y, x2_1_on_boundary_by_u, x2_1_on_boundary_by_w], [v1_1_on_boundary_by_y, v1_1_on_boundary_by_u, v1_1_on_boundary_by_w], [v2_1_on_boundary_by_y, v2_1_on_boundary_by_u, v2_1_on_boundary_by_w]]
+    if outputs == 4:
+        return states, coefficients, frequencies, poincare_jacobian
+    # vector fields at transition 1
+    before_v1_1 = t24
+    before_v2_1 = t26
+    behind_v1_1 = t24
+    behind_v2_1 = t26
+    # saltations
+    t27 = t22*(-v1_1 + v1_1_reset) + 1
+    t28 = t22*(before_v1_1 + behind_v1_1)
+    t29 = t22*(-before_v2_1 + behind_v2_1)
+    saltations = [[t27, 0, 0, 0], [0, 1, 0, 0], [t28, 0, -1, 0], [t29, 0, 0, 1]]
+    if outputs == 5:
+        return states, coefficients, frequencies, poincare_jacobian, saltations
+    # Phi of phase 1
+    phi_1_00 = t10
+    phi_1_01 = t9
+    phi_1_02 = t8
+    phi_1_03 = carried_x1_1_by_w
+    phi_1_10 = t13
+    phi_1_11 = t12
+    phi_1_12 = t11
+    phi_1_13 = carried_x2_1_by_w
+    phi_1_20 = -t17
+    phi_1_21 = t15
+    phi_1_22 = t10
+    phi_1_23 = t9
+    phi_1_30 = omega2*p3*sin_omega2_T - t19
+    phi_1_31 = t18
+    phi_1_32 = t13
+    phi_1_33 = t12
+    # saltation of phase 1
+    saltation_1_00 = phi_1_00*t27
+    saltation_1_01 = phi_1_01*t27
+    saltation_1_02 = phi_1_02*t27
+    saltation_1_03 = phi_1_03*t27
+    saltation_1_20 = phi_1_00*t28 - phi_1_20
+    saltation_1_21 = phi_1_01*t28 - phi_1_21
+    saltation_1_22 = phi_1_02*t28 - phi_1_22
+    saltation_1_23 = phi_1_03*t28 - phi_1_23
+    saltation_1_30 = phi_1_00*t29 + phi_1_30
+    saltation_1_31 = phi_1_01*t29 + phi_1_31
+    saltation_1_32 = phi_1_02*t29 + phi_1_32
+    saltation_1_33 = phi_1_03*t29 + phi_1_33
+    monodromy = [[saltation_1_00, saltation_1_01, saltation_1_02, saltation_1_03], [phi_1_10, phi_1_11, phi_1_12, phi_1_13], [saltation_1_20, saltation_1_21, saltation_1_22, saltation_1_23], [saltation_1_30, saltation_1_31, saltation_1_32, saltation_1_33]]
+    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
 
 
-def one_impact_boundary_functions(parameters, spectrum, unknowns, lib):
-    """Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
-
-    Takes parameters (5): m1, m2, k1, k2, T.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (2): y, u.
-    Gives coefficients (6).
-    Gives frequencies (2).
-    Operations: 9. Intermediate terms: 1.
-    """
-    [_, omega1, omega2, p1, p2, _, _] = spectrum
-    [y, u] = unknowns
-    # outputs
-    t0 = p1 + p2*y
-    return (
-        [-1, 0, t0, 1 - t0, p1*u/omega1, u*(1 - p1)/omega2],
-        [omega1, omega2],
-    )
-
-
-def one_impact_flow_free(parameters, spectrum, time, state, lib):
+def one_impact_flow_free(parameters, spectrum, time, state, *, lib):
     """State after a time in free.
 
     Takes parameters (5): m1, m2, k1, k2, T.
@@ -1003,7 +778,7 @@ def one_impact_flow_free(parameters, spectrum, time, state, lib):
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
-    # outputs
+    # state_after
     t0 = 1/omega1
     t1 = omega1*t
     t2 = lib.sin(t1)
@@ -1023,8 +798,8 @@ def one_impact_flow_free(parameters, spectrum, time, state, lib):
     return [t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14), t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4)]
 
 
-def one_impact_expand(parameters, spectrum, lib):
-    """All unknowns: they are explicit, and how singular the linear equations for them are: 0 if they are.
+def one_impact_reduced(parameters, spectrum, *, lib, outputs=2):
+    """All unknowns; how singular the linear equations for them are: 0 if they are.
 
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -1063,14 +838,15 @@ def one_impact_expand(parameters, spectrum, lib):
     t5 = 1/determinant
     y = numerator1*t5
     u = numerator2*t5
-    # outputs
+    unknowns = [y, u]
+    if outputs == 1:
+        return unknowns
+    # determinants
     t6 = p1**2
     t7 = half_T**2
     t8 = 2*t7
     t9 = omega2**4*t8/(omega2**2*t7 + 1)
     t10 = omega1**4*t8/(omega1**2*t7 + 1)
     t11 = p2**2
-    return (
-        [y, u],
-        [determinant/(lib.sqrt(2*p3**2 + t10*t3**2 + t6*t9)*lib.sqrt(t10*t11 + t11*t9 + t3**2 + t6))],
-    )
+    determinants = [determinant/(lib.sqrt(2*p3**2 + t10*t3**2 + t6*t9)*lib.sqrt(t10*t11 + t11*t9 + t3**2 + t6))]
+    return unknowns, determinants

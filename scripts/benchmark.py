@@ -143,9 +143,8 @@ def heyoka_newton(eta: np.ndarray) -> Callable[[], object] | None:
     from nonsmooth.runtime.model.kernels import load_orbit
 
     symbols = heyoka.make_vars(*(f"v{i}" for i in range(18)))
-    residual, jacobian = load_orbit(NAME).source("residual_and_jacobian")(
-        symbols[:5], symbols[5:12], symbols[12:], lib=heyoka
-    )
+    at = (symbols[:5], symbols[5:12], symbols[12:])
+    residual, jacobian = load_orbit(NAME).evaluate("residual", "jacobian", at=at, lib=heyoka)
     entries = [*residual, *(entry for row in jacobian for entry in row)]
     constant = heyoka.expression
     function = heyoka.cfunc(
@@ -232,10 +231,13 @@ def kernel(quick: bool) -> Iterator[Row]:
         *lines,
         "}",
     ]
-    calls = {"ours": "dry_friction_global_stick_residual_and_jacobian", "plain": "plain"}
+    calls = {
+        "ours": "dry_friction_global_stick_equations(p, s, x, NULL, r, j, NULL)",
+        "plain": "plain(p, s, x, r, j)",
+    }
     source += [
         f"void loop_{label}(long n, {signature.format('')})"
-        f" {{ for (long i = 0; i < n; ++i) {{ {call}(p, s, x, r, j); x[3] += 1e-18*r[0]; }} }}"
+        f" {{ for (long i = 0; i < n; ++i) {{ {call}; x[3] += 1e-18*r[0]; }} }}"
         for label, call in calls.items()
     ]
     kernels = load_orbit(NAME)

@@ -67,7 +67,9 @@ def _module(name, states, boundaries, transitions, functions, forcing) -> Module
             "contacts": {},
         },
         ORBITS={},
-        KERNELS={kernel: ([(5,)], [(count, size + 1)]) for kernel, count in counts.items()},
+        KERNELS={
+            kernel: ([((5,), 0)], [(kernel, (count, size + 1))]) for kernel, count in counts.items()
+        },
         DERIVATION="by hand",
         fields=fields,
         rows=rows,

@@ -34,7 +34,7 @@ $prototype
         const double durations[] = {$durations};
         double spectral[$ns], derivatives[$nd], $arrays;
         $spectrum(q, spectral, derivatives);
-        $functions(p, spectral, u, $given);
+        $passage(p, spectral, u, $given, NULL, NULL, NULL);
 $prepared        /* the $data are differences of the data and carry their rounding */
         const double measures[] = {$measures};
         double size = 0.0, missed = 0.0;
@@ -96,7 +96,7 @@ _SUMS = {
     "terms": "terms[] = {$terms}, ",
     "first_frequency": ", first_frequency[] = {$first_frequency}",
     "arrays": "coefficients[$nc], frequencies[$nf]",
-    "given": "coefficients, frequencies",
+    "given": "NULL, coefficients, frequencies",
     "prepared": "",
     "data": "coefficients",
     "at_exit": (
@@ -115,8 +115,8 @@ _SUMS = {
 _MOTIONS = {
     "terms": "",
     "first_frequency": "",
-    "arrays": "fields[$nfields], starts[$nstates], ends[$nstates], rows[$nc]",
-    "given": "fields, starts, ends, rows",
+    "arrays": "fields[$nfields], starts[$nstates + $states], ends[$nstates], rows[$nc]",
+    "given": "starts, fields, ends, rows",
     "prepared": """\
         nonsmooth_motion motions[$phases];
         for (int phase = 0; phase < $phases; ++phase)
@@ -228,9 +228,5 @@ def admissible_source(orbit: EquationSystem) -> str:
         or "0.0",
         most_sums=max(sums),
         spectrum=c_function(orbit.system.name, "spectrum", None),
-        functions=c_function(
-            orbit.system.name,
-            "boundary_functions" if orbit.trigonometric else "phase_fields",
-            orbit.itinerary.name,
-        ),
+        passage=c_function(orbit.system.name, "passage", orbit.itinerary.name),
     )

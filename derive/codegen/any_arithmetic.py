@@ -100,36 +100,42 @@ def shape_text(array: Argument | Output) -> str:
 
 
 def python_kernel(kernel: Kernel, orbit: str | None) -> str:
-    """Python source of one kernel."""
-    body = body_of(kernel)
+    """Python source of one kernel, which computes as many of its outputs as it is asked for."""
+    body, count = body_of(kernel), len(kernel.outputs)
     name = python_function(kernel.name, orbit)
-    arguments = ", ".join(a.name for a in kernel.arguments)
-    lines = [f"def {name}({arguments}, lib):"]
-    lines.append(f'    """{kernel.title}')
+    arguments = ", ".join(f"{a.name}=None" if a.since else a.name for a in kernel.arguments)
+    some = f", outputs={count}" if count > 1 else ""
+    lines = [f"def {name}({arguments}, *, lib{some}):"]
+    lines += _wrap(f'"""{kernel.title}', indent="    ")
     lines.append("")
     for argument in kernel.arguments:
         symbols = f": {', '.join(map(str, argument.symbols))}" if argument.shape else ""
-        lines += _wrap(f"Takes {shape_text(argument)}{symbols}.")
+        late = f", for {kernel.outputs[argument.since].name}" if argument.since else ""
+        lines += _wrap(f"Takes {shape_text(argument)}{symbols}{late}.")
     for output in kernel.outputs:
         lines.append(f"    Gives {shape_text(output)}.")
     lines.append(f"    Operations: {body.operations}. Intermediate terms: {len(body.lines)}.")
     lines.append('    """')
-    for argument in kernel.arguments:
-        lines += _unpack(argument, body.used)
-    for line in body.lines:
-        if line.title:
-            lines.append(f"    # {line.title}")
-        lines.append(f"    {line.symbol} = {print_python(line.expression)}")
-    results = [
-        _pack(output, expressions)
-        for output, expressions in zip(kernel.outputs, body.outputs, strict=True)
-    ]
-    if len(results) == 1:
-        lines.append(f"    return {results[0]}")
-    else:
-        lines.append("    return (")
-        lines += [f"        {result}," for result in results]
-        lines.append("    )")
+    for place, (output, part, expressions) in enumerate(
+        zip(kernel.outputs, body.parts, body.outputs, strict=True)
+    ):
+        for argument in kernel.arguments:
+            if argument.since == place:
+                lines += _unpack(argument, body.used)
+        for line in part:
+            if line.title:
+                lines.append(f"    # {line.title}")
+            lines.append(f"    {line.symbol} = {print_python(line.expression)}")
+        if count == 1:
+            lines.append(f"    return {_pack(output, expressions)}")
+            continue
+        lines.append(f"    {output.name} = {_pack(output, expressions)}")
+        results = ", ".join(o.name for o in kernel.outputs[: place + 1])
+        if place == count - 1:
+            lines.append(f"    return {results}")
+        else:
+            lines.append(f"    if outputs == {place + 1}:")
+            lines.append(f"        return {results}")
     return "\n".join(lines)
 
 
@@ -158,11 +164,11 @@ def _pack(output: Output, expressions: Sequence[sp.Expr]) -> str:
     return "[" + ", ".join(f"[{', '.join(row)}]" for row in rows) + "]"
 
 
-def _wrap(text: str, width: int = 92) -> list[str]:
+def _wrap(text: str, width: int = 92, indent: str = "        ") -> list[str]:
     words, lines, line = text.split(" "), [], "   "
     for word in words:
         if len(line) + 1 + len(word) > width:
             lines.append(line)
-            line = "       "
+            line = indent[1:]
         line += " " + word
     return [*lines, line]

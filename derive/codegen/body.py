@@ -14,7 +14,7 @@ from nonsmooth.derive.declaration.real_numbers import (
     nearest_double,
     number_text,
 )
-from nonsmooth.derive.equations.program import Kernel
+from nonsmooth.derive.equations.program import Kernel, prune
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["Body", "Constant", "Line", "body_of", "hoisted", "needed", "split"]
@@ -75,10 +75,20 @@ class Line:
 
 @dataclass(frozen=True)
 class Body:
-    """The lines of a kernel in order of evaluation, and the expressions of its outputs."""
+    """The lines of a kernel in order of evaluation, and the expressions of its outputs.
+
+    An output needs the lines up to its place in `ends`, and no later ones.
+    """
 
     lines: tuple[Line, ...]
     outputs: tuple[tuple[sp.Expr, ...], ...]
+    ends: tuple[int, ...]
+
+    @property
+    def parts(self) -> tuple[tuple[Line, ...], ...]:
+        """The lines that each output needs beside those of the outputs before it."""
+        begins = (0, *self.ends)
+        return tuple(self.lines[a:b] for a, b in zip(begins, self.ends, strict=False))
 
     @cached_property
     def used(self) -> frozenset[sp.Symbol]:
@@ -140,23 +150,32 @@ def body_of(kernel: Kernel) -> Body:
             value = require(expression)
             lines.append(Line(symbol, value))
 
-    position = 0
-    for stage in kernel.stages:
-        begin = len(lines)
-        for _ in stage.assignments:
-            name(symbols[position], reduced[position])
-            position += 1
+    def titled(begin: int, title: str) -> None:
         if len(lines) > begin:
-            lines[begin] = Line(lines[begin].symbol, lines[begin].expression, stage.title)
-    outputs = []
-    begin = len(lines)
+            lines[begin] = Line(lines[begin].symbol, lines[begin].expression, title)
+
+    count = len(symbols)
+    places = {symbol: place for place, symbol in enumerate(symbols)}
+    left, outputs, ends = set(places), [], []
     for output in kernel.outputs:
         size = len(output.expressions)
-        outputs.append(tuple(require(e) for e in reduced[position : position + size]))
-        position += size
-    if len(lines) > begin:
-        lines[begin] = Line(lines[begin].symbol, lines[begin].expression, "outputs")
-    return Body(tuple(lines), tuple(outputs))
+        expressions = reduced[count : count + size]
+        count += size
+        wanted = {
+            s for stage in prune(kernel.stages, output.expressions) for s, _ in stage.assignments
+        }
+        for stage in kernel.stages:
+            begin = len(lines)
+            for symbol, _ in stage.assignments:
+                if symbol in wanted & left:
+                    name(symbol, reduced[places[symbol]])
+            titled(begin, stage.title)
+        left -= wanted
+        begin = len(lines)
+        outputs.append(tuple(require(e) for e in expressions))
+        titled(begin, output.name)
+        ends.append(len(lines))
+    return Body(tuple(lines), tuple(outputs), tuple(ends))
 
 
 def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
@@ -241,7 +260,7 @@ def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
         value = hoist(line.expression) if moves else line.expression
         lines.append(Line(line.symbol, value, line.title))
     outputs = tuple(tuple(hoist(e) for e in output) for output in body.outputs)
-    return Body(tuple(lines), outputs)
+    return Body(tuple(lines), outputs, (len(lines),) * len(outputs))
 
 
 def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:

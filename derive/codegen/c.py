@@ -19,6 +19,9 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 __all__ = ["Scope", "c_kernel", "c_prototype", "line_sources", "print_c"]
 
 
+_LARGE = 40  # entries of an output, from which on a table may be shorter
+
+
 class _Printer(Ordered, C99CodePrinter):
     """C expressions: products for integer powers, calls for the rest.
 
@@ -110,6 +113,12 @@ class Scope:
         self._names: dict[str, str] = {}
         self._new: list[str] = []
 
+    def nested(self) -> Scope:
+        """A block inside this one, which knows what has been computed so far."""
+        inner = Scope(self.indent + "    ")
+        inner._names = dict(self._names)
+        return inner
+
     def named(self, call: str) -> str:
         """Name of the result of a call; the first time a declaration is prepared."""
         if call not in self._names:
@@ -146,44 +155,93 @@ def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
 
 def c_prototype(kernel: Kernel, system: str, orbit: str | None) -> str:
     """C declaration of one kernel, without the semicolon."""
-    parameters = [_declare(a, constant=True) for a in kernel.arguments]
-    parameters += [_declare(o, constant=False) for o in kernel.outputs]
+    some = len(kernel.outputs) > 1
+    parameters = [_declare(a, constant=True, optional=a.since > 0) for a in kernel.arguments]
+    parameters += [_declare(o, constant=False, optional=some) for o in kernel.outputs]
     return f"void {c_function(system, kernel.name, orbit)}(\n    {', '.join(parameters)})"
 
 
 def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
-    """C definition of one kernel."""
-    body = body_of(kernel)
+    """C definition of one kernel, which ends behind the last output that is wanted."""
+    body, some = body_of(kernel), len(kernel.outputs) > 1
     lines = [
         f"/* {kernel.title}",
         f" * Takes {', '.join(shape_text(a) for a in kernel.arguments)};"
         f" gives {', '.join(shape_text(o) for o in kernel.outputs)}, row by row.",
+        *([" * An output that is NULL is not wanted."] if some else []),
         f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */",
         c_prototype(kernel, system, orbit),
         "{",
     ]
-    for argument in kernel.arguments:
-        if not set(argument.symbols) & body.used:
-            lines.append(f"    (void){argument.name};")
-        for position, symbol in enumerate(argument.symbols):
-            if symbol in body.used and (argument.shape or str(symbol) != argument.name):
-                value = f"{argument.name}[{position}]" if argument.shape else argument.name
-                lines.append(f"    const double {print_c(symbol)} = {value};")
     scope = Scope("    ")
-    lines += line_sources(body.lines, scope)
-    for output, expressions in zip(kernel.outputs, body.outputs, strict=True):
-        for position, expression in enumerate(expressions):
-            target = f"{output.name}[{position}]" if output.shape else f"*{output.name}"
-            lines += scope.assigned(target, expression)
+    for place, (output, part, expressions) in enumerate(
+        zip(kernel.outputs, body.parts, body.outputs, strict=True)
+    ):
+        for argument in kernel.arguments:
+            if argument.since == place:
+                lines += _loads(argument, body.used)
+        lines += line_sources(part, scope)
+        if some:
+            guarded = _stores(output, expressions, scope.nested())
+            lines += [f"    if ({output.name}) {{", *guarded, "    }"]
+        else:
+            lines += _stores(output, expressions, scope)
+        later = [f"!{o.name}" for o in kernel.outputs[place + 1 :]]
+        if later:
+            lines += [f"    if ({' && '.join(later)})", "        return;"]
     lines.append("}")
     return "\n".join(lines)
 
 
-def _declare(array: Argument | Output, *, constant: bool) -> str:
+def _loads(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
+    """C statements that name the entries of an argument."""
+    if not set(argument.symbols) & used:
+        return [f"    (void){argument.name};"]
+    return [
+        f"    const double {print_c(symbol)} = "
+        f"{f'{argument.name}[{position}]' if argument.shape else argument.name};"
+        for position, symbol in enumerate(argument.symbols)
+        if symbol in used and (argument.shape or str(symbol) != argument.name)
+    ]
+
+
+def _stores(output: Output, expressions: Sequence[sp.Expr], scope: Scope) -> list[str]:
+    """C statements that fill an output: a large one of few values by a table of their places."""
+    values = list(dict.fromkeys(expressions))
+    if len(expressions) < _LARGE or 3 * len(values) > len(expressions):
+        return [
+            line
+            for position, expression in enumerate(expressions)
+            for line in scope.assigned(
+                f"{output.name}[{position}]" if output.shape else f"*{output.name}", expression
+            )
+        ]
+    places = [str(values.index(expression)) for expression in expressions]
+    kind = "unsigned char" if len(values) <= 256 else "unsigned short"
+    table, indent = f"nonsmooth_{output.name}", scope.indent
+    rows = [", ".join(places[i : i + 25]) for i in range(0, len(places), 25)]
+    return [
+        f"{indent}static const {kind} {table}_places[] = {{",
+        *(f"{indent}    {row}," for row in rows),
+        f"{indent}}};",
+        f"{indent}double {table}_values[{len(values)}];",
+        *(
+            line
+            for position, expression in enumerate(values)
+            for line in scope.assigned(f"{table}_values[{position}]", expression)
+        ),
+        f"{indent}for (int i = 0; i < {len(places)}; ++i)",
+        f"{indent}    {output.name}[i] = {table}_values[{table}_places[i]];",
+    ]
+
+
+def _declare(array: Argument | Output, *, constant: bool, optional: bool) -> str:
     qualifier = "const " if constant else ""
     if not array.shape:
         return f"double {array.name}" if constant else f"double *{array.name}"
     size = 1
     for extent in array.shape:
         size *= extent
-    return f"{qualifier}double {array.name}[{size}]" if size else f"{qualifier}double *{array.name}"
+    if optional or not size:
+        return f"{qualifier}double *{array.name}"
+    return f"{qualifier}double {array.name}[{size}]"

@@ -11,7 +11,6 @@ from nonsmooth.derive.codegen.kernels import (
     flow_kernels,
     orbit_kernels,
     spectrum_kernel,
-    start_kernel,
 )
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.declaration.itinerary import Itinerary
@@ -132,9 +131,6 @@ def derive_system(
                 raise
             found.append(Underived(orbit, " ".join(str(problem).split())))
             continue
-        if use is Use.MANY_POINTS:
-            start = start_kernel(equations)
-            own, sources = [*own, (start, orbit.name)], [*sources, python_kernel(start, orbit.name)]
         found.append(equations)
         kernels += own
         functions += sources

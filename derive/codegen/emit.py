@@ -65,7 +65,7 @@ class _Function:
 
     prototype: str
     definition: str
-    wrapped: Wrapped
+    wrapped: tuple[Wrapped, ...]
 
 
 def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
@@ -144,20 +144,20 @@ def _c_functions(derived: DerivedSystem) -> list[_Function]:
     found = []
     for kernel, orbit in derived.kernels:
         with suppress(*_NOT_IN_C):
-            (wrapped,) = wrapped_functions(name, [(kernel, orbit)])
             definition = c_kernel(kernel, name, orbit)
+            wrapped = tuple(wrapped_functions(name, kernel, orbit))
             found.append(_Function(c_prototype(kernel, name, orbit), definition, wrapped))
     for equations in derived.derived:
         solver, test = wrapped_solvers(equations)
         with suppress(*_NOT_IN_C):
             definition = solve_source(equations)
-            found.append(_Function(solve_prototype(equations), definition, solver))
+            found.append(_Function(solve_prototype(equations), definition, (solver,)))
         with suppress(*_NOT_IN_C):
             definition = admissible_source(equations)
-            found.append(_Function(admissible_prototype(equations), definition, test))
+            found.append(_Function(admissible_prototype(equations), definition, (test,)))
         with suppress(*_NOT_IN_C):
             definition, moved = directions_source(equations), wrapped_directions(equations)
-            found.append(_Function(directions_prototype(equations), definition, moved))
+            found.append(_Function(directions_prototype(equations), definition, (moved,)))
     return found
 
 
@@ -168,11 +168,11 @@ def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
     """
 
     def taken(wrapped: Wrapped) -> bool:
-        arrays, results = wrapped.arrays, wrapped.outputs
-        whole = len(arrays) > len(results) and all(a.size for a in results)
-        return whole and sum(a.size for a in arrays) <= _MOST_ENTRIES
+        arrays = (*wrapped.taken, *wrapped.given)
+        some = bool(wrapped.taken) and bool(wrapped.given)
+        return some and sum(a.size for a in arrays) <= _MOST_ENTRIES
 
-    return tuple(f.wrapped for f in functions if taken(f.wrapped))
+    return tuple(w for f in functions for w in f.wrapped if taken(w))
 
 
 def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:

@@ -1,9 +1,8 @@
 """The extension module: every C function as a NumPy generalized ufunc.
 
-The loops gather a block of points into contiguous rows, or into columns for a function of
-many points, call the C function and scatter its results, so that any strides and broadcasts
-work. NumPy releases the GIL around them;
-between two calls they ask whether they are to end.
+One loop serves all: it gathers a block of points into contiguous rows, or into columns for a
+function of many points, calls the C function and scatters its results, so that any strides and
+broadcasts work. NumPy releases the GIL around it; between two blocks it asks whether it is to end.
 """
 
 from __future__ import annotations
@@ -39,21 +38,27 @@ class Array:
 class Wrapped:
     """A C function to wrap; one call takes one point, or `many` with their count first.
 
-    An input without entries is left out of the wrapper, since NumPy takes none: C gets
-    NULL. A function is `long` if one point may take as much time as thousands of others: it
+    In place of an array that is None, or has no entries, C gets NULL, and the wrapper takes and
+    gives none. A function is `long` if one point may take as much time as thousands of others: it
     gets one point at a time. Other functions of `many` points take and give columns.
     """
 
-    name: str
-    inputs: tuple[Array, ...]
-    outputs: tuple[Array, ...]
+    name: str  # of the wrapper
+    function: str
+    inputs: tuple[Array | None, ...]
+    outputs: tuple[Array | None, ...]
     many: bool = False
     long: bool = False
 
     @property
-    def arrays(self) -> tuple[Array, ...]:
-        """Inputs that have entries, then outputs."""
-        return (*(a for a in self.inputs if a.size), *self.outputs)
+    def taken(self) -> tuple[Array, ...]:
+        """Inputs that have entries."""
+        return tuple(a for a in self.inputs if a is not None and a.size)
+
+    @property
+    def given(self) -> tuple[Array, ...]:
+        """Outputs that have entries."""
+        return tuple(a for a in self.outputs if a is not None and a.size)
 
     @property
     def signature(self) -> str:
@@ -62,19 +67,22 @@ class Wrapped:
         def text(arrays: Sequence[Array]) -> str:
             return ",".join(f"({','.join(map(str, a.shape))})" for a in arrays)
 
-        given = len(self.arrays) - len(self.outputs)
-        return f"{text(self.arrays[:given])}->{text(self.outputs)}"
+        return f"{text(self.taken)}->{text(self.given)}"
 
 
-def wrapped_functions(system: str, kernels: Sequence[tuple[Kernel, str | None]]) -> list[Wrapped]:
-    """Wrappers of the plain kernels of a system."""
+def wrapped_functions(system: str, kernel: Kernel, orbit: str | None) -> list[Wrapped]:
+    """Wrappers of a plain kernel: the one whose name ends in n gives its first n outputs."""
+    function = c_function(system, kernel.name, orbit)
     return [
         Wrapped(
-            c_function(system, kernel.name, orbit),
-            tuple(Array(a.shape) for a in kernel.arguments),
-            tuple(Array(o.shape) for o in kernel.outputs),
+            f"{function}_{count}",
+            function,
+            tuple(Array(a.shape) if a.since < count else None for a in kernel.arguments),
+            tuple(
+                Array(o.shape) if place < count else None for place, o in enumerate(kernel.outputs)
+            ),
         )
-        for kernel, orbit in kernels
+        for count in range(1, len(kernel.outputs) + 1)
     ]
 
 
@@ -89,15 +97,18 @@ def wrapped_solvers(orbit: EquationSystem) -> list[Wrapped]:
         tuple(Array((len(symbols),)) for symbols in (group,) if symbols)
         for group in (orbit.reduction.unknowns, orbit.open_parameters)
     )
+    solve, admissible = (c_function(system, kind, name) for kind in ("solve", "admissible"))
     return [
         Wrapped(
-            c_function(system, "solve", name),
+            solve,
+            solve,
             (parameters, *guess),
             (unknowns, scalar, scalar, count, count),
             many=True,
         ),
         Wrapped(
-            c_function(system, "admissible", name),
+            admissible,
+            admissible,
             (parameters, unknowns),
             (*bounds, count, scalar, scalar),
             many=True,
@@ -109,8 +120,10 @@ def wrapped_solvers(orbit: EquationSystem) -> list[Wrapped]:
 def wrapped_directions(orbit: EquationSystem) -> Wrapped:
     """Wrapper of the compiled derivatives of an orbit."""
     parameters, unknowns = len(orbit.parameters), len(orbit.unknowns)
+    function = c_function(orbit.system.name, "directions", orbit.itinerary.name)
     return Wrapped(
-        c_function(orbit.system.name, "directions", orbit.itinerary.name),
+        function,
+        function,
         (Array((parameters,)), Array((unknowns,))),
         (Array((unknowns + 1, parameters)),),
         many=True,
@@ -126,62 +139,136 @@ $stamp
 #include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "interrupt.h"
 $includes
 
-enum { points = 64 }; /* of a block */
+enum { most_points = 64, most_arrays = $most, on_stack = 4096 };
 
-/* Core entries of one argument of one point, in rows, whatever its strides. */
-static char *entry(char *base, const npy_intp *strides, int rows, int columns, int index)
-{
-    (void)rows;
-    if (!strides)
-        return base;
-    return columns ? base + (index / columns) * strides[0] + (index % columns) * strides[1]
-                   : base + index * strides[0];
-}
+/* Order of the entries of a block: points one after the other, or columns of all points. */
+enum layout { in_rows, in_columns, one_point };
 
-#define GATHER(type, to, base, step, strides, size, columns) \\
-    for (npy_intp point = 0; point < here; ++point) \\
-        for (int i = 0; i < (size); ++i) \\
-            (to)[(size) * point + i] = \\
-                *(type *)entry((base) + (start + point) * (step), strides, size, columns, i)
-#define SCATTER(type, from, base, step, strides, size, columns) \\
-    for (npy_intp point = 0; point < here; ++point) \\
-        for (int i = 0; i < (size); ++i) \\
-            *(type *)entry((base) + (start + point) * (step), strides, size, columns, i) = \\
-                (from)[(size) * point + i]
-
-/* The same in columns: entry i of all points of the block side by side. */
-#define GATHER_COLUMNS(type, to, base, step, strides, size, columns) \\
-    for (int i = 0; i < (size); ++i) { \\
-        const char *const from = entry((base) + start * (step), strides, size, columns, i); \\
-        if ((step) == sizeof(type)) \\
-            memcpy((to) + i * here, from, (size_t)here * sizeof(type)); \\
-        else \\
-            for (npy_intp point = 0; point < here; ++point) \\
-                (to)[i * here + point] = *(const type *)(from + point * (step)); \\
-    }
-#define SCATTER_COLUMNS(type, from, base, step, strides, size, columns) \\
-    for (int i = 0; i < (size); ++i) { \\
-        char *const to = entry((base) + start * (step), strides, size, columns, i); \\
-        if ((step) == sizeof(type)) \\
-            memcpy(to, (from) + i * here, (size_t)here * sizeof(type)); \\
-        else \\
-            for (npy_intp point = 0; point < here; ++point) \\
-                *(type *)(to + point * (step)) = (from)[i * here + point]; \\
-    }
-
-$loops
+/* Core of one argument: entries of a point, axes, columns of a table. */
+typedef struct {
+    int size, axes, columns, type;
+} array;
 
 typedef struct {
     const char *name, *signature;
-    PyUFuncGenericFunction loop;
-    const char *types;
+    void (*call)(npy_intp count, char *const *arrays);
+    enum layout layout;
     int inputs, outputs;
+    array arrays[most_arrays];
 } wrapped;
+
+/* Where an argument lies in NumPy's arrays, and in a block. */
+typedef struct {
+    char *base, *block;
+    npy_intp step;
+    const npy_intp *strides;
+    int bytes; /* of an entry */
+} located;
+
+/* Place of a core entry of the first point, whatever its strides are. */
+static char *entry_of(const array *a, const located *l, int index)
+{
+    if (a->axes == 0)
+        return l->base;
+    return a->axes == 1 ? l->base + index * l->strides[0]
+                        : l->base + (index / a->columns) * l->strides[0] +
+                              (index % a->columns) * l->strides[1];
+}
+
+/* Whether the entries of all points lie as in a block of rows. */
+static int lies_in_rows(const array *a, const located *l)
+{
+    const npy_intp inner = a->axes == 0 ? l->bytes : l->strides[a->axes - 1];
+    return inner == l->bytes && l->step == a->size * l->bytes &&
+           (a->axes < 2 || l->strides[0] == a->columns * l->bytes);
+}
+
+static void copy(char *to, npy_intp to_step, const char *from, npy_intp from_step, npy_intp count,
+                 int bytes)
+{
+    if (to_step == bytes && from_step == bytes)
+        memcpy(to, from, (size_t)(count * bytes));
+    else
+        for (npy_intp i = 0; i < count; ++i)
+            if (bytes == 8)
+                memcpy(to + i * to_step, from + i * from_step, 8);
+            else
+                memcpy(to + i * to_step, from + i * from_step, (size_t)bytes);
+}
+
+/* Move `count` points between NumPy's array and the block: into it, or out of it. */
+static void move(const array *a, const located *l, npy_intp count, enum layout layout, int into)
+{
+    if (l->block == l->base)
+        return;
+    const npy_intp next = layout == in_columns ? count : 1;
+    const npy_intp step = layout == in_columns ? l->bytes : a->size * l->bytes;
+    for (int i = 0; i < a->size; ++i) {
+        char *const entry = entry_of(a, l, i), *const inside = l->block + i * next * l->bytes;
+        if (into)
+            copy(inside, step, entry, l->step, count, l->bytes);
+        else
+            copy(entry, l->step, inside, step, count, l->bytes);
+    }
+}
+
+static void out_of_memory(void)
+{
+    const PyGILState_STATE lock = PyGILState_Ensure();
+    PyErr_NoMemory();
+    PyGILState_Release(lock);
+}
+
+/* The loop of every function; NumPy hands it over as `data`. */
+static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps, void *data)
+{
+    const wrapped *const f = data;
+    const int count = f->inputs + f->outputs;
+    const npy_intp most = f->layout == one_point ? 1 : most_points;
+    const npy_intp points = dimensions[0] < most ? dimensions[0] : most;
+    located at[most_arrays];
+    char *blocks[most_arrays];
+    double stack[on_stack];
+    size_t total = 0;
+    for (int k = 0, axes = 0; k < count; axes += f->arrays[k++].axes) {
+        const int bytes = f->arrays[k].type == NPY_INT32 ? 4 : 8;
+        at[k] = (located){args[k], NULL, steps[k], steps + count + axes, bytes};
+        total += (size_t)(points * f->arrays[k].size);
+    }
+    double *const memory = total <= on_stack ? stack : malloc(total * sizeof(double));
+    if (!memory) {
+        out_of_memory();
+        return;
+    }
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start, here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            break;
+        double *rest = memory;
+        for (int k = 0; k < count; ++k) {
+            at[k].base = args[k] + start * steps[k];
+            const int direct = f->layout == in_rows && lies_in_rows(&f->arrays[k], &at[k]);
+            blocks[k] = at[k].block = direct ? at[k].base : (char *)rest;
+            rest += points * f->arrays[k].size;
+        }
+        for (int k = 0; k < f->inputs; ++k)
+            move(&f->arrays[k], &at[k], here, f->layout, 1);
+        f->call(here, blocks);
+        for (int k = f->inputs; k < count; ++k)
+            move(&f->arrays[k], &at[k], here, f->layout, 0);
+    }
+    if (memory != stack)
+        free(memory);
+}
+
+$calls
 
 static const wrapped functions[] = {
 $table
@@ -189,6 +276,7 @@ $table
 enum { function_count = sizeof functions / sizeof *functions };
 static PyUFuncGenericFunction loops[function_count];
 static void *data[function_count];
+static char types[function_count][most_arrays];
 
 static int add_all(PyObject *module)
 {
@@ -196,10 +284,13 @@ static int add_all(PyObject *module)
     import_umath1(-1);
     for (int i = 0; i < function_count; ++i) {
         const wrapped *const f = &functions[i];
-        loops[i] = f->loop;
+        loops[i] = loop;
+        data[i] = (void *)f;
+        for (int k = 0; k < f->inputs + f->outputs; ++k)
+            types[i][k] = (char)f->arrays[k].type;
         PyObject *const ufunc = PyUFunc_FromFuncAndDataAndSignature(
-            &loops[i], &data[i], (char *)f->types, 1, f->inputs, f->outputs, PyUFunc_None, f->name,
-            NULL, 0, f->signature);
+            &loops[i], &data[i], types[i], 1, f->inputs, f->outputs, PyUFunc_None, f->name, NULL,
+            0, f->signature);
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
@@ -226,15 +317,19 @@ def extension_source(
 ) -> str:
     """C source of the extension module for all systems."""
     kinds = {"double": "NPY_DOUBLE", "int32_t": "NPY_INT32"}
-    loops, table = [], []
+    calls, table = [], []
     for function in functions:
-        arrays = function.arrays
-        types = ", ".join(kinds[a.ctype] for a in arrays)
-        loops.append(f"static const char types_{function.name}[] = {{{types}}};\n{_loop(function)}")
+        arrays = [
+            f"{{{a.size}, {len(a.shape)}, {a.shape[-1] if len(a.shape) == 2 else 0},"
+            f" {kinds[a.ctype]}}}"
+            for a in (*function.taken, *function.given)
+        ]
+        layout = "in_rows" if not function.many else "one_point" if function.long else "in_columns"
+        calls.append(_call(function))
         table.append(
-            f'    {{"{function.name}", "{function.signature}", loop_{function.name},\n'
-            f"     types_{function.name}, {len(arrays) - len(function.outputs)},"
-            f" {len(function.outputs)}}},"
+            f'    {{"{function.name}", "{function.signature}",\n'
+            f"     call_{function.name}, {layout}, {len(function.taken)}, {len(function.given)},\n"
+            f"     {{{', '.join(arrays)}}}}},"
         )
     constants = [
         f'    if (PyModule_AddStringConstant(module, "derivation_{module_file(name, "")}",'
@@ -244,63 +339,32 @@ def extension_source(
     return _MODULE.substitute(
         stamp=stamp,
         includes="\n".join(f'#include "{module_file(name, ".h")}"' for name, _ in derivations),
-        loops="\n\n".join(loops),
+        most=max((len(f.taken) + len(f.given) for f in functions), default=1),
+        calls="\n\n".join(calls),
         table="\n".join(table),
         derivations="\n".join(constants),
     )
 
 
-def _loop(function: Wrapped) -> str:
-    arrays = function.arrays
-    count = len(arrays)
-    lines = [
-        f"static void loop_{function.name}(",
-        "    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)",
-        "{",
-        "    (void)unused;",
-        "    nonsmooth_work work = {0};",
-        "    for (npy_intp start = 0; start < dimensions[0]; start += points) {",
-        "        const npy_intp left = dimensions[0] - start;",
-        "        const npy_intp here = left < points ? left : points;",
-        "        if (nonsmooth_ends_later(&work))",
-        "            return;",
-    ]
-    strides, places = count, []
-    for array in arrays:
-        places.append(f"steps + {strides}" if array.shape else "NULL")
-        strides += len(array.shape)
-    names = [f"a{i}" for i in range(count)]
-    lines += [
-        f"        {a.ctype} {n}[points * {a.size}];" for n, a in zip(names, arrays, strict=True)
-    ]
-
-    def move(macro: str, index: int) -> str:
-        array = arrays[index]
-        columns = array.shape[1] if len(array.shape) == 2 else 0
-        return (
-            f"        {macro}({array.ctype}, {names[index]}, args[{index}], steps[{index}],"
-            f" {places[index]}, {array.size}, {columns});"
-        )
-
-    inputs = count - len(function.outputs)
-    together = function.many and not function.long
-    layout = "_COLUMNS" if together else ""
-    lines += [move(f"GATHER{layout}", i) for i in range(inputs)]
-    if together:
-        lines.append(f"        {function.name}(here, {', '.join(names)});")
-    else:
-        plain = [not a.shape and i < inputs and not function.many for i, a in enumerate(arrays)]
-        given = iter(
-            f"{'*' if scalar else ''}({n} + {a.size} * point)"
-            for n, a, scalar in zip(names, arrays, plain, strict=True)
-        )
-        passed = ["1"] if function.many else []
-        passed += [next(given) if a.size else "NULL" for a in function.inputs]
-        passed += given
-        lines.append("        for (npy_intp point = 0; point < here; ++point) {")
-        if function.long:
-            lines += ["            if (nonsmooth_ends_later(&work))", "                return;"]
-        lines += [f"            {function.name}({', '.join(passed)});", "        }"]
-    lines += [move(f"SCATTER{layout}", i) for i in range(inputs, count)]
-    lines += ["    }", "}"]
-    return "\n".join(lines)
+def _call(function: Wrapped) -> str:
+    """The C function that calls a wrapped one for a block of points."""
+    passed, place = [], 0
+    for is_input, arrays in ((True, function.inputs), (False, function.outputs)):
+        for array in arrays:
+            if array is None or not array.size:
+                passed.append("NULL")
+                continue
+            block = f"(const {array.ctype} *)" if is_input else f"({array.ctype} *)"
+            block += f"(void *)a[{place}]"
+            place += 1
+            if function.many:
+                passed.append(block)
+            elif is_input and not array.shape:
+                passed.append(f"({block})[i]")
+            else:
+                passed.append(f"({block} + {array.size} * i)")
+    head = f"static void call_{function.name}(npy_intp count, char *const *a)"
+    if function.many:
+        return f"{head}\n{{\n    {function.function}(count, {', '.join(passed)});\n}}"
+    call = f"{function.function}({', '.join(passed)});"
+    return f"{head}\n{{\n    for (npy_intp i = 0; i < count; ++i)\n        {call}\n}}"

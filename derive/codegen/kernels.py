@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -27,7 +28,6 @@ __all__ = [
     "orbit_kernels",
     "reduced_equations",
     "spectrum_kernel",
-    "start_kernel",
 ]
 
 
@@ -78,9 +78,10 @@ def flow_kernels(
 
 
 def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
-    """All kernels of one orbit."""
+    """All kernels of one orbit; each gives first what the later outputs rest on."""
     parameters = _vector("parameters", orbit.parameters)
     spectrum = _vector("spectrum", orbit.spectrum.symbols)
+    unknowns = _vector("unknowns", orbit.unknowns)
     derivatives = Argument(
         "spectrum_derivatives",
         (len(orbit.spectrum.symbols), len(orbit.spectrum.parameters)),
@@ -90,186 +91,108 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             for p in orbit.spectrum.parameters
         ),
     )
-    unknowns = _vector("unknowns", orbit.unknowns)
     point = (parameters, spectrum, unknowns)
-    moved = (parameters, spectrum, derivatives, unknowns)
-    stages, chain = orbit.stages, orbit.chain.stages
+    flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
+    return (
+        _equations_kernel(orbit, (*point, replace(derivatives, since=2))),
+        _trace_kernel(orbit, (*point, replace(derivatives, since=1))),
+        _passage_kernel(orbit, point),
+        *flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters),
+        _reduced_kernel(orbit, parameters, spectrum),
+    )
 
+
+def _equations_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
     jacobian_stages, jacobian = orbit.jacobian_program
     moved_stages, parameter_jacobian = orbit.parameter_jacobian_program
+    return _kernel(
+        "equations",
+        "Switching and periodicity equations; their derivatives by the unknowns; those by the"
+        " parameters, in total, through the spectrum too.",
+        arguments,
+        (
+            _flat("residual", orbit.residual),
+            _table("jacobian", jacobian),
+            _table("parameter_jacobian", parameter_jacobian),
+        ),
+        merged(merged(orbit.stages, jacobian_stages), moved_stages),
+    )
+
+
+def _trace_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+    _, trace = orbit.trace_program
+    stages, gradient = orbit.trace_gradient_program
+    return _kernel(
+        "trace",
+        "Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by"
+        " the parameters.",
+        arguments,
+        (_scalar("trace", trace), _flat("trace_gradient", gradient)),
+        stages,
+    )
+
+
+def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+    chain, names = orbit.chain, orbit.system.states
+    links, functions = chain.links, orbit.boundary_functions
     poincare_stages, poincare = orbit.map_program
-    trace_stages, trace = orbit.trace_program
-    gradient_stages, gradient = orbit.trace_gradient_program
-    names = orbit.system.states
-    saltation_stages, saltations = saltation_matrices(orbit.chain, names)
-    monodromy_stages, full = monodromy(orbit.chain, names)
-    residual = _flat("residual", orbit.residual)
-    links, functions = orbit.chain.links, orbit.boundary_functions
-    coefficients = [c for b in functions for c in b.coefficients]
+    saltation_stages, saltations = saltation_matrices(chain, names)
+    monodromy_stages, full = monodromy(chain, names)
     states = [links[0].before, *(link.following for link in links)]
-
-    def kernel(
-        name: str,
-        title: str,
-        arguments: Sequence[Argument],
-        outputs: Sequence[Output],
-        stages: Sequence[Stage],
-    ) -> Kernel:
-        wanted = [e for output in outputs for e in output.expressions]
-        return Kernel(name, title, tuple(arguments), tuple(outputs), prune(stages, wanted))
-
-    kernels = [
-        kernel("residual", "Switching and periodicity equations.", point, [residual], stages),
-        kernel(
-            "jacobian",
-            "Derivatives of the equations by the unknowns.",
-            point,
-            [_table("jacobian", jacobian)],
-            (*stages, *jacobian_stages),
-        ),
-        kernel(
-            "residual_and_jacobian",
-            "Equations and their derivatives by the unknowns, sharing all intermediate terms.",
-            point,
-            [residual, _table("jacobian", jacobian)],
-            (*stages, *jacobian_stages),
-        ),
-        kernel(
-            "parameter_jacobian",
-            "Total derivatives of the equations by the parameters, through the spectrum too.",
-            moved,
-            [_table("parameter_jacobian", parameter_jacobian)],
-            (*stages, *moved_stages),
-        ),
-        kernel(
-            "poincare_jacobian",
-            "Jacobian of the Poincare map in the section's coordinates.",
-            point,
-            [_table("poincare_jacobian", poincare)],
-            (*chain, *poincare_stages),
-        ),
-        kernel(
-            "saltations",
-            "Saltation matrices of the transitions, one below the other.",
-            point,
-            [_table("saltations", sp.Matrix.vstack(*saltations))],
-            (*chain, *saltation_stages),
-        ),
-        kernel(
-            "monodromy",
-            "Monodromy matrix: the product of flows and saltation matrices over a period.",
-            point,
-            [_table("monodromy", full)],
-            (*chain, *monodromy_stages),
-        ),
-        kernel(
-            "trace",
-            "Trace of the Poincare map's Jacobian.",
-            point,
-            [_scalar("trace", trace)],
-            trace_stages,
-        ),
-        kernel(
-            "trace_gradient",
-            "Derivatives of the trace by the unknowns, then in total by the parameters.",
-            moved,
-            [_flat("trace_gradient", gradient)],
-            gradient_stages,
-        ),
-        kernel(
-            "states",
-            "State at the start and behind each transition, row by row.",
-            point,
-            [_table("states", sp.Matrix([list(s) for s in states]))],
-            chain,
-        ),
-    ]
-    if not orbit.trigonometric:
-        kernels.append(
-            kernel(
-                "phase_fields",
-                "Vector fields [A, b] of the phases, their states at the start and at the end, and"
-                " the boundaries along them [n, c], row by row.",
-                point,
-                [
-                    _table(
-                        "fields",
-                        sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links)),
-                    ),
-                    _table("starts", sp.Matrix([list(k.before) for k in links])),
-                    _table("ends", sp.Matrix([list(k.after) for k in links])),
-                    _table("boundaries", sp.Matrix([[*b.normal, b.constant] for b in functions])),
-                ],
-                chain,
-            )
+    along: tuple[Output, ...]
+    if orbit.trigonometric:
+        along = (
+            _flat("coefficients", [c for b in functions for c in b.coefficients]),
+            _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
         )
     else:
-        kernels.append(
-            kernel(
-                "boundary_functions",
-                "Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row"
-                " after the other; and the frequencies of each phase.",
-                point,
-                [
-                    _flat("coefficients", coefficients),
-                    _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
-                ],
-                chain,
-            )
+        along = (
+            _table("fields", sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links))),
+            _table("ends", sp.Matrix([list(k.after) for k in links])),
+            _table("boundaries", sp.Matrix([[*b.normal, b.constant] for b in functions])),
         )
-    flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
-    kernels += flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters)
-    return (*kernels, *_reduced_kernels(orbit, parameters, spectrum))
-
-
-def start_kernel(orbit: EquationSystem) -> Kernel:
-    """Kernel of the state at an orbit's start, including what the section fixes."""
-    point = (
-        _vector("parameters", orbit.parameters),
-        _vector("spectrum", orbit.spectrum.symbols),
-        _vector("unknowns", orbit.unknowns),
+    return _kernel(
+        "passage",
+        "State at the start and behind each transition. "
+        + (
+            "Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after"
+            " the other; and the frequencies of each phase."
+            if orbit.trigonometric
+            else "Vector fields [A, b] of the phases, their states at the end, and the boundaries"
+            " along them [n, c]."
+        )
+        + " Jacobian of the Poincare map in the section's coordinates; saltation matrices, one"
+        " below the other; monodromy matrix.",
+        arguments,
+        (
+            _table("states", sp.Matrix([list(s) for s in states])),
+            *along,
+            _table("poincare_jacobian", poincare),
+            _table("saltations", sp.Matrix.vstack(*saltations)),
+            _table("monodromy", full),
+        ),
+        merged(merged(merged(chain.stages, poincare_stages), saltation_stages), monodromy_stages),
     )
-    start = list(orbit.chain.links[0].before)
-    stages = prune(orbit.chain.stages, start)
-    return Kernel("start", "State at the start.", point, (_flat("start", start),), stages)
 
 
-def _reduced_kernels(
-    orbit: EquationSystem, parameters: Argument, spectrum: Argument
-) -> tuple[Kernel, ...]:
-    """Kernels of the reduced equations and of all unknowns from the reduced ones.
-
-    The first is missing where all unknowns are explicit.
-    """
+def _reduced_kernel(orbit: EquationSystem, parameters: Argument, spectrum: Argument) -> Kernel:
+    """Kernel of all unknowns from the reduced ones, and of the equations that are left."""
     reduction = orbit.reduction
-    values = [reduction.values[u] for u in orbit.unknowns]
-    explicit = [_flat("unknowns", values)]
+    stages, jacobian = reduction.jacobian()
+    outputs = [_flat("unknowns", [reduction.values[u] for u in orbit.unknowns])]
+    title = "All unknowns from the reduced ones" if reduction.unknowns else "All unknowns"
     if reduction.determinants:
-        explicit.append(_determinants(reduction))
-    wanted = [e for output in explicit for e in output.expressions]
-    title = "All unknowns from the reduced ones."
-    if not reduction.unknowns:
-        title = "All unknowns: they are explicit."
-    if reduction.determinants:
-        title = title[:-1] + ", and how singular the linear equations for them are: 0 if they are."
+        outputs.append(_determinants(reduction))
+        title += "; how singular the linear equations for them are: 0 if they are"
     point: tuple[Argument, ...] = (parameters, spectrum)
     if reduction.unknowns:
         point = (*point, _vector("reduced", reduction.unknowns))
-    expand = Kernel("expand", title, point, tuple(explicit), prune(reduction.stages, wanted))
-    if not reduction.unknowns:
-        return (expand,)
-    equations = [e for _, e in reduction.equations]
-    stages, jacobian = reduction.jacobian()
-    return (
-        Kernel(
-            "reduced",
-            "Reduced equations and their derivatives by the reduced unknowns.",
-            point,
-            (_flat("residual", equations), _table("jacobian", jacobian)),
-            prune((*reduction.stages, *stages), [*equations, *jacobian]),
-        ),
-        expand,
-    )
+        outputs += [
+            _flat("reduced_residual", [e for _, e in reduction.equations]),
+            _table("reduced_jacobian", jacobian),
+        ]
+        title += "; the equations for these and their derivatives"
+    return _kernel("reduced", f"{title}.", point, outputs, (*reduction.stages, *stages))
 
 
 def _determinants(reduction: Reduction) -> Output:
@@ -333,6 +256,18 @@ def direction_kernels(orbit: EquationSystem) -> tuple[Kernel, Kernel, Kernel]:
         ),
         Kernel("slopes", "Derivatives of the trace.", (), (slopes,), prune(trace_stages, gradient)),
     )
+
+
+def _kernel(
+    name: str,
+    title: str,
+    arguments: Sequence[Argument],
+    outputs: Sequence[Output],
+    stages: Sequence[Stage],
+) -> Kernel:
+    """A kernel with those stages that its outputs need."""
+    wanted = [e for output in outputs for e in output.expressions]
+    return Kernel(name, title, tuple(arguments), tuple(outputs), prune(stages, wanted))
 
 
 def _vector(name: str, symbols: Sequence[sp.Symbol]) -> Argument:

@@ -21,7 +21,7 @@ inline int long register restrict return short signed sizeof static struct switc
 union unsigned void volatile while
 """
 # names that no symbol of a kernel can have, in Python or in C
-RESERVED = frozenset({"lib", *keyword.kwlist, *_C_KEYWORDS.split()})
+RESERVED = frozenset({"lib", "outputs", *keyword.kwlist, *_C_KEYWORDS.split()})
 # functions that kernels in C call, and macros of its headers: there such a symbol gets a suffix
 _C_OWN = """
 cos exp fabs log pow sin sqrt tan DOMAIN HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN OVERFLOW

@@ -19,15 +19,17 @@ __all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
 
 
 def system_tables(derived: DerivedSystem) -> str:
-    """Python source of the tables SYSTEM, ORBITS and KERNELS (core shapes in and out).
+    """Python source of the tables SYSTEM, ORBITS and KERNELS.
 
+    KERNELS has core shapes: of what a kernel takes, each with the place of the first output that
+    needs it, and of what it gives, each with its name.
     MANY_POINTS is added if kernels for many points may be derived of some orbits; it has
     their names.
     """
     shapes = {
         python_function(k.name, orbit): (
-            [a.shape for a in k.arguments],
-            [o.shape for o in k.outputs],
+            [(a.shape, a.since) for a in k.arguments],
+            [(o.name, o.shape) for o in k.outputs],
         )
         for k, orbit in derived.kernels
     }

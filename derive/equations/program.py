@@ -36,11 +36,15 @@ class Stage:
 
 @dataclass(frozen=True)
 class Argument:
-    """An array that a kernel takes: its name, its shape and the symbols of its entries."""
+    """An array that a kernel takes: its name, its shape and the symbols of its entries.
+
+    The outputs before the one at the place `since` do without it.
+    """
 
     name: str
     shape: tuple[int, ...]
     symbols: tuple[sp.Symbol, ...]
+    since: int = 0
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,10 @@ class Output:
 
 @dataclass(frozen=True)
 class Kernel:
-    """One function to emit: input arrays, output arrays, and the stages between them."""
+    """One function to emit: input arrays, output arrays, and the stages between them.
+
+    Who calls it may want the first outputs alone.
+    """
 
     name: str
     title: str

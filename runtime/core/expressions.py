@@ -13,8 +13,8 @@ import operator
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from itertools import accumulate
 from math import prod
 from typing import Any
@@ -52,19 +52,30 @@ class Function:
     takes: tuple[str, ...]  # names of the entries of each argument, row after row, between blanks
     inputs: tuple[tuple[int, ...], ...]  # shapes of the arguments; that of a number is empty
     outputs: tuple[tuple[int, ...], ...]  # shapes of the results; that of a number is empty
+    names: tuple[str, ...]  # of the results
+    since: tuple[int, ...]  # place of the first result that takes each argument
     terms: tuple[str, ...]  # what is computed on the way, in order: ``name = expression``
     gives: tuple[str, ...]  # rows of the results: expressions between commas; a vector is one row
 
-    def __call__(self, *arguments: Any, lib: Any) -> Any:
-        """The results over an arithmetic, as nested lists; a tuple where there are several."""
+    def __call__(self, *arguments: Any, lib: Any, outputs: int | None = None) -> Any:
+        """The first results over an arithmetic, as nested lists; a tuple where there are several.
+
+        Arguments at the end that these results do not take may be left out.
+        """
+        shapes = self.outputs[:outputs]
+        left_out = [None] * (len(self.inputs) - len(arguments))
         numbers = [
             entry
-            for argument, shape in zip(arguments, self.inputs, strict=True)
-            for entry in _flat(argument, len(shape))
+            for argument, shape in zip((*arguments, *left_out), self.inputs, strict=True)
+            for entry in ([None] * prod(shape) if argument is None else _flat(argument, len(shape)))
         ]
-        found = iter(self._program.run(numbers, lib))
-        results = tuple(_shaped(found, shape) for shape in self.outputs)
+        found = iter(self._first(len(shapes)).run(numbers, lib))
+        results = tuple(_shaped(found, shape) for shape in shapes)
         return results if len(results) > 1 else results[0]
+
+    @cache  # noqa: B019 - as long as the function
+    def _first(self, count: int) -> _Program:
+        return self._program.first(sum(prod(shape) for shape in self.outputs[:count]))
 
     def check(self, *, exactly: bool) -> None:
         """Read all expressions, and raise an `InputError` of one line for what is refused.
@@ -105,7 +116,21 @@ class Function:
         if next(rows, None) is not None:
             raise InputError("a function gives more than its shapes tell")
         size = len(reader.sizes)
-        return _Program(size, tuple(reader.steps), tuple(results), reader.expands)
+        program = _Program(size, tuple(reader.steps), tuple(results), reader.expands)
+        self._check_results(program)
+        return program
+
+    def _check_results(self, program: _Program) -> None:
+        if len(self.names) != len(self.outputs) or len(self.since) != len(self.inputs):
+            raise InputError("results or arguments that are more or fewer than their names")
+        if [*self.since] != sorted(self.since):
+            raise InputError("an argument is taken later than one behind it")
+        ends = [*accumulate(prod(shape) for shape in self.outputs)]
+        places = [*accumulate((prod(shape) for shape in self.inputs), initial=0)]
+        for count, end in enumerate(ends):
+            given = places[sum(since <= count for since in self.since)]
+            if any(given <= place < places[-1] for place in program.first(end).needed):
+                raise InputError(f"{self.names[count]!r} needs an argument that it does not take")
 
     @property
     def constants(self) -> tuple[str, ...]:
@@ -168,6 +193,32 @@ class _Program:
             else:
                 found[place] = getattr(lib, what)(*_operands(what, operands, found))
         return [found[place] for place in self.results]
+
+    def first(self, count: int) -> _Program:
+        """The program of the first results alone."""
+        wanted, steps = set(self.results[:count]), []
+        for step in reversed(self.steps):
+            if step[0] in wanted:
+                wanted.update(_read(*step[1:]))
+                steps.append(step)
+        return replace(self, steps=tuple(reversed(steps)), results=self.results[:count])
+
+    @property
+    def needed(self) -> set[int]:
+        """Places of all numbers that steps or results read."""
+        return {*self.results}.union(*(_read(*step[1:]) for step in self.steps))
+
+
+def _read(what: Any, operands: Sequence[Any]) -> Sequence[int]:
+    """Places of the numbers that a step reads."""
+    if what is None or what == "pi":
+        return ()
+    if what is operator.pow:
+        return operands[:1]
+    if not isinstance(what, str):
+        return operands
+    plain = _FUNCTIONS[what]
+    return operands[plain + operands[1] if what == "exponential_difference" else plain :]
 
 
 def _operands(what: str, operands: Sequence[Any], found: Sequence[Any]) -> list[Any]:
@@ -385,29 +436,33 @@ def _tokens(text: str) -> Iterator[str]:
 def written(
     kernel: Callable[..., Any],
     takes: Sequence[Sequence[str]],
-    inputs: Sequence[Sequence[int]],
-    outputs: Sequence[Sequence[int]],
+    inputs: Sequence[tuple[Sequence[int], int]],
+    outputs: Sequence[tuple[str, Sequence[int]]],
 ) -> Function:
     """The `Function` that has the same operations as a kernel over any arithmetic.
 
     The kernel takes arrays as nested sequences, and ``lib``. `takes` holds the names of the
-    entries of each argument, `inputs` and `outputs` are shapes.
+    entries of each argument; `inputs` has its shape and the place of the first result that takes
+    it, `outputs` has name and shape of each result.
     """
     writer = _Writer()
     arguments = [
         _shaped(iter([writer.number("name", name) for name in names]), shape)
-        for names, shape in zip(takes, inputs, strict=True)
+        for names, (shape, _) in zip(takes, inputs, strict=True)
     ]
     found = kernel(*arguments, lib=_Tracing(writer))
     results = []
-    for value, shape in zip(found if len(outputs) > 1 else (found,), outputs, strict=True):
+    values = found if len(outputs) > 1 else (found,)
+    for value, (_, shape) in zip(values, outputs, strict=True):
         rows = [[value]] if not shape else [value] if len(shape) == 1 else value
         results += [[writer.taken(entry) for entry in row] for row in rows]
     terms, gives = writer.texts(results)
     return Function(
         takes=tuple(" ".join(names) for names in takes),
-        inputs=tuple(map(tuple, inputs)),
-        outputs=tuple(map(tuple, outputs)),
+        inputs=tuple(tuple(shape) for shape, _ in inputs),
+        outputs=tuple(tuple(shape) for _, shape in outputs),
+        names=tuple(name for name, _ in outputs),
+        since=tuple(since for _, since in inputs),
         terms=terms,
         gives=tuple(row for row, entries in zip(gives, results, strict=True) if entries),
     )

@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
 
-__all__ = ["vectorised", "with_entries"]
+__all__ = ["filled", "vectorised"]
 
 
 def vectorised(
@@ -73,17 +73,24 @@ def vectorised(
     return call
 
 
-def with_entries(compiled: Callable[..., Any], inputs: list[tuple[int, ...]]) -> Callable[..., Any]:
-    """A compiled kernel that takes all arguments, also those without entries.
+def filled(
+    compiled: Callable[..., Any], inputs: list[tuple[int, ...]], outputs: list[tuple[int, ...]]
+) -> Callable[..., Any]:
+    """A compiled kernel that takes and gives all arrays, also those without entries.
 
-    `compiled` is the generalized ufunc of the arguments that have entries; `inputs` are the
-    shapes of all arguments, without the leading axes. Arrays of floats are taken as by
+    `compiled` is the generalized ufunc of the arrays that have entries; `inputs` and `outputs`
+    are the shapes of all, without the leading axes. Arrays of floats are taken as by
     `vectorised`.
     """
-    if all(all(shape) for shape in inputs):
+    if all(map(all, (*inputs, *outputs))):
         return compiled
 
     def call(*arrays: Any) -> Any:
-        return compiled(*(a for a, shape in zip(arrays, inputs, strict=True) if all(shape)))
+        taken = [(np.asarray(a), s) for a, s in zip(arrays, inputs, strict=True)]
+        lead = np.broadcast_shapes(*(a.shape[: a.ndim - len(s)] for a, s in taken))
+        values = compiled(*(a for a, shape in taken if all(shape)))
+        given = iter(values if isinstance(values, tuple) else (values,))
+        results = tuple(next(given) if all(s) else np.empty((*lead, *s)) for s in outputs)
+        return results if len(results) > 1 else results[0]
 
     return call

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, partial
 from types import ModuleType
@@ -14,7 +14,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.core.vectorised import vectorised, with_entries
+from nonsmooth.runtime.core.vectorised import filled, vectorised
 from nonsmooth.runtime.model.loading.growing import JoinedKernel
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
@@ -94,21 +94,32 @@ class SystemKernels:
     @property
     def rows(self) -> int:
         """Number of affine functions that the system declares."""
-        return int(self.module.KERNELS["rows"][1][0][0])
+        return self._height("rows")
+
+    @property
+    def resets(self) -> int:
+        """Number of affine resets that the system declares."""
+        return self._height("resets") // len(self.table["states"])
+
+    def _height(self, kernel: str) -> int:
+        ((_, shape),) = self.module.KERNELS[kernel][1]
+        return int(shape[0])
 
     def source(self, kernel: str) -> Callable[..., Any]:
         """A kernel over any arithmetic; it takes its arrays as sequences, and ``lib``."""
         function: Callable[..., Any] = getattr(self.module, kernel)
         return function
 
-    def evaluate(self, kernel: str, *arrays: Any) -> Any:
+    def evaluate(self, kernel: str, *arrays: Any, outputs: int | None = None) -> Any:
         """Values of a kernel in double precision; its arguments broadcast over leading axes.
 
-        A tiny imaginary part of an argument comes out as a derivative.
+        It gives as many of its outputs as are asked for; arrays at the end that these do not need
+        are left out. A tiny imaginary part of an argument comes out as a derivative.
         """
+        arrays = arrays[: len(self._shapes(kernel, outputs)[0])]
         if any(map(np.iscomplexobj, arrays)):
-            return self._on_numpy(kernel)(*arrays)
-        return self.function(kernel)(*arrays)
+            return self._on_numpy(kernel, outputs)(*arrays)
+        return self.function(kernel, outputs)(*arrays)
 
     def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
         """State (..., N) after a time (...) in one configuration, from a state (..., N).
@@ -124,7 +135,7 @@ class SystemKernels:
             return self._exponential(configuration, parameters, time, state)
         names = [p.name for p in self.parameters]
         places = [names.index(name) for name in self.table["spectrum_parameters"]]
-        spectrum, _ = self.evaluate("spectrum", parameters[..., places])
+        spectrum = self.evaluate("spectrum", parameters[..., places], outputs=1)
         return self.evaluate(kernel, parameters, spectrum, time, state)
 
     def _exponential(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
@@ -141,19 +152,31 @@ class SystemKernels:
         return (propagator @ extended[..., None])[..., :size, 0]
 
     @cache  # noqa: B019 - as long as `loading.load.remember` keeps the system
-    def function(self, kernel: str) -> Callable[..., Any]:
+    def function(self, kernel: str, outputs: int | None = None) -> Callable[..., Any]:
         """The function that evaluates a kernel in double precision, in C if it is compiled."""
-        compiled = getattr(self.compiled, f"{self.table['name'].replace('-', '_')}_{kernel}", None)
-        if compiled is not None:
-            return with_entries(compiled, self.module.KERNELS[kernel][0])
-        return self._on_numpy(kernel)
+        shapes = self._shapes(kernel, outputs)
+        name = f"{self.table['name'].replace('-', '_')}_{kernel}_{len(shapes[1])}"
+        compiled = getattr(self.compiled, name, None)
+        return self._on_numpy(kernel, outputs) if compiled is None else filled(compiled, *shapes)
 
     @cache  # noqa: B019 - as `function`
-    def _on_numpy(self, kernel: str) -> Callable[..., Any]:
+    def _on_numpy(self, kernel: str, outputs: int | None) -> Callable[..., Any]:
         source = self.source(kernel)
         if isinstance(source, JoinedKernel):
             return partial(source.evaluated, lib=FLOATS)
-        return vectorised(source, *self.module.KERNELS[kernel])
+        inputs, given = self._shapes(kernel, outputs)
+        if len(given) < len(self.module.KERNELS[kernel][1]):
+            source = partial(source, outputs=len(given))
+        return vectorised(source, inputs, given)
+
+    @cache  # noqa: B019 - as `function`
+    def _shapes(
+        self, kernel: str, outputs: int | None
+    ) -> tuple[list[tuple[int, ...]], list[tuple[int, ...]]]:
+        """Core shapes of the first outputs of a kernel, and of the arguments that they need."""
+        takes, gives = self.module.KERNELS[kernel]
+        given = [tuple(shape) for _, shape in gives[:outputs]]
+        return [tuple(shape) for shape, since in takes if since < len(given)], given
 
 
 @dataclass(frozen=True, eq=False)
@@ -317,16 +340,55 @@ class OrbitKernels:
         names = self.system.table["spectrum"]
         return [place for place, name in enumerate(names) if name.startswith("omega")]
 
-    def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel of this orbit over any arithmetic."""
-        return self.system.source(f"{self.orbit.replace('-', '_')}_{kernel}")
+    def evaluate(self, *quantities: str, at: Sequence[Any], lib: Any = None) -> Any:
+        """Value of a quantity, or a tuple of several that one kernel gives.
 
-    def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """Values of a kernel of this orbit in double precision.
+        `at` holds the arrays that the kernel takes: parameters, spectrum, unknowns (or reduced
+        ones), then the spectrum's derivatives for what needs them. Without ``lib`` they are floats
+        that broadcast over leading axes, else one point in that arithmetic.
 
-        Its arguments broadcast over leading axes.
+        ========================================  ===========================================
+        residual, jacobian, parameter_jacobian    of the equations
+        trace, trace_gradient                     of the Poincare map's Jacobian
+        states                                    at the start and behind each transition
+        coefficients, frequencies                 of the boundaries along the phases, or
+        fields, ends, boundaries                  if they are no trigonometric sums
+        poincare_jacobian, saltations, monodromy  of the orbit
+        unknowns, determinants                    all unknowns from the reduced ones
+        reduced_residual, reduced_jacobian        of the reduced equations
+        ========================================  ===========================================
         """
-        return self._function(kernel)(*arrays)
+        kernel, places = self._places(quantities)
+        count = max(places) + 1
+        if lib is None:
+            found = self.system.evaluate(kernel, *at, outputs=count)
+        else:
+            takes, gives = self.system.module.KERNELS[kernel]
+            wanted = {"outputs": count} if len(gives) > 1 else {}
+            found = self.system.source(kernel)(*at[: len(takes)], lib=lib, **wanted)
+        values = found if count > 1 else (found,)
+        return values[places[0]] if len(places) == 1 else tuple(values[place] for place in places)
+
+    def has(self, quantity: str) -> bool:
+        """Whether a kernel of this orbit gives a quantity."""
+        return quantity in self._quantities
+
+    @cached_property
+    def _quantities(self) -> dict[str, tuple[str, int]]:
+        """Kernel and place among its outputs, by the name of what it gives."""
+        kernels, prefix = self.system.module.KERNELS, self.orbit.replace("-", "_")
+        names = [f"{prefix}_{kind}" for kind in ("equations", "trace", "passage", "reduced")]
+        return {
+            quantity: (name, place)
+            for name in names
+            for place, (quantity, _) in enumerate(kernels[name][1])
+        }
+
+    @cache  # noqa: B019 - as long as its system
+    def _places(self, quantities: tuple[str, ...]) -> tuple[str, list[int]]:
+        found = [self._quantities[quantity] for quantity in quantities]
+        (kernel,) = {name for name, _ in found}
+        return kernel, [place for _, place in found]
 
     def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
         """The spectrum and its derivatives at the equations' parameters, in their order.
@@ -352,11 +414,12 @@ class OrbitKernels:
         Everything is in floats: parameters (..., p), spectrum (..., k), reduced unknowns (..., r),
         which are not used if the orbit has none.
         """
-        arrays = (parameters, spectrum, *([reduced] if self.reduced else []))
-        found = self.evaluate("expand", *arrays)
-        if isinstance(found, tuple):
+        at = (parameters, spectrum, *([reduced] if self.reduced else []))
+        if self.has("determinants"):
+            found: tuple[Any, Any] = self.evaluate("unknowns", "determinants", at=at)
             return found
-        return found, np.ones((*np.shape(found)[:-1], 0))
+        values = self.evaluate("unknowns", at=at)
+        return values, np.ones((*np.shape(values)[:-1], 0))
 
     @cached_property
     def solver(self) -> Callable[..., Any] | None:
@@ -373,9 +436,13 @@ class OrbitKernels:
         """The compiled derivatives of this orbit by its parameters, if there are any."""
         return self._compiled("directions")
 
-    @cache  # noqa: B019 - as long as that of its system
-    def _function(self, kernel: str) -> Callable[..., Any]:
-        return self.system.function(f"{self.orbit.replace('-', '_')}_{kernel}")
+    def flow(self, configuration: str, *arrays: Any) -> Any:
+        """State (..., N) after a time in one configuration, in the orbit's coordinates.
+
+        The arrays are parameters, spectrum, time (...), state (..., N).
+        """
+        name = f"{self.orbit}_flow_{configuration}".replace("-", "_")
+        return self.system.evaluate(name, *arrays)
 
     def _compiled(self, name: str) -> Callable[..., Any] | None:
         if self.system.compiled is None:

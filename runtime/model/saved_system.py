@@ -247,7 +247,7 @@ def _function(module: ModuleType, name: str, names: Mapping[str, Sequence[str]])
     }.get(name, (names["parameters"],) if name in _EXACT else ())
     takes = known or [
         [f"{chr(ord('a') + place)}{k + 1}" for k in range(math.prod(shape))]
-        for place, shape in enumerate(inputs)
+        for place, (shape, _) in enumerate(inputs)
     ]
     return written(getattr(module, name), takes, inputs, outputs)
 
@@ -301,7 +301,10 @@ def kernels_of_saved(saved: SavedSystem) -> SystemKernels:
         "SYSTEM": kept,
         "ORBITS": dict(saved.orbits),
         "KERNELS": {
-            name: (list(found.inputs), list(found.outputs))
+            name: (
+                [*zip(found.inputs, found.since, strict=True)],
+                [*zip(found.names, found.outputs, strict=True)],
+            )
             for name, found in saved.functions.items()
         },
         "DERIVATION": saved.derivation,
@@ -420,9 +423,13 @@ def _shapes(
     inputs: Sequence[tuple[int, ...]],
     outputs: Sequence[tuple[int | None, ...]],
 ) -> None:
-    """Refuse a function with other shapes than these; None stands for any size above 0."""
+    """Refuse a function with other shapes than these; None stands for any size above 0.
+
+    Each of its results takes all arguments.
+    """
     found = functions[name]
     fits = list(found.inputs) == list(inputs) and len(found.outputs) == len(outputs)
+    fits = fits and not any(found.since)
     for shape, wanted in zip(found.outputs, outputs, strict=False):
         fits = fits and len(shape) == len(wanted)
         fits = fits and all(

@@ -278,7 +278,7 @@ def _structure(kernels: SystemKernels) -> Structure:
             for name, found in table["contacts"].items()
         ),
         kernels.rows,
-        kernels.module.KERNELS["resets"][1][0][0] // len(states),
+        kernels.resets,
         _pairs(states, table["forcing"]),
         _pairs(states, table["coordinates"]),
         law_of(table, configurations),

@@ -224,10 +224,11 @@ def _curves(
 ) -> Iterator[Callable[[], Iterator[tuple[Boundary, BoundaryCurve]]]]:
     """Yield for each of many points a function that makes its boundary functions when called."""
     spectrum, _ = kernels.spectrum(points)
-    readers: dict[str, Callable[..., Iterator[tuple[Boundary, BoundaryCurve]]]]
-    readers = {"boundary_functions": _sums, "phase_fields": _along_motions}
-    kernel = "boundary_functions" if kernels.trigonometric else "phase_fields"
-    arrays, read = kernels.evaluate(kernel, points, spectrum, unknowns), readers[kernel]
+    read: Callable[..., Iterator[tuple[Boundary, BoundaryCurve]]] = _along_motions
+    quantities: tuple[str, ...] = ("states", "fields", "ends", "boundaries")
+    if kernels.trigonometric:
+        read, quantities = _sums, ("coefficients", "frequencies")
+    arrays = kernels.evaluate(*quantities, at=(points, spectrum, unknowns))
     for row in range(len(points)):
         yield partial(read, kernels, *(array[row] for array in arrays), dwell[row])
 
@@ -235,7 +236,7 @@ def _curves(
 def _sums(
     kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Yield the boundaries and their sums from the `boundary_functions` kernel at one point.
+    """Yield the boundaries and their sums at one point.
 
     Frequencies are those of phase after phase.
     """
@@ -261,13 +262,14 @@ def _sums(
 
 def _along_motions(
     kernels: OrbitKernels,
+    states: np.ndarray,
     fields: np.ndarray,
-    starts: np.ndarray,
     ends: np.ndarray,
     rows: np.ndarray,
     dwell: np.ndarray,
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Yield the boundaries and their functions from the `phase_fields` kernel at one point."""
+    """Yield the boundaries and their functions at one point."""
+    starts = states[:-1]
     phases = zip(np.split(fields, len(starts)), starts, dwell.tolist(), strict=True)
     motions = [LinearMotion(*phase) for phase in phases]
     for boundary, row in zip(kernels.boundaries, rows, strict=True):

@@ -97,7 +97,7 @@ class DeclaredKernels:
         start = names[len(times) :]
         known = {**unknowns, **times}
         if not known.keys() >= {*start}:
-            states = self._evaluated("start", parameters, unknowns)
+            states = self._evaluated("states", parameters, unknowns)[:, 0]
             known = {**dict(zip(start, states.T, strict=True)), **known}
         return {name: known[name] for name in names}
 
@@ -108,14 +108,14 @@ class DeclaredKernels:
             return self._evaluated("states", parameters, unknowns)[:, :count]
         return np.stack([*named.values()][count:], axis=-1)[:, None]
 
-    def _evaluated(self, kernel: str, parameters: Columns, unknowns: Columns) -> np.ndarray:
-        """Return a kernel's values at orbits (n,); NaN where there is none."""
+    def _evaluated(self, quantity: str, parameters: Columns, unknowns: Columns) -> np.ndarray:
+        """Return a quantity at orbits (n,); NaN where there is none."""
         kernels = self.kernels
         points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
         solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
         spectrum, _ = kernels.spectrum(points)
         with np.errstate(all="ignore"):  # of points without an orbit
-            found = np.asarray(kernels.evaluate(kernel, points, spectrum, solved))
+            found = np.asarray(kernels.evaluate(quantity, at=(points, spectrum, solved)))
         found[np.isnan(solved).any(axis=-1)] = np.nan
         return found
 

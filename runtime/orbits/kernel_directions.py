@@ -29,11 +29,11 @@ __all__ = ["along_tables", "kernel_directions", "stepped_kernel"]
 
 
 def stepped_kernel(
-    orbit: Orbit, kernel: str, rates: dict[str, Any], count: int, lib: Mpmath | None
+    orbit: Orbit, quantity: str, rates: dict[str, Any], count: int, lib: Mpmath | None
 ) -> list[Any]:
-    """Return a kernel's values with complex steps of its arguments, one for each of q directions.
+    """Return a quantity with complex steps of what it depends on, one for each of q directions.
 
-    The kernel takes parameters, spectrum and unknowns. `rates` has the rates (q,) of what
+    A kernel gives it from parameters, spectrum and unknowns. `rates` has the rates (q,) of what
     changes, `count` is q, and `lib` is None in double precision.
     """
     kernels, still = orbit.kernels, np.zeros(count, dtype=int)
@@ -48,7 +48,7 @@ def stepped_kernel(
     for place in range(count):
         point, solved = ([x[place] for x in part] for part in (parameters, unknowns))
         spectrum, _ = kernels.spectrum(point, arithmetic)
-        values = kernels.source(kernel)(point, spectrum, solved, lib=arithmetic)
+        values = kernels.evaluate(quantity, at=(point, spectrum, solved), lib=arithmetic)
         found.append(np.array(values, dtype=complex if lib is None else object))
     return found
 
@@ -61,7 +61,7 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     kernels, lib = orbit.kernels, orbit.arithmetic if orbit.precise else None
     kind = float if lib is None else object
     names = [*kernels.unknowns, *kernels.parameter_names]
-    parts = (evaluate(orbit, "jacobian"), evaluate(orbit, "parameter_jacobian", moved=True))
+    parts = evaluate(orbit, "jacobian", "parameter_jacobian")
     jacobian = np.concatenate([np.array(part, dtype=kind) for part in parts], axis=1)
     places = [names.index(name) for name in orbit.unknowns]
     right = -jacobian[:, [names.index(name) for name in by]].T
@@ -77,12 +77,12 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     everything = {name: np.zeros(len(by), dtype=kind) * number(0) for name in names} | rates
     dwell = kernels.durations(everything).values()
     waits = np.stack([np.broadcast_to(np.asarray(w), (len(by),)) for w in dwell], axis=-1)
-    gradient = np.array(evaluate(orbit, "trace_gradient", moved=True), dtype=kind)
+    gradient = np.array(evaluate(orbit, "trace_gradient"), dtype=kind)
     trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
     wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
 
-    def along(kernel: str) -> np.ndarray:
-        return imaginary_parts(stepped_kernel(orbit, kernel, rates, len(by), wide), wide)
+    def along(quantity: str) -> np.ndarray:
+        return imaginary_parts(stepped_kernel(orbit, quantity, rates, len(by), wide), wide)
 
     def section() -> MapDerivatives:
         return MapDerivatives(

@@ -101,7 +101,7 @@ class KernelEquations:
     def _trigonometric(self, x: np.ndarray) -> Iterator[PhaseWaves]:
         """Yield the boundary functions of each phase where all flows are trigonometric sums."""
         kernels, table = self._kernels, self._kernels.table
-        rows, frequencies = kernels.evaluate("boundary_functions", *self._arguments(x))
+        rows, frequencies = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
         dwell, ends = self.dwell(x), np.cumsum([0, *table["terms"]])
         widths = [2 + 2 * table["terms"][boundary.phase] for boundary in kernels.boundaries]
         begins = np.cumsum([0, *widths])
@@ -126,7 +126,8 @@ class KernelEquations:
         """
         kernels, table = self._kernels, self._kernels.table
         arguments, dwell = self._arguments(x), self.dwell(x)
-        fields, starts, _, rows = kernels.evaluate("phase_fields", *arguments)
+        states, fields, rows = kernels.evaluate("states", "fields", "boundaries", at=arguments)
+        starts = states[:, :-1]
         fields = fields.reshape(*starts.shape, -1)
         for position, phase in enumerate(self._timed):
             watched, field = self._watched(phase), fields[:, phase]
@@ -154,9 +155,12 @@ class KernelEquations:
         times: np.ndarray,
     ) -> np.ndarray:
         """Return the states of points, and 1 behind them, at times since a phase has begun."""
-        name = self._kernels.table["phases"][phase][0].replace("-", "_")
-        states = self._kernels.evaluate(
-            f"flow_{name}", parameters[points], spectrum[points], times, starts[points]
+        states = self._kernels.flow(
+            self._kernels.table["phases"][phase][0],
+            parameters[points],
+            spectrum[points],
+            times,
+            starts[points],
         )
         return np.concatenate([states, np.ones((len(times), 1))], axis=-1)
 
@@ -180,13 +184,13 @@ class KernelEquations:
                 larger = np.where(half > 0, half + root, half - root)
                 return np.stack([larger, 1 / larger], axis=-1)
         with np.errstate(all="ignore"):  # infinite where a boundary is touched
-            matrices = self._kernels.evaluate("poincare_jacobian", *self._arguments(x))
+            matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(x))
         return eigenvalues(matrices)[:, : table["rank"]]
 
     def traces(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
         with np.errstate(all="ignore"):
-            return np.asarray(self._kernels.evaluate("trace", *self._arguments(x)))
+            return np.asarray(self._kernels.evaluate("trace", at=self._arguments(x)))
 
     def admissible(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""

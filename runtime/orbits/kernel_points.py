@@ -133,7 +133,7 @@ def _margins(
         root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
         return np.where(half <= 1, 0.0, 1 - (half + root))
     spectrum, _ = kernels.spectrum(points)
-    matrices = kernels.evaluate("poincare_jacobian", points, spectrum, unknowns)
+    matrices = kernels.evaluate("poincare_jacobian", at=(points, spectrum, unknowns))
     found = np.full(len(points), np.nan)
     sound = np.isfinite(matrices).all(axis=(-2, -1))
     found[sound] = 1 - _largest_sizes(matrices[sound])

@@ -204,9 +204,9 @@ class KernelProblem:
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
         """See `OrbitProblem`."""
-        kernel = f"flow_{self._phases[phase][0].replace('-', '_')}"
         spectrum, _ = self.kernels.spectrum(parameters)
-        return np.asarray(self.kernels.evaluate(kernel, parameters, spectrum, since, start))
+        arrays = (parameters, spectrum, since, start)
+        return np.asarray(self.kernels.flow(self._phases[phase][0], *arrays))
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
         """See `OrbitProblem`."""

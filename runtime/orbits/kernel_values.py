@@ -10,20 +10,15 @@ if TYPE_CHECKING:
 __all__ = ["evaluate"]
 
 
-def evaluate(orbit: Orbit, kernel: str, *, moved: bool = False) -> Any:
-    """Return a kernel's values at an orbit, in its arithmetic; see `Orbit.evaluate`.
+def evaluate(orbit: Orbit, *quantities: str) -> Any:
+    """Return quantities of an orbit by its kernels, in its arithmetic; see `Orbit.evaluate`.
 
-    They are an array of doubles, or nested lists of numbers. `moved` says that the kernel
-    takes the derivatives of the spectrum.
+    They are arrays of doubles, or nested lists of numbers.
     """
     kernels, values = orbit.kernels, orbit.values
+    lib = orbit.arithmetic if orbit.precise else None
     parameters = [values[name] for name in kernels.parameter_names]
     unknowns = [values[name] for name in kernels.unknowns]
-    if orbit.precise:
-        lib = orbit.arithmetic
-        spectrum, derivatives = kernels.spectrum(parameters, lib)
-        arrays = (parameters, spectrum, *([derivatives] if moved else []), unknowns)
-        return kernels.source(kernel)(*arrays, lib=lib)
-    spectrum, derivatives = kernels.spectrum(parameters)
-    arrays = (parameters, spectrum, *([derivatives] if moved else []), unknowns)
-    return kernels.evaluate(kernel, *arrays)
+    spectrum, derivatives = kernels.spectrum(parameters, lib)
+    at = (parameters, spectrum, unknowns, derivatives)
+    return kernels.evaluate(*quantities, at=at, lib=lib)

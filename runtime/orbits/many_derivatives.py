@@ -106,11 +106,11 @@ def _on_numpy(
     """Fill in derivatives (k, n + 1, p) of the unknowns and of the trace by all parameters."""
     spectrum, moved = kernels.spectrum(points)
     with np.errstate(all="ignore"):
-        jacobian = np.asarray(kernels.evaluate("jacobian", points, spectrum, unknowns))
-        changes = kernels.evaluate("parameter_jacobian", points, spectrum, moved, unknowns)
-        gradient = np.asarray(kernels.evaluate("trace_gradient", points, spectrum, moved, unknowns))
+        at = (points, spectrum, unknowns, moved)
+        jacobian, changes = kernels.evaluate("jacobian", "parameter_jacobian", at=at)
+        gradient = kernels.evaluate("trace_gradient", at=at)
     size = unknowns.shape[1]
-    found[:, :size], _ = solve_linear_many(jacobian, -np.asarray(changes), np.zeros(points.shape))
+    found[:, :size], _ = solve_linear_many(jacobian, -changes, np.zeros(points.shape))
     found[:, size] = gradient[:, size:]
     found[:, size] += np.einsum("kn,knq->kq", gradient[:, :size], found[:, :size])
 

@@ -287,19 +287,18 @@ class Orbit(Shown):
         """By how much each state is moved behind one period: zero but along translations."""
         return self.evaluation.shift
 
-    def evaluate(self, kernel: str, *, moved: bool = False) -> Any:
-        """Evaluate a kernel at the orbit's own parameters and unknowns.
+    def evaluate(self, *quantities: str) -> Any:
+        """Evaluate quantities of the kernels at the orbit's own parameters and unknowns.
 
         Parameters
         ----------
-        kernel : str
-            Its name, as "residual" or "jacobian".
-        moved : bool
-            Whether the kernel takes the spectrum's derivatives too.
+        quantities : str
+            One, as "residual" or "jacobian", or several of one kernel; `OrbitKernels.evaluate`
+            lists them.
 
         Returns
         -------
-        array, or nested lists of mpmath numbers
+        array, or nested lists of mpmath numbers; a tuple of several
             Nondimensional, or in the units of the declaration.
 
         Raises
@@ -307,7 +306,7 @@ class Orbit(Shown):
         InputError
             If the orbit has no kernels.
         """
-        return evaluate(self, kernel, moved=moved)
+        return evaluate(self, *quantities)
 
     def sensitivity(self, parameter: str) -> Sensitivity:
         """Differentiate unknowns, period and trace by one given parameter.

@@ -115,7 +115,8 @@ def enclosed_trace(orbit: Orbit) -> Any:
         parameters = [values[name] for name in kernels.parameter_names]
         spectrum, _ = kernels.spectrum(parameters, lib)
         unknowns = [values[name] for name in kernels.unknowns]
-        return lib.flint.arb(kernels.source("trace")(parameters, spectrum, unknowns, lib=lib))
+        at = (parameters, spectrum, unknowns)
+        return lib.flint.arb(kernels.evaluate("trace", at=at, lib=lib))
 
 
 def check_digits(digits: object) -> None:
@@ -143,13 +144,12 @@ def _equations(
     parameters = [values[name] for name in kernels.parameter_names]
     unknowns = [values[name] for name in kernels.unknowns]
     spectrum, derivatives = kernels.spectrum(parameters, lib)
-    residual, by_unknowns = kernels.source("residual_and_jacobian")(
-        parameters, spectrum, unknowns, lib=lib
-    )
+    at = (parameters, spectrum, unknowns, derivatives)
     if tuple(names) == kernels.unknowns:
+        residual, by_unknowns = kernels.evaluate("residual", "jacobian", at=at, lib=lib)
         return residual, by_unknowns
-    by_parameters = kernels.source("parameter_jacobian")(
-        parameters, spectrum, derivatives, unknowns, lib=lib
+    residual, by_unknowns, by_parameters = kernels.evaluate(
+        "residual", "jacobian", "parameter_jacobian", at=at, lib=lib
     )
     order = [*kernels.unknowns, *kernels.parameter_names]
     places = [order.index(name) for name in names]

@@ -92,7 +92,7 @@ def _grazes(orbit: Orbit, error: Any) -> bool:
 def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
     """Yield the rate of the boundary that ends each phase, there, and the size of its terms."""
     kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
-    coefficients, frequencies = (list(a) for a in orbit.evaluate("boundary_functions"))
+    coefficients, frequencies = map(list, orbit.evaluate("coefficients", "frequencies"))
     dwell, terms = orbit.dwell_times.tolist(), kernels.table["terms"]
     row = 0
     for boundary in kernels.boundaries:
@@ -113,7 +113,8 @@ def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
 def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
     """Yield these rates along damped and forced motions: n (A y + b) at the end y of a phase."""
     kernels = orbit.kernels
-    fields, _, ends, rows = (np.array(a, dtype=object) for a in orbit.evaluate("phase_fields"))
+    found = orbit.evaluate("fields", "ends", "boundaries")
+    fields, ends, rows = (np.array(a, dtype=object) for a in found)
     fields = fields.reshape(len(ends), -1, fields.shape[-1])
     for boundary, row in zip(kernels.boundaries, rows, strict=True):
         phase = boundary.phase

@@ -96,7 +96,9 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
     def advance(running: np.ndarray) -> np.ndarray:
         here = x[running]
         residual, jacobian = kernels.evaluate(
-            "reduced", parameters[running], spectrum[running], here
+            "reduced_residual",
+            "reduced_jacobian",
+            at=(parameters[running], spectrum[running], here),
         )
         step = _steps(jacobian, residual)
         wanted = here - step
@@ -113,9 +115,9 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
         taken, status = np.zeros((2, len(x)), dtype=np.int32)
     residual = np.zeros((len(x), 1))
     if kernels.reduced:
-        residual, _ = kernels.evaluate("reduced", parameters, spectrum, x)
+        residual = kernels.evaluate("reduced_residual", at=(parameters, spectrum, x))
     unknowns, determinants = kernels.expand(parameters, spectrum, x)
-    trace = kernels.evaluate("trace", parameters, spectrum, unknowns)
+    trace = kernels.evaluate("trace", at=(parameters, spectrum, unknowns))
     values = dict(zip(kernels.parameter_names, parameters.T, strict=True))
     durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
     for name, duration in durations.items():
@@ -213,11 +215,11 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
     """The full equations at a point x (n + p,) of unknowns, then parameters."""
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
     spectrum, derivatives = kernels.spectrum(parameters)
-    residual, by_unknowns = kernels.evaluate(
-        "residual_and_jacobian", parameters, spectrum, unknowns
-    )
-    by_parameters = kernels.evaluate(
-        "parameter_jacobian", parameters, spectrum, derivatives, unknowns
+    residual, by_unknowns, by_parameters = kernels.evaluate(
+        "residual",
+        "jacobian",
+        "parameter_jacobian",
+        at=(parameters, spectrum, unknowns, derivatives),
     )
     jacobian = np.concatenate([by_unknowns, by_parameters], axis=1)
     return LinearisedEquations(residual, jacobian, spectrum)
@@ -245,7 +247,7 @@ def error_bound(
     """
     residual, jacobian, spectrum = equations
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
-    states = kernels.evaluate("states", parameters, spectrum, unknowns)
+    states = kernels.evaluate("states", at=(parameters, spectrum, unknowns))
     sizes = np.array([np.abs(x)] * 2)
     sizes[0, places] = np.maximum(sizes[0, places], 1.0)
     rounding = np.abs(jacobian) @ sizes.T + np.abs(states).max()
@@ -268,13 +270,11 @@ def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.nda
     """
     with np.errstate(all="ignore"):
         spectrum, derivatives = kernels.spectrum(parameters)
-        residual, jacobian = kernels.evaluate(
-            "residual_and_jacobian", parameters, spectrum, unknowns
+        at = (parameters, spectrum, unknowns, derivatives)
+        residual, jacobian, by_parameters = kernels.evaluate(
+            "residual", "jacobian", "parameter_jacobian", at=at
         )
-        by_parameters = kernels.evaluate(
-            "parameter_jacobian", parameters, spectrum, derivatives, unknowns
-        )
-        states = np.abs(kernels.evaluate("states", parameters, spectrum, unknowns))
+        states = np.abs(kernels.evaluate("states", at=at))
         scale = np.maximum(np.abs(unknowns), 1)
         sizes = np.stack([scale, np.abs(unknowns)], axis=-1)
         rounding = np.abs(jacobian) @ sizes

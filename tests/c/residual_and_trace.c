@@ -11,7 +11,7 @@
 int main(int count, char **words)
 {
     double parameters[5], unknowns[6];
-    double spectrum[7], derivatives[14], residual[6], trace;
+    double spectrum[7], residual[6], trace;
     if (count != 12) {
         fprintf(stderr, "usage: %s chi eta V e1 e2 z10 z20 ta tau tau1 tau2\n", words[0]);
         return 2;
@@ -20,9 +20,9 @@ int main(int count, char **words)
         parameters[i] = strtod(words[1 + i], NULL);
     for (int i = 0; i < 6; ++i)
         unknowns[i] = strtod(words[6 + i], NULL);
-    dry_friction_spectrum(parameters, spectrum, derivatives);
-    dry_friction_global_stick_residual(parameters, spectrum, unknowns, residual);
-    dry_friction_global_stick_trace(parameters, spectrum, unknowns, &trace);
+    dry_friction_spectrum(parameters, spectrum, NULL);
+    dry_friction_global_stick_equations(parameters, spectrum, unknowns, NULL, residual, NULL, NULL);
+    dry_friction_global_stick_trace(parameters, spectrum, unknowns, NULL, &trace, NULL);
     for (int i = 0; i < 6; ++i)
         printf("%.17g\n", residual[i]);
     printf("%.17g\n", trace);

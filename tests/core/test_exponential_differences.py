@@ -205,6 +205,6 @@ def test_written_down_as_data_it_gives_the_same_digits() -> None:
         [t, c0, c1] = a
         return [lib.exponential_difference(1, t, (c0, 2 * c1), (0,), (4, 0)) + 1]
 
-    function = written(kernel, [["t", "c0", "c1"]], [(3,)], [(1,)])
+    function = written(kernel, [["t", "c0", "c1"]], [((3,), 0)], [("difference", (1,))])
     read = decode(Function, json.loads(json.dumps(encode(function))))
     assert read([1.5, 2.0, 0.3], lib=FLOATS) == kernel([1.5, 2.0, 0.3], lib=FLOATS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,8 @@ def of(*texts: str, terms: tuple[str, ...] = (), names: str = "a b") -> Function
         takes=(names,),
         inputs=((len(names.split()),),),
         outputs=((len(texts),),),
+        names=("given",),
+        since=(0,),
         terms=terms,
         gives=(", ".join(texts),),
     )
@@ -43,18 +46,23 @@ def flat(numbers: Any) -> Iterator[Any]:
 def test_every_kernel_comes_back_to_the_last_bit(name: str) -> None:
     module = load_system(name).module
     drawn = np.random.default_rng(1)
-    for kernel, (inputs, outputs) in module.KERNELS.items():
+    for kernel, (taken, given) in module.KERNELS.items():
         if kernel.startswith("flow_"):
             continue
+        inputs = [shape for shape, _ in taken]
         takes = [[f"{'abcde'[i]}{k}" for k in range(int(np.prod(s)))] for i, s in enumerate(inputs)]
-        function = written(getattr(module, kernel), takes, inputs, outputs)
+        function = written(getattr(module, kernel), takes, taken, given)
         read = decode(Function, json.loads(json.dumps(encode(function))))
         read.check(exactly=kernel in ("fields", "rows", "resets"))
         arrays = [drawn.uniform(0.5, 1.5, shape) for shape in inputs]
         with np.errstate(all="ignore"):
             wanted = [*flat(getattr(module, kernel)(*arrays, lib=FLOATS))]
             found = [*flat(read(*arrays, lib=FLOATS))]
-        assert np.array_equal(wanted, found, equal_nan=True), kernel
+            assert np.array_equal(wanted, found, equal_nan=True), kernel
+            for count in range(1, len(given)):
+                needed = [a for a, (_, since) in zip(arrays, taken, strict=True) if since < count]
+                found = [*flat(read(*needed, lib=FLOATS, outputs=count))]
+                assert np.array_equal(wanted[: len(found)], found, equal_nan=True), kernel
 
 
 def test_one_text_serves_every_arithmetic() -> None:
@@ -165,9 +173,32 @@ def test_terms_are_named_once_and_in_order(terms: tuple[str, ...], match: str) -
 
 @pytest.mark.parametrize("shape", [(-1,), (1 << 40,), (2, 1 << 40), (1, 1, 1), (3,), (2, 2)])
 def test_shapes_are_those_of_the_texts(shape: tuple[int, ...]) -> None:
-    wrong = Function(takes=("a",), inputs=((1,),), outputs=(shape,), terms=(), gives=("a, a",))
+    one = {"takes": ("a",), "names": ("given",), "since": (0,), "terms": ()}
+    wrong = Function(**one, inputs=((1,),), outputs=(shape,), gives=("a, a",))
     with pytest.raises(InputError):
         wrong.check(exactly=False)
-    wrong = Function(takes=("a",), inputs=(shape,), outputs=((1,),), terms=(), gives=("a1",))
+    wrong = Function(**one, inputs=(shape,), outputs=((1,),), gives=("a1",))
     with pytest.raises(InputError):
         wrong.check(exactly=False)
+
+
+def test_the_first_results_do_without_later_arguments() -> None:
+    def two(since: tuple[int, int], first: str = "a1") -> Function:
+        return Function(
+            takes=("a1", "b1"),
+            inputs=((1,), (1,)),
+            outputs=((), ()),
+            names=("one", "both"),
+            since=since,
+            terms=("sum = a1 + b1",),
+            gives=(first, "sum"),
+        )
+
+    assert two((0, 1))([2.0], lib=FLOATS, outputs=1) == 2
+    assert two((0, 1))([2.0], [3.0], lib=FLOATS) == (2, 5)
+    with pytest.raises(InputError, match="'one' needs an argument that it does not take"):
+        two((0, 1), "sum").check(exactly=False)
+    with pytest.raises(InputError, match="taken later"):
+        two((1, 0)).check(exactly=False)
+    with pytest.raises(InputError, match="more or fewer"):
+        replace(two((0, 1)), names=("one",)).check(exactly=False)

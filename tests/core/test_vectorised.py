@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.vectorised import vectorised, with_entries
+from nonsmooth.runtime.core.vectorised import filled, vectorised
 
 
 def kernel(point, lib):
@@ -68,11 +68,14 @@ def test_one_of_two_results_may_be_the_same_everywhere() -> None:
     np.testing.assert_array_equal(varying, [[5], [6], [7]])
 
 
-def test_compiled_kernels_get_no_arguments_without_entries() -> None:
+def test_compiled_kernels_take_and_give_no_arrays_without_entries() -> None:
     def compiled(*arrays):
         return arrays
 
     x, y, nothing = np.ones((4, 2)), np.zeros((4, 3)), np.empty((4, 0))
-    arguments = with_entries(compiled, [(2,), (0,), (3,)])(x, nothing, y)
-    assert [id(a) for a in arguments] == [id(x), id(y)]
-    assert with_entries(compiled, [(2,), (), (3,)]) is compiled
+    shapes = [(2,), (0,), (3,)]
+    first, none, second = filled(compiled, shapes, shapes)(x, nothing, y)
+    assert first is x
+    assert second is y
+    assert none.shape == (4, 0)
+    assert filled(compiled, [(2,), (), (3,)], [()]) is compiled

@@ -23,7 +23,7 @@ from nonsmooth import InputError
 from nonsmooth.derive import DerivationError, RigidStop, oscillator
 from nonsmooth.derive.codegen import regenerate
 from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
-from nonsmooth.derive.codegen.body import Body, body_of, hoisted, needed, split
+from nonsmooth.derive.codegen.body import body_of, hoisted, needed, split
 from nonsmooth.derive.codegen.c import c_kernel, print_c
 from nonsmooth.derive.codegen.emit import COMMAND, emit_system
 from nonsmooth.derive.equations.explicit import Angle
@@ -243,9 +243,9 @@ def test_numpy_is_given_no_function_of_nothing() -> None:
         system = oscillator("struck", ["x"], [[1]], [[stiffness]], elements=stops)
         emitted = emit_system(system, [], "tests")
         assert "void struck_fields" in emitted.files["struck.c"]
-        assert any(each.name == "struck_flow_free" for each in emitted.wrapped)
+        assert any(each.function == "struck_flow_free" for each in emitted.wrapped)
         for each in emitted.wrapped:
-            assert all(a.size for a in each.arrays)
+            assert all(a.size for a in (*each.taken, *each.given))
             assert "(0" not in each.signature
             assert not each.signature.startswith("->")
 
@@ -361,7 +361,7 @@ def test_names_of_common_terms_avoid_those_of_the_kernel() -> None:
     exec(python_kernel(kernel, None), namespace)
     expected = float(expression.subs({t0: 0.5, t1: 0.25, h0: 2}))
     assert namespace["probe"]([0.5, 0.25, 2.0], lib=FLOATS) == pytest.approx(expected)
-    raised = hoisted(Body(body_of(kernel).lines, body_of(kernel).outputs), {t0, t1})
+    raised = hoisted(body_of(kernel), {t0, t1})
     assert h0 not in {line.symbol for line in raised.lines}
 
 

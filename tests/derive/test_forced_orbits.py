@@ -138,16 +138,16 @@ def test_linear_equations_of_any_number_are_solved_with_their_derivatives():
 def newton(equations, functions, texts):
     """Reduced unknowns by the printed kernels in 30 digits, and all unknowns."""
     lib, orbit = Mpmath(30), equations.itinerary
-    of = {name: functions[python_function(name, orbit.name)] for name in ("reduced", "expand")}
+    reduced = functions[python_function("reduced", orbit.name)]
     point = [lib.mp.mpf(texts[str(p)]) for p in equations.parameters]
     data = [lib.mp.mpf(texts[str(p)]) for p in equations.spectrum.parameters]
-    spectrum, _ = functions[python_function("spectrum", None)](data, lib)
+    spectrum, _ = functions[python_function("spectrum", None)](data, lib=lib)
     guess = equations.itinerary.reference.guess
     x = lib.mp.matrix([guess[str(u)] for u in equations.reduction.unknowns])
     for _ in range(12):
-        residual, jacobian = of["reduced"](point, spectrum, list(x), lib)
+        *_, residual, jacobian = reduced(point, spectrum, list(x), lib=lib)
         x -= lib.mp.lu_solve(lib.mp.matrix(jacobian), lib.mp.matrix(residual))
-    unknowns, _ = of["expand"](point, spectrum, list(x), lib)
+    unknowns, *_ = reduced(point, spectrum, list(x), lib=lib)
     return lib, (point, spectrum, list(unknowns))
 
 
@@ -163,7 +163,8 @@ def test_two_harmonics_share_one_phase():
     for kernel in orbit_kernels(equations):
         exec(python_kernel(kernel, orbit.name), functions)
     lib, point = newton(equations, functions, texts)
-    residual = functions[python_function("residual", orbit.name)](*point, lib)
+    equations_of = functions[python_function("equations", orbit.name)]
+    residual = equations_of(*point, lib=lib, outputs=1)
     assert max(map(abs, residual)) < 1e-24
     at = dict(zip(map(str, equations.unknowns), point[-1], strict=True))
     first = complex(at["c10"], at["s10"])

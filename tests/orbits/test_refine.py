@@ -290,9 +290,8 @@ def test_newton_converges_quadratically(orbit):
     x, errors = [v * (1 + lib.mp.mpf(10) ** -3) for v in root], []
     for _ in range(9):
         errors.append(max(abs(a - b) for a, b in zip(x, root, strict=True)))
-        residual, jacobian = kernels.source("residual_and_jacobian")(
-            parameters, spectrum, x, lib=lib
-        )
+        at = (parameters, spectrum, x)
+        residual, jacobian = kernels.evaluate("residual", "jacobian", at=at, lib=lib)
         x = [v - s for v, s in zip(x, lib.solve(jacobian, residual), strict=True)]
     errors = [e for e in errors if e > lib.mp.mpf(10) ** -600]
     assert len(errors) >= 8

@@ -282,12 +282,34 @@ WRONG = {
     "table/forcing": ([["x", "nowhere"]],),
     "table/name": ("", "../own.py", "a\nb"),
     "table/modes": ({}, {"free": [{"length": 10**9, "oscillates": True}]}),
-    "functions/__name__": ({"takes": [], "inputs": [], "outputs": [], "terms": [], "gives": []},),
-    "functions/SYSTEM": ({"takes": [], "inputs": [], "outputs": [], "terms": [], "gives": []},),
+    "functions/__name__": (
+        {
+            "takes": [],
+            "inputs": [],
+            "outputs": [],
+            "names": [],
+            "since": [],
+            "terms": [],
+            "gives": [],
+        },
+    ),
+    "functions/SYSTEM": (
+        {
+            "takes": [],
+            "inputs": [],
+            "outputs": [],
+            "names": [],
+            "since": [],
+            "terms": [],
+            "gives": [],
+        },
+    ),
     "functions": ({},),
     "functions/rows/gives/0": ("0, 0, 0, 0, exec(w)", "0", "10**10**10, 0, 0, 0, 0"),
     "functions/rows/outputs/0": ([1, 5], [10**9, 5], [0, 5]),
     "functions/fields/inputs/0": ([3],),
+    "functions/fields/since": ([1], []),
+    "functions/fields/names": ([],),
     "orbits/one": ({"phases": [["nowhere", "b", "T"]]}, {}),
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -75,13 +76,21 @@ class Line:
     def spectrum(self, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return parameters[..., :0], parameters[..., :0]
 
-    def evaluate(self, name: str, parameters: np.ndarray, *rest: np.ndarray) -> Any:
-        unknowns, slopes = rest[-1], np.full((*parameters.shape, 1), self.slope)
-        return {
+    def evaluate(self, *quantities: str, at: Sequence[np.ndarray]) -> Any:
+        parameters, unknowns = at[0], at[2]
+        slopes = np.full((*parameters.shape, 1), self.slope)
+        residual = self.slope * (unknowns - parameters)
+        known = {
+            "residual": residual,
+            "jacobian": slopes,
             "parameter_jacobian": -slopes,
+            "reduced_residual": residual,
+            "reduced_jacobian": slopes,
             "states": np.full(parameters.shape, self.size),
             "trace": 0 * parameters[..., 0],
-        }.get(name, (self.slope * (unknowns - parameters), slopes))
+        }
+        values = [known[quantity] for quantity in quantities]
+        return values[0] if len(values) == 1 else values
 
     def expand(self, parameters: Any, spectrum: Any, x: np.ndarray) -> tuple[Any, np.ndarray]:
         return x, np.ones((len(x), 1))

@@ -135,6 +135,8 @@ def affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.n
         takes=(" ".join(names),),
         inputs=((size,),),
         outputs=((),),
+        names=("output",),
+        since=(0,),
         terms=(),
         gives=(_DECIMAL.sub(_fraction, text),),
     )

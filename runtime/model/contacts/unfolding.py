@@ -94,12 +94,12 @@ class UnfoldedKernels(SystemKernels):
 
         return rows
 
-    def evaluate(self, kernel: str, *arrays: Any) -> Any:
+    def evaluate(self, kernel: str, *arrays: Any, outputs: int | None = None) -> Any:
         """Values of a kernel in double precision; `rows` gives the rows of the routes too.
 
         The kernel's arguments broadcast over leading axes.
         """
-        found = self._declared.evaluate(kernel, *arrays)
+        found = self._declared.evaluate(kernel, *arrays, outputs=outputs)
         if kernel != "rows":
             return found
         with np.errstate(invalid="ignore", divide="ignore"):  # points that are not numbers

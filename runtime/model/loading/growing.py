@@ -286,7 +286,10 @@ class _Union:
             },
             "ORBITS": orbits,
             "KERNELS": {
-                kind: ([(points,)], [(len(origins[kind]) * heights[kind], size + 1)])
+                kind: (
+                    [((points,), 0)],
+                    [(kind, (len(origins[kind]) * heights[kind], size + 1))],
+                )
                 for kind in _KINDS
             },
             **{

@@ -152,9 +152,7 @@ def _solves(orbit: Orbit) -> bool:
     unit = 10**orbit.digits
     try:
         with np.errstate(all="ignore"):
-            derivatives = np.hstack(
-                [rough.evaluate("jacobian"), rough.evaluate("parameter_jacobian", moved=True)]
-            )
+            derivatives = np.hstack(rough.evaluate("jacobian", "parameter_jacobian"))
             bounds = [float(bound) for bound in _SLACK * np.abs(derivatives) @ scale]
             sizes = [abs(r) * unit for r in orbit.evaluate("residual")]
     except ArithmeticError:

@@ -194,10 +194,9 @@ def _without_saltation(orbit: Orbit) -> np.ndarray:
     for (configuration, _, _), time, reset in zip(
         kernels.table["phases"], orbit.dwell_times, kernels.table["resets"], strict=True
     ):
-        kernel = f"flow_{configuration.replace('-', '_')}"
-        arguments = (parameters, spectrum, float(time))
-        origin = np.asarray(kernels.evaluate(kernel, *arguments, np.zeros(len(product))))
-        moved = np.asarray(kernels.evaluate(kernel, *arguments, product.T)) - origin
+        arguments = (configuration, parameters, spectrum, float(time))
+        origin = np.asarray(kernels.flow(*arguments, np.zeros(len(product))))
+        moved = np.asarray(kernels.flow(*arguments, product.T)) - origin
         product = np.array(reset, dtype=float) @ moved.T
     return product
 

@@ -208,7 +208,7 @@ def _digits_of_global_stick(stick: Orbit) -> Finding:
     printed = {"z10": 1.1838, "z20": -2.6715, "ta": 1.0, "tau": 2.0, "tau1": 1.568, "tau2": 3.28}
     parameters = [float(stick.values[name]) for name in kernels.parameter_names]
     spectrum, _ = kernels.spectrum(parameters)
-    residual = kernels.evaluate("residual", parameters, spectrum, list(printed.values()))
+    residual = kernels.evaluate("residual", at=(parameters, spectrum, list(printed.values())))
     rows = list(zip(kernels.table["equations"], residual.tolist(), strict=True))
     switching, closing = np.abs(residual[:4]).max(), np.abs(residual[4:]).max()
     return Finding(
@@ -253,8 +253,7 @@ def _turn(orbit: Orbit, last: float | None = None) -> np.ndarray:
         times[-1] = last
     product = np.eye(4)
     for (configuration, _, _), time in list(zip(kernels.table["phases"], times, strict=True))[1:]:
-        kernel = f"flow_{configuration.replace('-', '_')}"
-        columns = kernels.evaluate(kernel, parameters, spectrum, time, product.T)
+        columns = kernels.flow(configuration, parameters, spectrum, time, product.T)
         product = np.asarray(columns).T
     return product
 

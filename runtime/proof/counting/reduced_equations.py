@@ -78,7 +78,6 @@ class ReducedProblem:
         self._lib = _RealBalls()
         self._parameters = [self._lib.number(value) for value in given]
         self._spectrum, _ = kernels.spectrum(self._parameters, self._lib)
-        self._reduced, self._expand = kernels.source("reduced"), kernels.source("expand")
 
     def linear(self, sides: Sides) -> Linear | None:
         """The residual as one column over a box; None if one of its equations has no root there."""
@@ -96,10 +95,13 @@ class ReducedProblem:
 
     def unknowns(self, sides: Sides) -> dict[str, arb]:
         """All unknowns of the full equations, by name, over a box of the reduced ones."""
-        found = self._expand(self._parameters, self._spectrum, balls_of(sides), lib=self._lib)
-        values = found[0] if isinstance(found, tuple) else found
+        at = (self._parameters, self._spectrum, balls_of(sides))
+        values = self.kernels.evaluate("unknowns", at=at, lib=self._lib)
         return dict(zip(self.kernels.unknowns, values, strict=True))
 
     def _at(self, point: Sequence[arb]) -> tuple[list[Any], list[list[Any]]]:
-        values, jacobian = self._reduced(self._parameters, self._spectrum, point, lib=self._lib)
+        at = (self._parameters, self._spectrum, point)
+        values, jacobian = self.kernels.evaluate(
+            "reduced_residual", "reduced_jacobian", at=at, lib=self._lib
+        )
         return values, jacobian
