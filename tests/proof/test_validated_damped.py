@@ -53,7 +53,8 @@ def kernels_of(system: System) -> SystemKernels:
     table.SYSTEM = system_table(declaration)
     assert table.SYSTEM["modes"] is None
     table.KERNELS = {
-        e.name: ([i.shape for i in e.arguments], [o.shape for o in e.outputs]) for e in exact
+        e.name: ([(i.shape, 0) for i in e.arguments], [(o.name, o.shape) for o in e.outputs])
+        for e in exact
     }
     return SystemKernels(system.name, module, None)
 
