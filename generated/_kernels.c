@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation a3384fbe9e003384 */
+ * SymPy 1.14.0, derivation b8ff1a1f8e3cdd05 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -17,7 +17,7 @@
 #include "elastic_stop.h"
 #include "dry_friction.h"
 
-enum { most_points = 64, most_arrays = 9, on_stack = 4096 };
+enum { most_points = 64, most_arrays = 7, on_stack = 4096 };
 
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
@@ -227,37 +227,37 @@ static void call_rigid_stop_one_impact_trace_2(npy_intp count, char *const *a)
 static void call_rigid_stop_one_impact_passage_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), NULL, NULL, NULL, NULL, NULL);
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), NULL, NULL);
 }
 
 static void call_rigid_stop_one_impact_passage_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), NULL, NULL, NULL, NULL);
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), NULL);
 }
 
 static void call_rigid_stop_one_impact_passage_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), NULL, NULL, NULL);
+        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i));
 }
 
-static void call_rigid_stop_one_impact_passage_4(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_linearisation_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 9 * i), NULL, NULL);
+        rigid_stop_one_impact_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 9 * i), NULL, NULL);
 }
 
-static void call_rigid_stop_one_impact_passage_5(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_linearisation_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 16 * i), NULL);
+        rigid_stop_one_impact_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 16 * i), NULL);
 }
 
-static void call_rigid_stop_one_impact_passage_6(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_linearisation_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 16 * i), ((double *)(void *)a[8] + 16 * i));
+        rigid_stop_one_impact_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 16 * i), ((double *)(void *)a[5] + 16 * i));
 }
 
 static void call_rigid_stop_one_impact_flow_free_1(npy_intp count, char *const *a)
@@ -380,37 +380,37 @@ static void call_elastic_stop_one_contact_trace_2(npy_intp count, char *const *a
 static void call_elastic_stop_one_contact_passage_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL, NULL, NULL, NULL);
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL);
 }
 
 static void call_elastic_stop_one_contact_passage_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), NULL, NULL, NULL, NULL);
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), NULL);
 }
 
 static void call_elastic_stop_one_contact_passage_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), NULL, NULL, NULL);
+        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i));
 }
 
-static void call_elastic_stop_one_contact_passage_4(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_linearisation_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 9 * i), NULL, NULL);
+        elastic_stop_one_contact_linearisation(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 9 * i), NULL, NULL);
 }
 
-static void call_elastic_stop_one_contact_passage_5(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_linearisation_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 32 * i), NULL);
+        elastic_stop_one_contact_linearisation(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 32 * i), NULL);
 }
 
-static void call_elastic_stop_one_contact_passage_6(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_linearisation_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 9 * i), ((double *)(void *)a[7] + 32 * i), ((double *)(void *)a[8] + 16 * i));
+        elastic_stop_one_contact_linearisation(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 32 * i), ((double *)(void *)a[5] + 16 * i));
 }
 
 static void call_elastic_stop_one_contact_flow_contact_1(npy_intp count, char *const *a)
@@ -593,37 +593,37 @@ static void call_dry_friction_symmetric_trace_2(npy_intp count, char *const *a)
 static void call_dry_friction_symmetric_passage_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL, NULL, NULL, NULL);
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL);
 }
 
 static void call_dry_friction_symmetric_passage_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), NULL, NULL, NULL, NULL);
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), NULL);
 }
 
 static void call_dry_friction_symmetric_passage_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), NULL, NULL, NULL);
+        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i));
 }
 
-static void call_dry_friction_symmetric_passage_4(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_linearisation_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), ((double *)(void *)a[6] + 4 * i), NULL, NULL);
+        dry_friction_symmetric_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL);
 }
 
-static void call_dry_friction_symmetric_passage_5(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_linearisation_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 32 * i), NULL);
+        dry_friction_symmetric_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 32 * i), NULL);
 }
 
-static void call_dry_friction_symmetric_passage_6(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_linearisation_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 32 * i), ((double *)(void *)a[8] + 16 * i));
+        dry_friction_symmetric_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 32 * i), ((double *)(void *)a[5] + 16 * i));
 }
 
 static void call_dry_friction_symmetric_flow_slip_slip_1(npy_intp count, char *const *a)
@@ -695,37 +695,37 @@ static void call_dry_friction_global_stick_trace_2(npy_intp count, char *const *
 static void call_dry_friction_global_stick_passage_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL, NULL, NULL, NULL);
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
 }
 
 static void call_dry_friction_global_stick_passage_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL, NULL, NULL, NULL);
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL);
 }
 
 static void call_dry_friction_global_stick_passage_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), NULL, NULL, NULL);
+        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i));
 }
 
-static void call_dry_friction_global_stick_passage_4(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_linearisation_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), NULL, NULL);
+        dry_friction_global_stick_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL);
 }
 
-static void call_dry_friction_global_stick_passage_5(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_linearisation_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), NULL);
+        dry_friction_global_stick_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), NULL);
 }
 
-static void call_dry_friction_global_stick_passage_6(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_linearisation_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), ((double *)(void *)a[8] + 16 * i));
+        dry_friction_global_stick_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), ((double *)(void *)a[5] + 16 * i));
 }
 
 static void call_dry_friction_global_stick_flow_stick_stick_1(npy_intp count, char *const *a)
@@ -803,37 +803,37 @@ static void call_dry_friction_solution_ii_trace_2(npy_intp count, char *const *a
 static void call_dry_friction_solution_ii_passage_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL, NULL, NULL, NULL);
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
 }
 
 static void call_dry_friction_solution_ii_passage_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL, NULL, NULL, NULL);
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL);
 }
 
 static void call_dry_friction_solution_ii_passage_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), NULL, NULL, NULL);
+        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i));
 }
 
-static void call_dry_friction_solution_ii_passage_4(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_linearisation_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), NULL, NULL);
+        dry_friction_solution_ii_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL);
 }
 
-static void call_dry_friction_solution_ii_passage_5(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_linearisation_2(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), NULL);
+        dry_friction_solution_ii_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), NULL);
 }
 
-static void call_dry_friction_solution_ii_passage_6(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_linearisation_3(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 4 * i), ((double *)(void *)a[7] + 64 * i), ((double *)(void *)a[8] + 16 * i));
+        dry_friction_solution_ii_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), ((double *)(void *)a[5] + 16 * i));
 }
 
 static void call_dry_friction_solution_ii_flow_stick_stick_1(npy_intp count, char *const *a)
@@ -970,15 +970,15 @@ static const wrapped functions[] = {
     {"rigid_stop_one_impact_passage_3", "(5),(7),(2)->(2,4),(6),(2)",
      call_rigid_stop_one_impact_passage_3, in_rows, 3, 3,
      {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_passage_4", "(5),(7),(2)->(2,4),(6),(2),(3,3)",
-     call_rigid_stop_one_impact_passage_4, in_rows, 3, 4,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_passage_5", "(5),(7),(2)->(2,4),(6),(2),(3,3),(4,4)",
-     call_rigid_stop_one_impact_passage_5, in_rows, 3, 5,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_passage_6", "(5),(7),(2)->(2,4),(6),(2),(3,3),(4,4),(4,4)",
-     call_rigid_stop_one_impact_passage_6, in_rows, 3, 6,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_linearisation_1", "(5),(7),(2)->(3,3)",
+     call_rigid_stop_one_impact_linearisation_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_linearisation_2", "(5),(7),(2)->(3,3),(4,4)",
+     call_rigid_stop_one_impact_linearisation_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"rigid_stop_one_impact_linearisation_3", "(5),(7),(2)->(3,3),(4,4),(4,4)",
+     call_rigid_stop_one_impact_linearisation_3, in_rows, 3, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_flow_free_1", "(5),(7),(),(4)->(4)",
      call_rigid_stop_one_impact_flow_free_1, in_rows, 4, 1,
      {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
@@ -1048,15 +1048,15 @@ static const wrapped functions[] = {
     {"elastic_stop_one_contact_passage_3", "(6),(12),(4)->(3,4),(12),(4)",
      call_elastic_stop_one_contact_passage_3, in_rows, 3, 3,
      {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_passage_4", "(6),(12),(4)->(3,4),(12),(4),(3,3)",
-     call_elastic_stop_one_contact_passage_4, in_rows, 3, 4,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_passage_5", "(6),(12),(4)->(3,4),(12),(4),(3,3),(8,4)",
-     call_elastic_stop_one_contact_passage_5, in_rows, 3, 5,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_passage_6", "(6),(12),(4)->(3,4),(12),(4),(3,3),(8,4),(4,4)",
-     call_elastic_stop_one_contact_passage_6, in_rows, 3, 6,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_linearisation_1", "(6),(12),(4)->(3,3)",
+     call_elastic_stop_one_contact_linearisation_1, in_rows, 3, 1,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_linearisation_2", "(6),(12),(4)->(3,3),(8,4)",
+     call_elastic_stop_one_contact_linearisation_2, in_rows, 3, 2,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
+    {"elastic_stop_one_contact_linearisation_3", "(6),(12),(4)->(3,3),(8,4),(4,4)",
+     call_elastic_stop_one_contact_linearisation_3, in_rows, 3, 3,
+     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_flow_contact_1", "(6),(12),(),(4)->(4)",
      call_elastic_stop_one_contact_flow_contact_1, in_rows, 4, 1,
      {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
@@ -1156,15 +1156,15 @@ static const wrapped functions[] = {
     {"dry_friction_symmetric_passage_3", "(4),(7),(5)->(3,4),(24),(3)",
      call_dry_friction_symmetric_passage_3, in_rows, 3, 3,
      {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_passage_4", "(4),(7),(5)->(3,4),(24),(3),(2,2)",
-     call_dry_friction_symmetric_passage_4, in_rows, 3, 4,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_passage_5", "(4),(7),(5)->(3,4),(24),(3),(2,2),(8,4)",
-     call_dry_friction_symmetric_passage_5, in_rows, 3, 5,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_passage_6", "(4),(7),(5)->(3,4),(24),(3),(2,2),(8,4),(4,4)",
-     call_dry_friction_symmetric_passage_6, in_rows, 3, 6,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_linearisation_1", "(4),(7),(5)->(2,2)",
+     call_dry_friction_symmetric_linearisation_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_linearisation_2", "(4),(7),(5)->(2,2),(8,4)",
+     call_dry_friction_symmetric_linearisation_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_symmetric_linearisation_3", "(4),(7),(5)->(2,2),(8,4),(4,4)",
+     call_dry_friction_symmetric_linearisation_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_symmetric_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
      call_dry_friction_symmetric_flow_slip_slip_1, in_rows, 4, 1,
      {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
@@ -1207,15 +1207,15 @@ static const wrapped functions[] = {
     {"dry_friction_global_stick_passage_3", "(5),(7),(6)->(5,4),(44),(4)",
      call_dry_friction_global_stick_passage_3, in_rows, 3, 3,
      {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_passage_4", "(5),(7),(6)->(5,4),(44),(4),(2,2)",
-     call_dry_friction_global_stick_passage_4, in_rows, 3, 4,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_passage_5", "(5),(7),(6)->(5,4),(44),(4),(2,2),(16,4)",
-     call_dry_friction_global_stick_passage_5, in_rows, 3, 5,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_passage_6", "(5),(7),(6)->(5,4),(44),(4),(2,2),(16,4),(4,4)",
-     call_dry_friction_global_stick_passage_6, in_rows, 3, 6,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_linearisation_1", "(5),(7),(6)->(2,2)",
+     call_dry_friction_global_stick_linearisation_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_linearisation_2", "(5),(7),(6)->(2,2),(16,4)",
+     call_dry_friction_global_stick_linearisation_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_linearisation_3", "(5),(7),(6)->(2,2),(16,4),(4,4)",
+     call_dry_friction_global_stick_linearisation_3, in_rows, 3, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_global_stick_flow_stick_stick_1", "(5),(7),(),(4)->(4)",
      call_dry_friction_global_stick_flow_stick_stick_1, in_rows, 4, 1,
      {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
@@ -1261,15 +1261,15 @@ static const wrapped functions[] = {
     {"dry_friction_solution_ii_passage_3", "(4),(7),(6)->(5,4),(44),(4)",
      call_dry_friction_solution_ii_passage_3, in_rows, 3, 3,
      {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_passage_4", "(4),(7),(6)->(5,4),(44),(4),(2,2)",
-     call_dry_friction_solution_ii_passage_4, in_rows, 3, 4,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_passage_5", "(4),(7),(6)->(5,4),(44),(4),(2,2),(16,4)",
-     call_dry_friction_solution_ii_passage_5, in_rows, 3, 5,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_passage_6", "(4),(7),(6)->(5,4),(44),(4),(2,2),(16,4),(4,4)",
-     call_dry_friction_solution_ii_passage_6, in_rows, 3, 6,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_linearisation_1", "(4),(7),(6)->(2,2)",
+     call_dry_friction_solution_ii_linearisation_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_linearisation_2", "(4),(7),(6)->(2,2),(16,4)",
+     call_dry_friction_solution_ii_linearisation_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_linearisation_3", "(4),(7),(6)->(2,2),(16,4),(4,4)",
+     call_dry_friction_solution_ii_linearisation_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_flow_stick_stick_1", "(4),(7),(),(4)->(4)",
      call_dry_friction_solution_ii_flow_stick_stick_1, in_rows, 4, 1,
      {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
@@ -1337,11 +1337,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "90747bf74ee5ccb4") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "3d278f1eb7b963cc") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "2611b2928ebfb50d") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "6ce0fc264bd74082") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "bccb0032b771c299") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "eea47122c16e574a") < 0)
         return -1;
     return 0;
 }

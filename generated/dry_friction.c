@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation bccb0032b771c299 */
+ * SymPy 1.14.0, derivation eea47122c16e574a */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -1107,17 +1107,128 @@ void dry_friction_symmetric_trace(
     }
 }
 
-/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (4), spectrum (7), unknowns (5); gives states (3, 4), coefficients (24), frequencies (3), poincare_jacobian (2, 2), saltations (8, 4), monodromy (4, 4), row by row.
+/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives states (3, 4), coefficients (24), frequencies (3), row by row.
  * An output that is NULL is not wanted.
- * Operations: 333. Intermediate terms: 134. */
+ * Operations: 141. Intermediate terms: 36. */
 void dry_friction_symmetric_passage(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double *states, double *coefficients, double *frequencies)
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double v10 = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    /* functions of tau in slip-slip */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* slip-slip for tau, until second-reaches-belt */
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega2_tau/omega2;
+    const double t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
+    const double t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5);
+    const double z2_1 = V*(p1*t5 + t3*t4) + v10*(p3*sin_omega1_tau*t2 - p3*t5) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t4 + cos_omega2_tau*p1);
+    const double t8 = omega1*sin_omega1_tau;
+    const double v1_1 = V*t7 + t6*v10 + z10*(-omega2*sin_omega2_tau*t4 - p1*t8) + z20*(omega2*p2*sin_omega2_tau - p2*t8);
+    /* functions of tau1 in slip-stick */
+    const double cos_tau1 = cos(tau1);
+    const double sin_tau1 = sin(tau1);
+    /* slip-stick for tau1, until second-breaks-forward */
+    const double t9 = -chi*cos_tau1 + chi;
+    const double t10 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t10) + cos_tau1*z1_1 + sin_tau1*v1_1 + t9*z2_1;
+    const double z2_2 = V*tau1 + z2_1;
+    const double v1_2 = V*t9 + cos_tau1*v1_1 - sin_tau1*z1_1 + t10*z2_1;
+    if (states) {
+        states[0] = z10;
+        states[1] = z20;
+        states[2] = v10;
+        states[3] = V;
+        states[4] = z1_1;
+        states[5] = z2_1;
+        states[6] = v1_1;
+        states[7] = V;
+        states[8] = z1_2;
+        states[9] = z2_2;
+        states[10] = v1_2;
+        states[11] = V;
+    }
+    if (!coefficients && !frequencies)
+        return;
+    /* coefficients */
+    const double t12 = V*p2;
+    const double t13 = omega1*z10;
+    const double t14 = p2*z20;
+    const double t15 = p3*v10;
+    const double t16 = V*chi;
+    const double t17 = -t16 + v1_1;
+    const double t18 = chi*z2_1;
+    const double t19 = t18 - z1_1;
+    const double t20 = (chi*chi);
+    const double t21 = t20*z2_1;
+    const double t22 = V*t20 - t16;
+    const double t23 = -chi*t19;
+    const double t24 = chi*t17;
+    if (coefficients) {
+        coefficients[0] = -V;
+        coefficients[1] = 0;
+        coefficients[2] = p1*v10 + t12;
+        coefficients[3] = -t12 + t4*v10;
+        coefficients[4] = -omega1*t14 - p1*t13;
+        coefficients[5] = omega2*t14 - omega2*t4*z10;
+        coefficients[6] = -V;
+        coefficients[7] = 0;
+        coefficients[8] = V*t4 + t15;
+        coefficients[9] = V*p1 - t15;
+        coefficients[10] = -omega1*t4*z20 - p3*t13;
+        coefficients[11] = -omega2*p1*z20 + omega2*p3*z10;
+        coefficients[12] = -V + t16;
+        coefficients[13] = 0;
+        coefficients[14] = t17;
+        coefficients[15] = t19;
+        coefficients[16] = -e2 + t18 - t21;
+        coefficients[17] = -t22;
+        coefficients[18] = -t23;
+        coefficients[19] = -t24;
+        coefficients[20] = -e2 - t18 + t21;
+        coefficients[21] = t22;
+        coefficients[22] = t23;
+        coefficients[23] = t24;
+    }
+    if (!frequencies)
+        return;
+    if (frequencies) {
+        frequencies[0] = omega1;
+        frequencies[1] = omega2;
+        frequencies[2] = 1;
+    }
+}
+
+/* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
+ * Takes parameters (4), spectrum (7), unknowns (5); gives poincare_jacobian (2, 2), saltations (8, 4), monodromy (4, 4), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 285. Intermediate terms: 123. */
+void dry_friction_symmetric_linearisation(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
     const double V = parameters[2];
-    const double e2 = parameters[3];
     const double omega1 = spectrum[1];
     const double omega2 = spectrum[2];
     const double p1 = spectrum[3];
@@ -1155,6 +1266,9 @@ void dry_friction_symmetric_passage(
     const double t16 = p1*t15 + t14*t4;
     const double t18 = -omega2*p2*sin_omega2_tau + p2*t15;
     const double v1_1 = V*t8 - t16*z10 - t18*z20 + t7*v10;
+    const double t20 = -omega2*p3*sin_omega2_tau + p3*t15;
+    const double t22 = p1*t14 + t15*t4;
+    const double v2_1 = V*t12 + t11*v10 - t20*z10 - t22*z20;
     /* functions of tau1 in slip-stick */
     const double cos_tau1 = cos(tau1);
     const double sin_tau1 = sin(tau1);
@@ -1164,75 +1278,6 @@ void dry_friction_symmetric_passage(
     const double z1_2 = V*(chi*tau1 - t25) + cos_tau1*z1_1 + sin_tau1*v1_1 + t24*z2_1;
     const double z2_2 = V*tau1 + z2_1;
     const double v1_2 = V*t24 + cos_tau1*v1_1 - sin_tau1*z1_1 + t25*z2_1;
-    if (states) {
-        states[0] = z10;
-        states[1] = z20;
-        states[2] = v10;
-        states[3] = V;
-        states[4] = z1_1;
-        states[5] = z2_1;
-        states[6] = v1_1;
-        states[7] = V;
-        states[8] = z1_2;
-        states[9] = z2_2;
-        states[10] = v1_2;
-        states[11] = V;
-    }
-    if (!coefficients && !frequencies && !poincare_jacobian && !saltations && !monodromy)
-        return;
-    /* coefficients */
-    const double t44 = V*p2;
-    const double t45 = omega1*z10;
-    const double t46 = p2*z20;
-    const double t47 = p3*v10;
-    const double t31 = V*chi;
-    const double t48 = -t31 + v1_1;
-    const double t27 = chi*z2_1;
-    const double t30 = t27 - z1_1;
-    const double t49 = (chi*chi);
-    const double t50 = t49*z2_1;
-    const double t51 = V*t49 - t31;
-    const double t52 = -chi*t30;
-    const double t53 = chi*t48;
-    if (coefficients) {
-        coefficients[0] = -V;
-        coefficients[1] = 0;
-        coefficients[2] = p1*v10 + t44;
-        coefficients[3] = t4*v10 - t44;
-        coefficients[4] = -omega1*t46 - p1*t45;
-        coefficients[5] = -omega2*t4*z10 + omega2*t46;
-        coefficients[6] = -V;
-        coefficients[7] = 0;
-        coefficients[8] = V*t4 + t47;
-        coefficients[9] = V*p1 - t47;
-        coefficients[10] = -omega1*t4*z20 - p3*t45;
-        coefficients[11] = -omega2*p1*z20 + omega2*p3*z10;
-        coefficients[12] = -V + t31;
-        coefficients[13] = 0;
-        coefficients[14] = t48;
-        coefficients[15] = t30;
-        coefficients[16] = -e2 + t27 - t50;
-        coefficients[17] = -t51;
-        coefficients[18] = -t52;
-        coefficients[19] = -t53;
-        coefficients[20] = -e2 - t27 + t50;
-        coefficients[21] = t51;
-        coefficients[22] = t52;
-        coefficients[23] = t53;
-    }
-    if (!frequencies && !poincare_jacobian && !saltations && !monodromy)
-        return;
-    if (frequencies) {
-        frequencies[0] = omega1;
-        frequencies[1] = omega2;
-        frequencies[2] = 1;
-    }
-    if (!poincare_jacobian && !saltations && !monodromy)
-        return;
-    /* slip-slip for tau, until second-reaches-belt */
-    const double t20 = -omega2*p3*sin_omega2_tau + p3*t15;
-    const double t22 = p1*t14 + t15*t4;
-    const double v2_1 = V*t12 + t11*v10 - t20*z10 - t22*z20;
     /* Phi along tau */
     const double carried_z1_1_by_z20 = t7 + t8;
     const double carried_z1_1_by_v10 = t6;
@@ -1244,6 +1289,7 @@ void dry_friction_symmetric_passage(
     const double carried_v2_1_by_v10 = t11;
     /* rate of the exit boundary after tau */
     const double t26 = chi*eta;
+    const double t27 = chi*z2_1;
     const double rate_1 = -eta*t27 + t26*z1_1;
     /* derivatives of the time to the boundary after tau */
     const double t29 = (1.0/(rate_1));
@@ -1254,6 +1300,7 @@ void dry_friction_symmetric_passage(
     const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
     const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
     const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
+    const double t30 = t27 - z1_1;
     const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t30;
     const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t30;
     /* Phi along tau1 */
@@ -1262,18 +1309,18 @@ void dry_friction_symmetric_passage(
     const double carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t25*z2_1_on_boundary_by_z20;
     const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t25*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
-    const double rate_2 = -chi*v1_2 + t31;
+    const double rate_2 = V*chi - chi*v1_2;
     /* derivatives of the time to the boundary after tau1 */
-    const double t33 = (1.0/(rate_2));
-    const double delay_tau1_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
-    const double delay_tau1_by_v10 = t33*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    const double t32 = (1.0/(rate_2));
+    const double delay_tau1_by_z20 = t32*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau1_by_v10 = t32*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
     /* perturbation on the boundary after tau1 */
     const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
     const double z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10;
-    const double t34 = chi*z2_2;
-    const double t35 = t34 - z1_2;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t35;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t35;
+    const double t33 = chi*z2_2;
+    const double t34 = t33 - z1_2;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t34;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t34;
     if (poincare_jacobian) {
         poincare_jacobian[0] = z2_2_on_boundary_by_z20;
         poincare_jacobian[1] = z2_2_on_boundary_by_v10;
@@ -1287,17 +1334,17 @@ void dry_friction_symmetric_passage(
     const double before_v2_1 = rate_1;
     const double behind_v1_1 = t30;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t35;
-    const double behind_v1_2 = t35;
-    const double behind_v2_2 = -eta*t34 + t26*z1_2;
+    const double before_v1_2 = t34;
+    const double behind_v1_2 = t34;
+    const double behind_v2_2 = -eta*t33 + t26*z1_2;
     /* saltations */
-    const double t36 = (1.0/(before_v2_1));
-    const double t37 = t36*(V - v2_1);
-    const double t38 = t36*(-before_v1_1 + behind_v1_1);
-    const double t39 = (1.0/(rate_2));
-    const double t40 = chi*t39;
-    const double t41 = t40*(-before_v1_2 + behind_v1_2);
-    const double t42 = behind_v2_2*t40;
+    const double t35 = (1.0/(before_v2_1));
+    const double t36 = t35*(V - v2_1);
+    const double t37 = t35*(-before_v1_1 + behind_v1_1);
+    const double t38 = (1.0/(rate_2));
+    const double t39 = chi*t38;
+    const double t40 = t39*(-before_v1_2 + behind_v1_2);
+    const double t41 = behind_v2_2*t39;
     if (saltations) {
         saltations[0] = 1;
         saltations[1] = 0;
@@ -1306,11 +1353,11 @@ void dry_friction_symmetric_passage(
         saltations[4] = 0;
         saltations[5] = 1;
         saltations[6] = 0;
-        saltations[7] = t37;
+        saltations[7] = t36;
         saltations[8] = 0;
         saltations[9] = 0;
         saltations[10] = 1;
-        saltations[11] = t38;
+        saltations[11] = t37;
         saltations[12] = 0;
         saltations[13] = 0;
         saltations[14] = 0;
@@ -1323,12 +1370,12 @@ void dry_friction_symmetric_passage(
         saltations[21] = 1;
         saltations[22] = 0;
         saltations[23] = 0;
-        saltations[24] = -t41;
-        saltations[25] = t41;
+        saltations[24] = -t40;
+        saltations[25] = t40;
         saltations[26] = 1;
         saltations[27] = 0;
-        saltations[28] = -t42;
-        saltations[29] = t42;
+        saltations[28] = -t41;
+        saltations[29] = t41;
         saltations[30] = 0;
         saltations[31] = 1;
     }
@@ -1352,14 +1399,14 @@ void dry_friction_symmetric_passage(
     const double phi_1_32 = t11;
     const double phi_1_33 = t12;
     /* saltation of phase 1 */
-    const double saltation_1_10 = phi_1_10 + phi_1_30*t37;
-    const double saltation_1_11 = phi_1_11 + phi_1_31*t37;
-    const double saltation_1_12 = phi_1_12 + phi_1_32*t37;
-    const double saltation_1_13 = phi_1_13 + phi_1_33*t37;
-    const double saltation_1_20 = phi_1_20 + phi_1_30*t38;
-    const double saltation_1_21 = phi_1_21 + phi_1_31*t38;
-    const double saltation_1_22 = phi_1_22 + phi_1_32*t38;
-    const double saltation_1_23 = phi_1_23 + phi_1_33*t38;
+    const double saltation_1_10 = phi_1_10 + phi_1_30*t36;
+    const double saltation_1_11 = phi_1_11 + phi_1_31*t36;
+    const double saltation_1_12 = phi_1_12 + phi_1_32*t36;
+    const double saltation_1_13 = phi_1_13 + phi_1_33*t36;
+    const double saltation_1_20 = phi_1_20 + phi_1_30*t37;
+    const double saltation_1_21 = phi_1_21 + phi_1_31*t37;
+    const double saltation_1_22 = phi_1_22 + phi_1_32*t37;
+    const double saltation_1_23 = phi_1_23 + phi_1_33*t37;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t24 + saltation_1_20*sin_tau1;
     const double phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t24 + saltation_1_21*sin_tau1;
@@ -1370,14 +1417,14 @@ void dry_friction_symmetric_passage(
     const double phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t25;
     const double phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t25;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t41 + phi_2_20 + saltation_1_10*t41;
-    const double saltation_2_21 = -phi_2_01*t41 + phi_2_21 + saltation_1_11*t41;
-    const double saltation_2_22 = -phi_2_02*t41 + phi_2_22 + saltation_1_12*t41;
-    const double saltation_2_23 = -phi_2_03*t41 + phi_2_23 + saltation_1_13*t41;
-    const double saltation_2_30 = behind_v2_2*chi*saltation_1_10*t39 - phi_2_00*t42;
-    const double saltation_2_31 = behind_v2_2*chi*saltation_1_11*t39 - phi_2_01*t42;
-    const double saltation_2_32 = behind_v2_2*chi*saltation_1_12*t39 - phi_2_02*t42;
-    const double saltation_2_33 = behind_v2_2*chi*saltation_1_13*t39 - phi_2_03*t42;
+    const double saltation_2_20 = -phi_2_00*t40 + phi_2_20 + saltation_1_10*t40;
+    const double saltation_2_21 = -phi_2_01*t40 + phi_2_21 + saltation_1_11*t40;
+    const double saltation_2_22 = -phi_2_02*t40 + phi_2_22 + saltation_1_12*t40;
+    const double saltation_2_23 = -phi_2_03*t40 + phi_2_23 + saltation_1_13*t40;
+    const double saltation_2_30 = behind_v2_2*chi*saltation_1_10*t38 - phi_2_00*t41;
+    const double saltation_2_31 = behind_v2_2*chi*saltation_1_11*t38 - phi_2_01*t41;
+    const double saltation_2_32 = behind_v2_2*chi*saltation_1_12*t38 - phi_2_02*t41;
+    const double saltation_2_33 = behind_v2_2*chi*saltation_1_13*t38 - phi_2_03*t41;
     if (monodromy) {
         monodromy[0] = phi_2_00;
         monodromy[1] = phi_2_01;
@@ -2191,18 +2238,178 @@ void dry_friction_global_stick_trace(
     }
 }
 
-/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (5), spectrum (7), unknowns (6); gives states (5, 4), coefficients (44), frequencies (4), poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4), row by row.
+/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
+ * Takes parameters (5), spectrum (7), unknowns (6); gives states (5, 4), coefficients (44), frequencies (4), row by row.
  * An output that is NULL is not wanted.
- * Operations: 588. Intermediate terms: 205. */
+ * Operations: 190. Intermediate terms: 51. */
 void dry_friction_global_stick_passage(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies)
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e1 = parameters[3];
+    const double e2 = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double ta = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    const double tau2 = unknowns[5];
+    /* stick-stick for ta, until first-breaks-forward */
+    const double t0 = V*ta;
+    const double z1_1 = t0 + z10;
+    const double z2_1 = t0 + z20;
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t1 = -chi*cos_tau + chi;
+    const double t2 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + t1*z2_1;
+    const double z2_2 = V*tau + z2_1;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z1_1 + t2*z2_1;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t5 = (1.0/(omega1));
+    const double t6 = sin_omega1_tau1*t5;
+    const double t7 = 1 - p1;
+    const double t8 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t5 - p2*t8) + v1_2*(p1*t6 + t7*t8) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t7) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t9 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t10 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t8 + t6*t7) + t10*z2_2 + t9*z1_2 + v1_2*(p3*sin_omega1_tau1*t5 - p3*t8);
+    const double t11 = omega1*sin_omega1_tau1;
+    const double v2_3 = V*t10 + t9*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t11) + z2_2*(-omega2*p1*sin_omega2_tau1 - t11*t7);
+    /* functions of tau2 in stick-slip */
+    const double t12 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t12);
+    const double sin_omega3_tau2 = sin(t12);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t13 = (1.0/(omega3));
+    const double t14 = sin_omega3_tau2*t13;
+    const double z2_4 = V*(-t14 + tau2) + cos_omega3_tau2*z2_3 + t14*v2_3 + z1_3*(1 - cos_omega3_tau2);
+    if (states) {
+        states[0] = z10;
+        states[1] = z20;
+        states[2] = V;
+        states[3] = V;
+        states[4] = z1_1;
+        states[5] = z2_1;
+        states[6] = V;
+        states[7] = V;
+        states[8] = z1_2;
+        states[9] = z2_2;
+        states[10] = v1_2;
+        states[11] = V;
+        states[12] = z1_3;
+        states[13] = z2_3;
+        states[14] = V;
+        states[15] = v2_3;
+        states[16] = z1_4;
+        states[17] = z2_4;
+        states[18] = V;
+        states[19] = V;
+    }
+    if (!coefficients && !frequencies)
+        return;
+    /* coefficients */
+    const double t15 = chi*z20;
+    const double t17 = V*chi;
+    const double t18 = -V + t17;
+    const double t21 = chi*z10;
+    const double t22 = chi*z2_1;
+    const double t23 = t22 - z1_1;
+    const double t24 = (chi*chi);
+    const double t25 = t24*z2_1;
+    const double t26 = V*t24 - t17;
+    const double t27 = -chi*t23;
+    const double t28 = -chi*t18;
+    const double t29 = V*p2;
+    const double t30 = omega1*z1_2;
+    const double t31 = p2*z2_2;
+    const double t32 = p3*v1_2;
+    const double t33 = chi*z1_3;
+    const double t34 = chi*(-z1_3 + z2_3);
+    const double t35 = chi*(-V*t13 + t13*v2_3);
+    if (coefficients) {
+        coefficients[0] = -e1 - t15 + z10;
+        coefficients[1] = -t18;
+        coefficients[2] = -e1 + t15 - z10;
+        coefficients[3] = t18;
+        coefficients[4] = -e2 + t15 - t21;
+        coefficients[5] = 0;
+        coefficients[6] = -e2 - t15 + t21;
+        coefficients[7] = 0;
+        coefficients[8] = t18;
+        coefficients[9] = 0;
+        coefficients[10] = -t18;
+        coefficients[11] = t23;
+        coefficients[12] = -e2 + t22 - t25;
+        coefficients[13] = -t26;
+        coefficients[14] = -t27;
+        coefficients[15] = -t28;
+        coefficients[16] = -e2 - t22 + t25;
+        coefficients[17] = t26;
+        coefficients[18] = t27;
+        coefficients[19] = t28;
+        coefficients[20] = -V;
+        coefficients[21] = 0;
+        coefficients[22] = p1*v1_2 + t29;
+        coefficients[23] = -t29 + t7*v1_2;
+        coefficients[24] = -omega1*t31 - p1*t30;
+        coefficients[25] = omega2*t31 - omega2*t7*z1_2;
+        coefficients[26] = -V;
+        coefficients[27] = 0;
+        coefficients[28] = V*t7 + t32;
+        coefficients[29] = V*p1 - t32;
+        coefficients[30] = -omega1*t7*z2_2 - p3*t30;
+        coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
+        coefficients[32] = -e1 - t33 + z1_3;
+        coefficients[33] = -t18;
+        coefficients[34] = -t34;
+        coefficients[35] = -t35;
+        coefficients[36] = -e1 + t33 - z1_3;
+        coefficients[37] = t18;
+        coefficients[38] = t34;
+        coefficients[39] = t35;
+        coefficients[40] = 0;
+        coefficients[41] = 0;
+        coefficients[42] = -V + v2_3;
+        coefficients[43] = omega3*z1_3 - omega3*z2_3;
+    }
+    if (!frequencies)
+        return;
+    if (frequencies) {
+        frequencies[0] = 1;
+        frequencies[1] = omega1;
+        frequencies[2] = omega2;
+        frequencies[3] = omega3;
+    }
+}
+
+/* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
+ * Takes parameters (5), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 508. Intermediate terms: 185. */
+void dry_friction_global_stick_linearisation(
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
     const double V = parameters[2];
-    const double e1 = parameters[3];
-    const double e2 = parameters[4];
     const double omega1 = spectrum[1];
     const double omega2 = spectrum[2];
     const double p1 = spectrum[3];
@@ -2251,9 +2458,13 @@ void dry_friction_global_stick_passage(
     const double t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
     const double t17 = p1*t9 + t7*t8;
     const double z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2;
-    const double t19 = omega1*sin_omega1_tau1;
-    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
     const double t18 = omega2*sin_omega2_tau1;
+    const double t19 = omega1*sin_omega1_tau1;
+    const double t20 = -p1*t19 - t18*t8;
+    const double t21 = p2*t19;
+    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
+    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
+    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
     const double t24 = p1*t18;
     const double t25 = t19*t8;
     const double t26 = -t24 - t25;
@@ -2265,128 +2476,22 @@ void dry_friction_global_stick_passage(
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
     const double t28 = 1 - cos_omega3_tau2;
-    const double t29 = (1.0/(omega3));
-    const double t30 = sin_omega3_tau2*t29;
-    const double z2_4 = V*(-t30 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t30*v2_3;
-    if (states) {
-        states[0] = z10;
-        states[1] = z20;
-        states[2] = V;
-        states[3] = V;
-        states[4] = z1_1;
-        states[5] = z2_1;
-        states[6] = V;
-        states[7] = V;
-        states[8] = z1_2;
-        states[9] = z2_2;
-        states[10] = v1_2;
-        states[11] = V;
-        states[12] = z1_3;
-        states[13] = z2_3;
-        states[14] = V;
-        states[15] = v2_3;
-        states[16] = z1_4;
-        states[17] = z2_4;
-        states[18] = V;
-        states[19] = V;
-    }
-    if (!coefficients && !frequencies && !poincare_jacobian && !saltations && !monodromy)
-        return;
-    /* coefficients */
-    const double t68 = chi*z20;
-    const double t34 = V*chi;
-    const double t35 = -V + t34;
-    const double t70 = chi*z10;
-    const double t54 = chi*z2_1;
-    const double t55 = t54 - z1_1;
-    const double t71 = (chi*chi);
-    const double t72 = t71*z2_1;
-    const double t73 = V*t71 - t34;
-    const double t74 = -chi*t55;
-    const double t75 = -chi*t35;
-    const double t76 = V*p2;
-    const double t77 = omega1*z1_2;
-    const double t78 = p2*z2_2;
-    const double t79 = p3*v1_2;
-    const double t48 = chi*z1_3;
-    const double t80 = chi*(-z1_3 + z2_3);
-    const double t81 = chi*(-V*t29 + t29*v2_3);
-    const double t31 = omega3*z1_3;
-    const double t32 = omega3*z2_3;
-    if (coefficients) {
-        coefficients[0] = -e1 - t68 + z10;
-        coefficients[1] = -t35;
-        coefficients[2] = -e1 + t68 - z10;
-        coefficients[3] = t35;
-        coefficients[4] = -e2 + t68 - t70;
-        coefficients[5] = 0;
-        coefficients[6] = -e2 - t68 + t70;
-        coefficients[7] = 0;
-        coefficients[8] = t35;
-        coefficients[9] = 0;
-        coefficients[10] = -t35;
-        coefficients[11] = t55;
-        coefficients[12] = -e2 + t54 - t72;
-        coefficients[13] = -t73;
-        coefficients[14] = -t74;
-        coefficients[15] = -t75;
-        coefficients[16] = -e2 - t54 + t72;
-        coefficients[17] = t73;
-        coefficients[18] = t74;
-        coefficients[19] = t75;
-        coefficients[20] = -V;
-        coefficients[21] = 0;
-        coefficients[22] = p1*v1_2 + t76;
-        coefficients[23] = -t76 + t8*v1_2;
-        coefficients[24] = -omega1*t78 - p1*t77;
-        coefficients[25] = omega2*t78 - omega2*t8*z1_2;
-        coefficients[26] = -V;
-        coefficients[27] = 0;
-        coefficients[28] = V*t8 + t79;
-        coefficients[29] = V*p1 - t79;
-        coefficients[30] = -omega1*t8*z2_2 - p3*t77;
-        coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
-        coefficients[32] = -e1 - t48 + z1_3;
-        coefficients[33] = -t35;
-        coefficients[34] = -t80;
-        coefficients[35] = -t81;
-        coefficients[36] = -e1 + t48 - z1_3;
-        coefficients[37] = t35;
-        coefficients[38] = t80;
-        coefficients[39] = t81;
-        coefficients[40] = 0;
-        coefficients[41] = 0;
-        coefficients[42] = -V + v2_3;
-        coefficients[43] = t31 - t32;
-    }
-    if (!frequencies && !poincare_jacobian && !saltations && !monodromy)
-        return;
-    if (frequencies) {
-        frequencies[0] = 1;
-        frequencies[1] = omega1;
-        frequencies[2] = omega2;
-        frequencies[3] = omega3;
-    }
-    if (!poincare_jacobian && !saltations && !monodromy)
-        return;
-    /* slip-slip for tau1, until first-reaches-belt */
-    const double t20 = -p1*t19 - t18*t8;
-    const double t21 = p2*t19;
-    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
-    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
-    /* stick-slip for tau2, until second-reaches-belt */
-    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t31 - sin_omega3_tau2*t32;
+    const double t29 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3;
+    const double t30 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3;
     /* rate of the exit boundary after ta */
-    const double rate_1 = -t35;
+    const double t31 = V*chi;
+    const double rate_1 = V - t31;
     /* derivatives of the time to the boundary after ta */
-    const double t37 = (1.0/(rate_1));
-    const double delay_ta_by_z10 = -t37;
-    const double delay_ta_by_z20 = chi*t37;
+    const double t33 = (1.0/(rate_1));
+    const double delay_ta_by_z10 = -t33;
+    const double delay_ta_by_z20 = chi*t33;
     /* perturbation on the boundary after ta */
-    const double t38 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t38 + 1;
+    const double t34 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t34 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t38;
+    const double z2_1_on_boundary_by_z10 = t34;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
     const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
@@ -2394,20 +2499,20 @@ void dry_friction_global_stick_passage(
     const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10;
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
-    const double rate_2 = -chi*v1_2 + t34;
+    const double rate_2 = -chi*v1_2 + t31;
     /* derivatives of the time to the boundary after tau */
-    const double t41 = (1.0/(rate_2));
-    const double delay_tau_by_z10 = t41*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double delay_tau_by_z20 = t41*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double t37 = (1.0/(rate_2));
+    const double delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t42 = chi*z2_2;
-    const double t43 = t42 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t43;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t43;
+    const double t38 = chi*z2_2;
+    const double t39 = t38 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20;
@@ -2418,33 +2523,32 @@ void dry_friction_global_stick_passage(
     const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10;
     const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t45 = chi*z2_3;
-    const double rate_3 = t45 - z1_3;
+    const double t40 = chi*z2_3;
+    const double rate_3 = t40 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t47 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t47;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t47;
+    const double t42 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t42;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t42;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t49 = -eta*t45 + eta*t48;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t49;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t49;
+    const double t43 = chi*eta;
+    const double t44 = -eta*t40 + t43*z1_3;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44;
     /* Phi along tau2 */
-    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t30*v2_3_on_boundary_by_z10;
-    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t30*v2_3_on_boundary_by_z20;
-    const double t50 = omega3*sin_omega3_tau2;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t50*z1_3_on_boundary_by_z10 - t50*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t50*z1_3_on_boundary_by_z20 - t50*z2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
-    const double t51 = chi*eta;
-    const double rate_4 = t51*z1_4 - t51*z2_4;
+    const double rate_4 = t43*z1_4 - t43*z2_4;
     /* derivatives of the time to the boundary after tau2 */
-    const double t53 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t53;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t53;
+    const double t46 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t46;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t46;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
@@ -2459,27 +2563,27 @@ void dry_friction_global_stick_passage(
     if (!saltations && !monodromy)
         return;
     /* vector fields at transition 1 */
-    const double behind_v1_1 = t55;
+    const double behind_v1_1 = chi*z2_1 - z1_1;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t43;
-    const double behind_v1_2 = t43;
-    const double behind_v2_2 = -eta*t42 + t51*z1_2;
+    const double before_v1_2 = t39;
+    const double behind_v1_2 = t39;
+    const double behind_v2_2 = -eta*t38 + t43*z1_2;
     /* vector fields at transition 3 */
     const double before_v1_3 = rate_3;
-    const double before_v2_3 = t49;
-    const double behind_v2_3 = t49;
+    const double before_v2_3 = t44;
+    const double behind_v2_3 = t44;
     /* vector fields at transition 4 */
     const double before_v2_4 = rate_4;
     /* saltations */
-    const double t56 = -behind_v1_1/t35;
-    const double t57 = chi*t56;
-    const double t60 = chi/rate_2;
-    const double t61 = t60*(-before_v1_2 + behind_v1_2);
-    const double t62 = behind_v2_2*t60;
-    const double t64 = (1.0/(before_v1_3));
-    const double t65 = t64*(V - v1_3);
-    const double t66 = t64*(-before_v2_3 + behind_v2_3);
-    const double t67 = (V - v2_4)/before_v2_4;
+    const double t47 = behind_v1_1/rate_1;
+    const double t48 = chi*t47;
+    const double t51 = chi/rate_2;
+    const double t52 = t51*(-before_v1_2 + behind_v1_2);
+    const double t53 = behind_v2_2*t51;
+    const double t55 = (1.0/(before_v1_3));
+    const double t56 = t55*(V - v1_3);
+    const double t57 = t55*(-before_v2_3 + behind_v2_3);
+    const double t58 = (V - v2_4)/before_v2_4;
     if (saltations) {
         static const unsigned char nonsmooth_saltations_places[] = {
             0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
@@ -2489,45 +2593,45 @@ void dry_friction_global_stick_passage(
         double nonsmooth_saltations_values[11];
         nonsmooth_saltations_values[0] = 1;
         nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = t56;
-        nonsmooth_saltations_values[3] = -t57;
-        nonsmooth_saltations_values[4] = -t61;
-        nonsmooth_saltations_values[5] = t61;
-        nonsmooth_saltations_values[6] = -t62;
-        nonsmooth_saltations_values[7] = t62;
-        nonsmooth_saltations_values[8] = t65;
-        nonsmooth_saltations_values[9] = t66;
-        nonsmooth_saltations_values[10] = t67;
+        nonsmooth_saltations_values[2] = t47;
+        nonsmooth_saltations_values[3] = -t48;
+        nonsmooth_saltations_values[4] = -t52;
+        nonsmooth_saltations_values[5] = t52;
+        nonsmooth_saltations_values[6] = -t53;
+        nonsmooth_saltations_values[7] = t53;
+        nonsmooth_saltations_values[8] = t56;
+        nonsmooth_saltations_values[9] = t57;
+        nonsmooth_saltations_values[10] = t58;
         for (int i = 0; i < 64; ++i)
             saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
     }
     if (!monodromy)
         return;
     /* saltation of phase 1 */
-    const double saltation_1_20 = t56;
-    const double saltation_1_21 = -t57;
-    const double saltation_1_22 = t56*ta + 1;
-    const double saltation_1_23 = -t57*ta;
+    const double saltation_1_20 = t47;
+    const double saltation_1_21 = -t48;
+    const double saltation_1_22 = t47*ta + 1;
+    const double saltation_1_23 = -t48*ta;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
-    const double t59 = chi - t1;
-    const double phi_2_01 = saltation_1_21*sin_tau + t59;
+    const double t50 = chi - t1;
+    const double phi_2_01 = saltation_1_21*sin_tau + t50;
     const double phi_2_02 = cos_tau*ta + saltation_1_22*sin_tau;
     const double phi_2_03 = chi*tau + saltation_1_23*sin_tau + t2*ta - t3;
     const double phi_2_13 = ta + tau;
     const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
     const double phi_2_21 = cos_tau*saltation_1_21 + t3;
     const double phi_2_22 = cos_tau*saltation_1_22 - sin_tau*ta;
-    const double phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t59;
+    const double phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t50;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t61 + phi_2_20;
-    const double saltation_2_21 = -phi_2_01*t61 + phi_2_21 + t61;
-    const double saltation_2_22 = -phi_2_02*t61 + phi_2_22;
-    const double saltation_2_23 = -phi_2_03*t61 + phi_2_13*t61 + phi_2_23;
-    const double saltation_2_30 = -phi_2_00*t62;
-    const double saltation_2_31 = -phi_2_01*t62 + t62;
-    const double saltation_2_32 = -phi_2_02*t62;
-    const double saltation_2_33 = -phi_2_03*t62 + phi_2_13*t62 + 1;
+    const double saltation_2_20 = -phi_2_00*t52 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52;
+    const double saltation_2_22 = -phi_2_02*t52 + phi_2_22;
+    const double saltation_2_23 = -phi_2_03*t52 + phi_2_13*t52 + phi_2_23;
+    const double saltation_2_30 = -phi_2_00*t53;
+    const double saltation_2_31 = -phi_2_01*t53 + t53;
+    const double saltation_2_32 = -phi_2_02*t53;
+    const double saltation_2_33 = -phi_2_03*t53 + phi_2_13*t53 + 1;
     /* Phi of phase 3 */
     const double phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13;
     const double phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12;
@@ -2546,28 +2650,28 @@ void dry_friction_global_stick_passage(
     const double phi_3_32 = phi_2_02*t23 + saltation_2_22*t15 + saltation_2_32*t16;
     const double phi_3_33 = phi_2_03*t23 + phi_2_13*t26 + saltation_2_23*t15 + saltation_2_33*t16;
     /* saltation of phase 3 */
-    const double saltation_3_00 = phi_3_00 + phi_3_20*t65;
-    const double saltation_3_01 = phi_3_01 + phi_3_21*t65;
-    const double saltation_3_02 = phi_3_02 + phi_3_22*t65;
-    const double saltation_3_03 = phi_3_03 + phi_3_23*t65;
-    const double saltation_3_30 = phi_3_20*t66 + phi_3_30;
-    const double saltation_3_31 = phi_3_21*t66 + phi_3_31;
-    const double saltation_3_32 = phi_3_22*t66 + phi_3_32;
-    const double saltation_3_33 = phi_3_23*t66 + phi_3_33;
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t56;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t56;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t56;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t56;
+    const double saltation_3_30 = phi_3_20*t57 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t57 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t57 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t57 + phi_3_33;
     /* Phi of phase 4 */
-    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t30;
-    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t30;
-    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t30;
-    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t30;
-    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t50 + saltation_3_00*t50;
-    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t50 + saltation_3_01*t50;
-    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t50 + saltation_3_02*t50;
-    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t50 + saltation_3_03*t50;
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30;
     /* saltation of phase 4 */
-    const double saltation_4_10 = phi_4_10 + phi_4_30*t67;
-    const double saltation_4_11 = phi_4_11 + phi_4_31*t67;
-    const double saltation_4_12 = phi_4_12 + phi_4_32*t67;
-    const double saltation_4_13 = phi_4_13 + phi_4_33*t67;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t58;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t58;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t58;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t58;
     if (monodromy) {
         monodromy[0] = saltation_3_00;
         monodromy[1] = saltation_3_01;
@@ -3518,15 +3622,14 @@ void dry_friction_solution_ii_trace(
     }
 }
 
-/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (4), spectrum (7), unknowns (6); gives states (5, 4), coefficients (44), frequencies (4), poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4), row by row.
+/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives states (5, 4), coefficients (44), frequencies (4), row by row.
  * An output that is NULL is not wanted.
- * Operations: 566. Intermediate terms: 203. */
+ * Operations: 186. Intermediate terms: 49. */
 void dry_friction_solution_ii_passage(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies)
 {
     const double chi = parameters[0];
-    const double eta = parameters[1];
     const double V = parameters[2];
     const double e2 = parameters[3];
     const double omega1 = spectrum[1];
@@ -3541,6 +3644,163 @@ void dry_friction_solution_ii_passage(
     const double tau1 = unknowns[3];
     const double tau2 = unknowns[4];
     const double e1 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick for tau, until second-breaks-forward */
+    const double t0 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20;
+    const double z2_2 = V*tau + z20;
+    const double v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20;
+    /* functions of tau1 in slip-slip */
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
+    /* slip-slip for tau1, until first-reaches-belt */
+    const double t4 = (1.0/(omega1));
+    const double t5 = sin_omega1_tau1*t4;
+    const double t6 = 1 - p1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + v1_2*(p1*t5 + t6*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t6) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t9 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7);
+    const double t10 = omega1*sin_omega1_tau1;
+    const double v2_3 = V*t9 + t8*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t10) + z2_2*(-omega2*p1*sin_omega2_tau1 - t10*t6);
+    /* functions of tau2 in stick-slip */
+    const double t11 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t11);
+    const double sin_omega3_tau2 = sin(t11);
+    /* stick-slip for tau2, until second-reaches-belt */
+    const double z1_4 = V*tau2 + z1_3;
+    const double t12 = (1.0/(omega3));
+    const double t13 = sin_omega3_tau2*t12;
+    const double z2_4 = V*(-t13 + tau2) + cos_omega3_tau2*z2_3 + t13*v2_3 + z1_3*(1 - cos_omega3_tau2);
+    if (states) {
+        states[0] = z10;
+        states[1] = z20;
+        states[2] = V;
+        states[3] = V;
+        states[4] = z10;
+        states[5] = z20;
+        states[6] = V;
+        states[7] = V;
+        states[8] = z1_2;
+        states[9] = z2_2;
+        states[10] = v1_2;
+        states[11] = V;
+        states[12] = z1_3;
+        states[13] = z2_3;
+        states[14] = V;
+        states[15] = v2_3;
+        states[16] = z1_4;
+        states[17] = z2_4;
+        states[18] = V;
+        states[19] = V;
+    }
+    if (!coefficients && !frequencies)
+        return;
+    /* coefficients */
+    const double t14 = chi*z20;
+    const double t15 = t14 - z10;
+    const double t17 = V*chi;
+    const double t18 = -V + t17;
+    const double t21 = chi*z10;
+    const double t22 = e2 - t14;
+    const double t23 = e2 + t14;
+    const double t24 = (chi*chi);
+    const double t25 = t24*z20;
+    const double t26 = V*t24 - t17;
+    const double t27 = -chi*t15;
+    const double t28 = -chi*t18;
+    const double t29 = V*p2;
+    const double t30 = omega1*z1_2;
+    const double t31 = p2*z2_2;
+    const double t32 = p3*v1_2;
+    const double t33 = chi*z1_3;
+    const double t34 = chi*(-z1_3 + z2_3);
+    const double t35 = chi*(-V*t12 + t12*v2_3);
+    if (coefficients) {
+        coefficients[0] = -e1 - t15;
+        coefficients[1] = -t18;
+        coefficients[2] = -e1 + t14 - z10;
+        coefficients[3] = t18;
+        coefficients[4] = -t21 - t22;
+        coefficients[5] = 0;
+        coefficients[6] = t21 - t23;
+        coefficients[7] = 0;
+        coefficients[8] = t18;
+        coefficients[9] = 0;
+        coefficients[10] = -t18;
+        coefficients[11] = t15;
+        coefficients[12] = -t22 - t25;
+        coefficients[13] = -t26;
+        coefficients[14] = -t27;
+        coefficients[15] = -t28;
+        coefficients[16] = -t23 + t25;
+        coefficients[17] = t26;
+        coefficients[18] = t27;
+        coefficients[19] = t28;
+        coefficients[20] = -V;
+        coefficients[21] = 0;
+        coefficients[22] = p1*v1_2 + t29;
+        coefficients[23] = -t29 + t6*v1_2;
+        coefficients[24] = -omega1*t31 - p1*t30;
+        coefficients[25] = omega2*t31 - omega2*t6*z1_2;
+        coefficients[26] = -V;
+        coefficients[27] = 0;
+        coefficients[28] = V*t6 + t32;
+        coefficients[29] = V*p1 - t32;
+        coefficients[30] = -omega1*t6*z2_2 - p3*t30;
+        coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
+        coefficients[32] = -e1 - t33 + z1_3;
+        coefficients[33] = -t18;
+        coefficients[34] = -t34;
+        coefficients[35] = -t35;
+        coefficients[36] = -e1 + t33 - z1_3;
+        coefficients[37] = t18;
+        coefficients[38] = t34;
+        coefficients[39] = t35;
+        coefficients[40] = 0;
+        coefficients[41] = 0;
+        coefficients[42] = -V + v2_3;
+        coefficients[43] = omega3*z1_3 - omega3*z2_3;
+    }
+    if (!frequencies)
+        return;
+    if (frequencies) {
+        frequencies[0] = 1;
+        frequencies[1] = omega1;
+        frequencies[2] = omega2;
+        frequencies[3] = omega3;
+    }
+}
+
+/* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 487. Intermediate terms: 182. */
+void dry_friction_solution_ii_linearisation(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double *poincare_jacobian, double *saltations, double *monodromy)
+{
+    const double chi = parameters[0];
+    const double eta = parameters[1];
+    const double V = parameters[2];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double z10 = unknowns[0];
+    const double z20 = unknowns[1];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
     /* functions of tau in slip-stick */
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
@@ -3574,9 +3834,13 @@ void dry_friction_solution_ii_passage(
     const double t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
     const double t17 = p1*t9 + t7*t8;
     const double z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2;
-    const double t19 = omega1*sin_omega1_tau1;
-    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
     const double t18 = omega2*sin_omega2_tau1;
+    const double t19 = omega1*sin_omega1_tau1;
+    const double t20 = -p1*t19 - t18*t8;
+    const double t21 = p2*t19;
+    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
+    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
+    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
     const double t24 = p1*t18;
     const double t25 = t19*t8;
     const double t26 = -t24 - t25;
@@ -3588,129 +3852,22 @@ void dry_friction_solution_ii_passage(
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
     const double t28 = 1 - cos_omega3_tau2;
-    const double t29 = (1.0/(omega3));
-    const double t30 = sin_omega3_tau2*t29;
-    const double z2_4 = V*(-t30 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t30*v2_3;
-    if (states) {
-        states[0] = z10;
-        states[1] = z20;
-        states[2] = V;
-        states[3] = V;
-        states[4] = z10;
-        states[5] = z20;
-        states[6] = V;
-        states[7] = V;
-        states[8] = z1_2;
-        states[9] = z2_2;
-        states[10] = v1_2;
-        states[11] = V;
-        states[12] = z1_3;
-        states[13] = z2_3;
-        states[14] = V;
-        states[15] = v2_3;
-        states[16] = z1_4;
-        states[17] = z2_4;
-        states[18] = V;
-        states[19] = V;
-    }
-    if (!coefficients && !frequencies && !poincare_jacobian && !saltations && !monodromy)
-        return;
-    /* coefficients */
-    const double t54 = chi*z20;
-    const double t55 = t54 - z10;
-    const double t34 = V*chi;
-    const double t35 = -V + t34;
-    const double t72 = chi*z10;
-    const double t73 = e2 - t54;
-    const double t74 = e2 + t54;
-    const double t75 = (chi*chi);
-    const double t76 = t75*z20;
-    const double t77 = V*t75 - t34;
-    const double t78 = -chi*t55;
-    const double t79 = -chi*t35;
-    const double t80 = V*p2;
-    const double t81 = omega1*z1_2;
-    const double t82 = p2*z2_2;
-    const double t83 = p3*v1_2;
-    const double t48 = chi*z1_3;
-    const double t84 = chi*(-z1_3 + z2_3);
-    const double t85 = chi*(-V*t29 + t29*v2_3);
-    const double t31 = omega3*z1_3;
-    const double t32 = omega3*z2_3;
-    if (coefficients) {
-        coefficients[0] = -e1 - t55;
-        coefficients[1] = -t35;
-        coefficients[2] = -e1 + t54 - z10;
-        coefficients[3] = t35;
-        coefficients[4] = -t72 - t73;
-        coefficients[5] = 0;
-        coefficients[6] = t72 - t74;
-        coefficients[7] = 0;
-        coefficients[8] = t35;
-        coefficients[9] = 0;
-        coefficients[10] = -t35;
-        coefficients[11] = t55;
-        coefficients[12] = -t73 - t76;
-        coefficients[13] = -t77;
-        coefficients[14] = -t78;
-        coefficients[15] = -t79;
-        coefficients[16] = -t74 + t76;
-        coefficients[17] = t77;
-        coefficients[18] = t78;
-        coefficients[19] = t79;
-        coefficients[20] = -V;
-        coefficients[21] = 0;
-        coefficients[22] = p1*v1_2 + t80;
-        coefficients[23] = t8*v1_2 - t80;
-        coefficients[24] = -omega1*t82 - p1*t81;
-        coefficients[25] = -omega2*t8*z1_2 + omega2*t82;
-        coefficients[26] = -V;
-        coefficients[27] = 0;
-        coefficients[28] = V*t8 + t83;
-        coefficients[29] = V*p1 - t83;
-        coefficients[30] = -omega1*t8*z2_2 - p3*t81;
-        coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
-        coefficients[32] = -e1 - t48 + z1_3;
-        coefficients[33] = -t35;
-        coefficients[34] = -t84;
-        coefficients[35] = -t85;
-        coefficients[36] = -e1 + t48 - z1_3;
-        coefficients[37] = t35;
-        coefficients[38] = t84;
-        coefficients[39] = t85;
-        coefficients[40] = 0;
-        coefficients[41] = 0;
-        coefficients[42] = -V + v2_3;
-        coefficients[43] = t31 - t32;
-    }
-    if (!frequencies && !poincare_jacobian && !saltations && !monodromy)
-        return;
-    if (frequencies) {
-        frequencies[0] = 1;
-        frequencies[1] = omega1;
-        frequencies[2] = omega2;
-        frequencies[3] = omega3;
-    }
-    if (!poincare_jacobian && !saltations && !monodromy)
-        return;
-    /* slip-slip for tau1, until first-reaches-belt */
-    const double t20 = -p1*t19 - t18*t8;
-    const double t21 = p2*t19;
-    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
-    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
-    /* stick-slip for tau2, until second-reaches-belt */
-    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t31 - sin_omega3_tau2*t32;
+    const double t29 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3;
+    const double t30 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3;
     /* rate of the exit boundary after ta */
-    const double rate_1 = -t35;
+    const double t31 = V*chi;
+    const double rate_1 = V - t31;
     /* derivatives of the time to the boundary after ta */
-    const double t37 = (1.0/(rate_1));
-    const double delay_ta_by_z10 = -t37;
-    const double delay_ta_by_z20 = chi*t37;
+    const double t33 = (1.0/(rate_1));
+    const double delay_ta_by_z10 = -t33;
+    const double delay_ta_by_z20 = chi*t33;
     /* perturbation on the boundary after ta */
-    const double t38 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t38 + 1;
+    const double t34 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t34 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t38;
+    const double z2_1_on_boundary_by_z10 = t34;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
     const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
@@ -3718,20 +3875,20 @@ void dry_friction_solution_ii_passage(
     const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
-    const double rate_2 = -chi*v1_2 + t34;
+    const double rate_2 = -chi*v1_2 + t31;
     /* derivatives of the time to the boundary after tau */
-    const double t41 = (1.0/(rate_2));
-    const double delay_tau_by_z10 = t41*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double delay_tau_by_z20 = t41*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double t37 = (1.0/(rate_2));
+    const double delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t42 = chi*z2_2;
-    const double t43 = t42 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t43;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t43;
+    const double t38 = chi*z2_2;
+    const double t39 = t38 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20;
@@ -3742,33 +3899,32 @@ void dry_friction_solution_ii_passage(
     const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10;
     const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t45 = chi*z2_3;
-    const double rate_3 = t45 - z1_3;
+    const double t40 = chi*z2_3;
+    const double rate_3 = t40 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t47 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t47;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t47;
+    const double t42 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t42;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t42;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t49 = -eta*t45 + eta*t48;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t49;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t49;
+    const double t43 = chi*eta;
+    const double t44 = -eta*t40 + t43*z1_3;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44;
     /* Phi along tau2 */
-    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t30*v2_3_on_boundary_by_z10;
-    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t30*v2_3_on_boundary_by_z20;
-    const double t50 = omega3*sin_omega3_tau2;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t50*z1_3_on_boundary_by_z10 - t50*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t50*z1_3_on_boundary_by_z20 - t50*z2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
-    const double t51 = chi*eta;
-    const double rate_4 = t51*z1_4 - t51*z2_4;
+    const double rate_4 = t43*z1_4 - t43*z2_4;
     /* derivatives of the time to the boundary after tau2 */
-    const double t53 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t53;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t53;
+    const double t46 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t46;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t46;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
@@ -3783,29 +3939,29 @@ void dry_friction_solution_ii_passage(
     if (!saltations && !monodromy)
         return;
     /* vector fields at transition 1 */
-    const double behind_v1_1 = t55;
+    const double behind_v1_1 = chi*z20 - z10;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t43;
-    const double behind_v1_2 = t43;
-    const double behind_v2_2 = -eta*t42 + t51*z1_2;
+    const double before_v1_2 = t39;
+    const double behind_v1_2 = t39;
+    const double behind_v2_2 = -eta*t38 + t43*z1_2;
     /* vector fields at transition 3 */
     const double before_v1_3 = rate_3;
-    const double before_v2_3 = t49;
-    const double behind_v2_3 = t49;
+    const double before_v2_3 = t44;
+    const double behind_v2_3 = t44;
     /* vector fields at transition 4 */
     const double before_v2_4 = rate_4;
     /* saltations */
-    const double t56 = -behind_v1_1/t35;
-    const double t57 = -chi*t56;
-    const double t58 = -before_v1_2 + behind_v1_2;
-    const double t59 = (1.0/(rate_2));
-    const double t60 = chi*t59;
-    const double t61 = t58*t60;
-    const double t64 = behind_v2_2*t60;
-    const double t67 = (1.0/(before_v1_3));
-    const double t68 = t67*(V - v1_3);
-    const double t69 = t67*(-before_v2_3 + behind_v2_3);
-    const double t70 = (V - v2_4)/before_v2_4;
+    const double t47 = behind_v1_1/rate_1;
+    const double t48 = -chi*t47;
+    const double t49 = -before_v1_2 + behind_v1_2;
+    const double t50 = (1.0/(rate_2));
+    const double t51 = chi*t50;
+    const double t52 = t49*t51;
+    const double t55 = behind_v2_2*t51;
+    const double t58 = (1.0/(before_v1_3));
+    const double t59 = t58*(V - v1_3);
+    const double t60 = t58*(-before_v2_3 + behind_v2_3);
+    const double t61 = (V - v2_4)/before_v2_4;
     if (saltations) {
         static const unsigned char nonsmooth_saltations_places[] = {
             0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
@@ -3815,23 +3971,23 @@ void dry_friction_solution_ii_passage(
         double nonsmooth_saltations_values[11];
         nonsmooth_saltations_values[0] = 1;
         nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = t56;
-        nonsmooth_saltations_values[3] = t57;
-        nonsmooth_saltations_values[4] = -t61;
-        nonsmooth_saltations_values[5] = t61;
-        nonsmooth_saltations_values[6] = -t64;
-        nonsmooth_saltations_values[7] = t64;
-        nonsmooth_saltations_values[8] = t68;
-        nonsmooth_saltations_values[9] = t69;
-        nonsmooth_saltations_values[10] = t70;
+        nonsmooth_saltations_values[2] = t47;
+        nonsmooth_saltations_values[3] = t48;
+        nonsmooth_saltations_values[4] = -t52;
+        nonsmooth_saltations_values[5] = t52;
+        nonsmooth_saltations_values[6] = -t55;
+        nonsmooth_saltations_values[7] = t55;
+        nonsmooth_saltations_values[8] = t59;
+        nonsmooth_saltations_values[9] = t60;
+        nonsmooth_saltations_values[10] = t61;
         for (int i = 0; i < 64; ++i)
             saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
     }
     if (!monodromy)
         return;
     /* saltation of phase 1 */
-    const double saltation_1_20 = t56;
-    const double saltation_1_21 = t57;
+    const double saltation_1_20 = t47;
+    const double saltation_1_21 = t48;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
     const double phi_2_01 = chi + saltation_1_21*sin_tau - t0;
@@ -3840,17 +3996,17 @@ void dry_friction_solution_ii_passage(
     const double phi_2_21 = cos_tau*saltation_1_21 + t2;
     const double phi_2_23 = t1;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t61 + phi_2_20;
-    const double saltation_2_21 = -phi_2_01*t61 + phi_2_21 + t61;
-    const double t62 = t58*t59;
-    const double saltation_2_22 = cos_tau - t2*t62;
-    const double t63 = chi*tau;
-    const double saltation_2_23 = -phi_2_03*t61 + phi_2_23 + t62*t63;
-    const double saltation_2_30 = -phi_2_00*t64;
-    const double saltation_2_31 = -phi_2_01*t64 + t64;
-    const double t66 = behind_v2_2*t59;
-    const double saltation_2_32 = -t2*t66;
-    const double saltation_2_33 = -phi_2_03*t64 + t63*t66 + 1;
+    const double saltation_2_20 = -phi_2_00*t52 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52;
+    const double t53 = t49*t50;
+    const double saltation_2_22 = cos_tau - t2*t53;
+    const double t54 = chi*tau;
+    const double saltation_2_23 = -phi_2_03*t52 + phi_2_23 + t53*t54;
+    const double saltation_2_30 = -phi_2_00*t55;
+    const double saltation_2_31 = -phi_2_01*t55 + t55;
+    const double t57 = behind_v2_2*t50;
+    const double saltation_2_32 = -t2*t57;
+    const double saltation_2_33 = -phi_2_03*t55 + t54*t57 + 1;
     /* Phi of phase 3 */
     const double phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13;
     const double phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12;
@@ -3869,28 +4025,28 @@ void dry_friction_solution_ii_passage(
     const double phi_3_32 = saltation_2_22*t15 + saltation_2_32*t16 + sin_tau*t23;
     const double phi_3_33 = phi_2_03*t23 + saltation_2_23*t15 + saltation_2_33*t16 + t26*tau;
     /* saltation of phase 3 */
-    const double saltation_3_00 = phi_3_00 + phi_3_20*t68;
-    const double saltation_3_01 = phi_3_01 + phi_3_21*t68;
-    const double saltation_3_02 = phi_3_02 + phi_3_22*t68;
-    const double saltation_3_03 = phi_3_03 + phi_3_23*t68;
-    const double saltation_3_30 = phi_3_20*t69 + phi_3_30;
-    const double saltation_3_31 = phi_3_21*t69 + phi_3_31;
-    const double saltation_3_32 = phi_3_22*t69 + phi_3_32;
-    const double saltation_3_33 = phi_3_23*t69 + phi_3_33;
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t59;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t59;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t59;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t59;
+    const double saltation_3_30 = phi_3_20*t60 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t60 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t60 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t60 + phi_3_33;
     /* Phi of phase 4 */
-    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t30;
-    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t30;
-    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t30;
-    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t30;
-    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t50 + saltation_3_00*t50;
-    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t50 + saltation_3_01*t50;
-    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t50 + saltation_3_02*t50;
-    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t50 + saltation_3_03*t50;
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30;
     /* saltation of phase 4 */
-    const double saltation_4_10 = phi_4_10 + phi_4_30*t70;
-    const double saltation_4_11 = phi_4_11 + phi_4_31*t70;
-    const double saltation_4_12 = phi_4_12 + phi_4_32*t70;
-    const double saltation_4_13 = phi_4_13 + phi_4_33*t70;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t61;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t61;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t61;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t61;
     if (monodromy) {
         monodromy[0] = saltation_3_00;
         monodromy[1] = saltation_3_01;
@@ -4670,9 +4826,9 @@ void dry_friction_symmetric_admissible(
         const double *const p = parameters + 4 * point, *const u = unknowns + 5 * point;
         const double q[2] = {p[0], p[1]};
         const double durations[] = {u[3], u[4]};
-        double spectral[7], derivatives[14], coefficients[24], frequencies[3];
-        dry_friction_spectrum(q, spectral, derivatives);
-        dry_friction_symmetric_passage(p, spectral, u, NULL, coefficients, frequencies, NULL, NULL, NULL);
+        double spectral[7], coefficients[24], frequencies[3];
+        dry_friction_spectrum(q, spectral, NULL);
+        dry_friction_symmetric_passage(p, spectral, u, NULL, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {p[0], p[2], p[3], u[0], u[1], u[2]};
         double size = 0.0, missed = 0.0;
@@ -5666,9 +5822,9 @@ void dry_friction_global_stick_admissible(
         const double *const p = parameters + 5 * point, *const u = unknowns + 6 * point;
         const double q[2] = {p[0], p[1]};
         const double durations[] = {u[2], u[3], u[4], u[5]};
-        double spectral[7], derivatives[14], coefficients[44], frequencies[4];
-        dry_friction_spectrum(q, spectral, derivatives);
-        dry_friction_global_stick_passage(p, spectral, u, NULL, coefficients, frequencies, NULL, NULL, NULL);
+        double spectral[7], coefficients[44], frequencies[4];
+        dry_friction_spectrum(q, spectral, NULL);
+        dry_friction_global_stick_passage(p, spectral, u, NULL, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {p[0], p[2], p[3], p[4], u[0], u[1]};
         double size = 0.0, missed = 0.0;
@@ -7006,9 +7162,9 @@ void dry_friction_solution_ii_admissible(
         const double *const p = parameters + 4 * point, *const u = unknowns + 6 * point;
         const double q[2] = {p[0], p[1]};
         const double durations[] = {0, u[2], u[3], u[4]};
-        double spectral[7], derivatives[14], coefficients[44], frequencies[4];
-        dry_friction_spectrum(q, spectral, derivatives);
-        dry_friction_solution_ii_passage(p, spectral, u, NULL, coefficients, frequencies, NULL, NULL, NULL);
+        double spectral[7], coefficients[44], frequencies[4];
+        dry_friction_spectrum(q, spectral, NULL);
+        dry_friction_solution_ii_passage(p, spectral, u, NULL, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {p[0], p[2], p[3], u[0], u[1], u[5]};
         double size = 0.0, missed = 0.0;

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation bccb0032b771c299 */
+ * SymPy 1.14.0, derivation eea47122c16e574a */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -45,7 +45,9 @@ void dry_friction_symmetric_equations(
 void dry_friction_symmetric_trace(
     const double parameters[4], const double spectrum[7], const double unknowns[5], const double *spectrum_derivatives, double *trace, double *trace_gradient);
 void dry_friction_symmetric_passage(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy);
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double *states, double *coefficients, double *frequencies);
+void dry_friction_symmetric_linearisation(
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double *poincare_jacobian, double *saltations, double *monodromy);
 void dry_friction_symmetric_flow_slip_slip(
     const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4]);
 void dry_friction_symmetric_flow_slip_stick(
@@ -57,7 +59,9 @@ void dry_friction_global_stick_equations(
 void dry_friction_global_stick_trace(
     const double parameters[5], const double spectrum[7], const double unknowns[6], const double *spectrum_derivatives, double *trace, double *trace_gradient);
 void dry_friction_global_stick_passage(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy);
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies);
+void dry_friction_global_stick_linearisation(
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double *poincare_jacobian, double *saltations, double *monodromy);
 void dry_friction_global_stick_flow_stick_stick(
     const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4]);
 void dry_friction_global_stick_flow_slip_stick(
@@ -73,7 +77,9 @@ void dry_friction_solution_ii_equations(
 void dry_friction_solution_ii_trace(
     const double parameters[4], const double spectrum[7], const double unknowns[6], const double *spectrum_derivatives, double *trace, double *trace_gradient);
 void dry_friction_solution_ii_passage(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy);
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies);
+void dry_friction_solution_ii_linearisation(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double *poincare_jacobian, double *saltations, double *monodromy);
 void dry_friction_solution_ii_flow_stick_stick(
     const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4]);
 void dry_friction_solution_ii_flow_slip_stick(

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation bccb0032b771c299
+# SymPy 1.14.0, derivation eea47122c16e574a
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "bccb0032b771c299"
+DERIVATION = "eea47122c16e574a"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -1622,12 +1622,11 @@ KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('derivatives', (7, 2)
  'symmetric_trace': ([((4,), 0), ((7,), 0), ((5,), 0), ((7, 2), 1)],
                      [('trace', ()), ('trace_gradient', (9,))]),
  'symmetric_passage': ([((4,), 0), ((7,), 0), ((5,), 0)],
-                       [('states', (3, 4)),
-                        ('coefficients', (24,)),
-                        ('frequencies', (3,)),
-                        ('poincare_jacobian', (2, 2)),
-                        ('saltations', (8, 4)),
-                        ('monodromy', (4, 4))]),
+                       [('states', (3, 4)), ('coefficients', (24,)), ('frequencies', (3,))]),
+ 'symmetric_linearisation': ([((4,), 0), ((7,), 0), ((5,), 0)],
+                             [('poincare_jacobian', (2, 2)),
+                              ('saltations', (8, 4)),
+                              ('monodromy', (4, 4))]),
  'symmetric_flow_slip_slip': ([((4,), 0), ((7,), 0), ((), 0), ((4,), 0)],
                               [('state_after', (4,))]),
  'symmetric_flow_slip_stick': ([((4,), 0), ((7,), 0), ((), 0), ((4,), 0)],
@@ -1644,12 +1643,11 @@ KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('derivatives', (7, 2)
  'global_stick_trace': ([((5,), 0), ((7,), 0), ((6,), 0), ((7, 2), 1)],
                         [('trace', ()), ('trace_gradient', (11,))]),
  'global_stick_passage': ([((5,), 0), ((7,), 0), ((6,), 0)],
-                          [('states', (5, 4)),
-                           ('coefficients', (44,)),
-                           ('frequencies', (4,)),
-                           ('poincare_jacobian', (2, 2)),
-                           ('saltations', (16, 4)),
-                           ('monodromy', (4, 4))]),
+                          [('states', (5, 4)), ('coefficients', (44,)), ('frequencies', (4,))]),
+ 'global_stick_linearisation': ([((5,), 0), ((7,), 0), ((6,), 0)],
+                                [('poincare_jacobian', (2, 2)),
+                                 ('saltations', (16, 4)),
+                                 ('monodromy', (4, 4))]),
  'global_stick_flow_stick_stick': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)],
                                    [('state_after', (4,))]),
  'global_stick_flow_slip_stick': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)],
@@ -1669,12 +1667,11 @@ KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('derivatives', (7, 2)
  'solution_ii_trace': ([((4,), 0), ((7,), 0), ((6,), 0), ((7, 2), 1)],
                        [('trace', ()), ('trace_gradient', (10,))]),
  'solution_ii_passage': ([((4,), 0), ((7,), 0), ((6,), 0)],
-                         [('states', (5, 4)),
-                          ('coefficients', (44,)),
-                          ('frequencies', (4,)),
-                          ('poincare_jacobian', (2, 2)),
-                          ('saltations', (16, 4)),
-                          ('monodromy', (4, 4))]),
+                         [('states', (5, 4)), ('coefficients', (44,)), ('frequencies', (4,))]),
+ 'solution_ii_linearisation': ([((4,), 0), ((7,), 0), ((6,), 0)],
+                               [('poincare_jacobian', (2, 2)),
+                                ('saltations', (16, 4)),
+                                ('monodromy', (4, 4))]),
  'solution_ii_flow_stick_stick': ([((4,), 0), ((7,), 0), ((), 0), ((4,), 0)],
                                   [('state_after', (4,))]),
  'solution_ii_flow_slip_stick': ([((4,), 0), ((7,), 0), ((), 0), ((4,), 0)],
@@ -2440,11 +2437,10 @@ def symmetric_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, *
     return trace, trace_gradient
 
 
-def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     """State at the start and behind each transition. Boundaries along the phases: constant,
     slope, cosine and sine amplitudes, one after the other; and the frequencies of each
-    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
-    one below the other; monodromy matrix.
+    phase.
 
     Takes parameters (4): chi, eta, V, e2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -2452,12 +2448,75 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     Gives states (3, 4).
     Gives coefficients (24).
     Gives frequencies (3).
+    Operations: 141. Intermediate terms: 36.
+    """
+    [chi, _, V, e2] = parameters
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
+    [z10, z20, v10, tau, tau1] = unknowns
+    # functions of tau in slip-slip
+    t0 = omega1*tau
+    cos_omega1_tau = lib.cos(t0)
+    sin_omega1_tau = lib.sin(t0)
+    t1 = omega2*tau
+    cos_omega2_tau = lib.cos(t1)
+    sin_omega2_tau = lib.sin(t1)
+    # slip-slip for tau, until second-reaches-belt
+    t2 = 1/omega1
+    t3 = sin_omega1_tau*t2
+    t4 = 1 - p1
+    t5 = sin_omega2_tau/omega2
+    t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4
+    t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5)
+    z2_1 = V*(p1*t5 + t3*t4) + v10*(p3*sin_omega1_tau*t2 - p3*t5) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t4 + cos_omega2_tau*p1)
+    t8 = omega1*sin_omega1_tau
+    v1_1 = V*t7 + t6*v10 + z10*(-omega2*sin_omega2_tau*t4 - p1*t8) + z20*(omega2*p2*sin_omega2_tau - p2*t8)
+    # functions of tau1 in slip-stick
+    cos_tau1 = lib.cos(tau1)
+    sin_tau1 = lib.sin(tau1)
+    # slip-stick for tau1, until second-breaks-forward
+    t9 = -chi*cos_tau1 + chi
+    t10 = chi*sin_tau1
+    z1_2 = V*(chi*tau1 - t10) + cos_tau1*z1_1 + sin_tau1*v1_1 + t9*z2_1
+    z2_2 = V*tau1 + z2_1
+    v1_2 = V*t9 + cos_tau1*v1_1 - sin_tau1*z1_1 + t10*z2_1
+    states = [[z10, z20, v10, V], [z1_1, z2_1, v1_1, V], [z1_2, z2_2, v1_2, V]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t12 = V*p2
+    t13 = omega1*z10
+    t14 = p2*z20
+    t15 = p3*v10
+    t16 = V*chi
+    t17 = -t16 + v1_1
+    t18 = chi*z2_1
+    t19 = t18 - z1_1
+    t20 = chi**2
+    t21 = t20*z2_1
+    t22 = V*t20 - t16
+    t23 = -chi*t19
+    t24 = chi*t17
+    coefficients = [-V, 0, p1*v10 + t12, -t12 + t4*v10, -omega1*t14 - p1*t13, omega2*t14 - omega2*t4*z10, -V, 0, V*t4 + t15, V*p1 - t15, -omega1*t4*z20 - p3*t13, -omega2*p1*z20 + omega2*p3*z10, -V + t16, 0, t17, t19, -e2 + t18 - t21, -t22, -t23, -t24, -e2 - t18 + t21, t22, t23, t24]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [omega1, omega2, 1]
+    return states, coefficients, frequencies
+
+
+def symmetric_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
+    below the other; monodromy matrix.
+
+    Takes parameters (4): chi, eta, V, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (5): z10, z20, v10, tau, tau1.
     Gives poincare_jacobian (2, 2).
     Gives saltations (8, 4).
     Gives monodromy (4, 4).
-    Operations: 333. Intermediate terms: 134.
+    Operations: 285. Intermediate terms: 123.
     """
-    [chi, eta, V, e2] = parameters
+    [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     [z10, z20, v10, tau, tau1] = unknowns
     # functions of tau in slip-slip
@@ -2487,6 +2546,9 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     t16 = p1*t15 + t14*t4
     t18 = -omega2*p2*sin_omega2_tau + p2*t15
     v1_1 = V*t8 - t16*z10 - t18*z20 + t7*v10
+    t20 = -omega2*p3*sin_omega2_tau + p3*t15
+    t22 = p1*t14 + t15*t4
+    v2_1 = V*t12 + t11*v10 - t20*z10 - t22*z20
     # functions of tau1 in slip-stick
     cos_tau1 = lib.cos(tau1)
     sin_tau1 = lib.sin(tau1)
@@ -2496,33 +2558,6 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     z1_2 = V*(chi*tau1 - t25) + cos_tau1*z1_1 + sin_tau1*v1_1 + t24*z2_1
     z2_2 = V*tau1 + z2_1
     v1_2 = V*t24 + cos_tau1*v1_1 - sin_tau1*z1_1 + t25*z2_1
-    states = [[z10, z20, v10, V], [z1_1, z2_1, v1_1, V], [z1_2, z2_2, v1_2, V]]
-    if outputs == 1:
-        return states
-    # coefficients
-    t44 = V*p2
-    t45 = omega1*z10
-    t46 = p2*z20
-    t47 = p3*v10
-    t31 = V*chi
-    t48 = -t31 + v1_1
-    t27 = chi*z2_1
-    t30 = t27 - z1_1
-    t49 = chi**2
-    t50 = t49*z2_1
-    t51 = V*t49 - t31
-    t52 = -chi*t30
-    t53 = chi*t48
-    coefficients = [-V, 0, p1*v10 + t44, t4*v10 - t44, -omega1*t46 - p1*t45, -omega2*t4*z10 + omega2*t46, -V, 0, V*t4 + t47, V*p1 - t47, -omega1*t4*z20 - p3*t45, -omega2*p1*z20 + omega2*p3*z10, -V + t31, 0, t48, t30, -e2 + t27 - t50, -t51, -t52, -t53, -e2 - t27 + t50, t51, t52, t53]
-    if outputs == 2:
-        return states, coefficients
-    frequencies = [omega1, omega2, 1]
-    if outputs == 3:
-        return states, coefficients, frequencies
-    # slip-slip for tau, until second-reaches-belt
-    t20 = -omega2*p3*sin_omega2_tau + p3*t15
-    t22 = p1*t14 + t15*t4
-    v2_1 = V*t12 + t11*v10 - t20*z10 - t22*z20
     # Phi along tau
     carried_z1_1_by_z20 = t7 + t8
     carried_z1_1_by_v10 = t6
@@ -2534,6 +2569,7 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     carried_v2_1_by_v10 = t11
     # rate of the exit boundary after tau
     t26 = chi*eta
+    t27 = chi*z2_1
     rate_1 = -eta*t27 + t26*z1_1
     # derivatives of the time to the boundary after tau
     t29 = 1/rate_1
@@ -2544,6 +2580,7 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
     z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
     z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
+    t30 = t27 - z1_1
     v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t30
     v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t30
     # Phi along tau1
@@ -2552,40 +2589,40 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t25*z2_1_on_boundary_by_z20
     carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t25*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
-    rate_2 = -chi*v1_2 + t31
+    rate_2 = V*chi - chi*v1_2
     # derivatives of the time to the boundary after tau1
-    t33 = 1/rate_2
-    delay_tau1_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
-    delay_tau1_by_v10 = t33*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
+    t32 = 1/rate_2
+    delay_tau1_by_z20 = t32*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau1_by_v10 = t32*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
     # perturbation on the boundary after tau1
     z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20
     z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10
-    t34 = chi*z2_2
-    t35 = t34 - z1_2
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t35
-    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t35
+    t33 = chi*z2_2
+    t34 = t33 - z1_2
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t34
+    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t34
     poincare_jacobian = [[z2_2_on_boundary_by_z20, z2_2_on_boundary_by_v10], [v1_2_on_boundary_by_z20, v1_2_on_boundary_by_v10]]
-    if outputs == 4:
-        return states, coefficients, frequencies, poincare_jacobian
+    if outputs == 1:
+        return poincare_jacobian
     # vector fields at transition 1
     before_v1_1 = t30
     before_v2_1 = rate_1
     behind_v1_1 = t30
     # vector fields at transition 2
-    before_v1_2 = t35
-    behind_v1_2 = t35
-    behind_v2_2 = -eta*t34 + t26*z1_2
+    before_v1_2 = t34
+    behind_v1_2 = t34
+    behind_v2_2 = -eta*t33 + t26*z1_2
     # saltations
-    t36 = 1/before_v2_1
-    t37 = t36*(V - v2_1)
-    t38 = t36*(-before_v1_1 + behind_v1_1)
-    t39 = 1/rate_2
-    t40 = chi*t39
-    t41 = t40*(-before_v1_2 + behind_v1_2)
-    t42 = behind_v2_2*t40
-    saltations = [[1, 0, 0, 0], [0, 1, 0, t37], [0, 0, 1, t38], [0, 0, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [-t41, t41, 1, 0], [-t42, t42, 0, 1]]
-    if outputs == 5:
-        return states, coefficients, frequencies, poincare_jacobian, saltations
+    t35 = 1/before_v2_1
+    t36 = t35*(V - v2_1)
+    t37 = t35*(-before_v1_1 + behind_v1_1)
+    t38 = 1/rate_2
+    t39 = chi*t38
+    t40 = t39*(-before_v1_2 + behind_v1_2)
+    t41 = behind_v2_2*t39
+    saltations = [[1, 0, 0, 0], [0, 1, 0, t36], [0, 0, 1, t37], [0, 0, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [-t40, t40, 1, 0], [-t41, t41, 0, 1]]
+    if outputs == 2:
+        return poincare_jacobian, saltations
     # Phi of phase 1
     phi_1_00 = t7
     phi_1_01 = t8
@@ -2604,14 +2641,14 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     phi_1_32 = t11
     phi_1_33 = t12
     # saltation of phase 1
-    saltation_1_10 = phi_1_10 + phi_1_30*t37
-    saltation_1_11 = phi_1_11 + phi_1_31*t37
-    saltation_1_12 = phi_1_12 + phi_1_32*t37
-    saltation_1_13 = phi_1_13 + phi_1_33*t37
-    saltation_1_20 = phi_1_20 + phi_1_30*t38
-    saltation_1_21 = phi_1_21 + phi_1_31*t38
-    saltation_1_22 = phi_1_22 + phi_1_32*t38
-    saltation_1_23 = phi_1_23 + phi_1_33*t38
+    saltation_1_10 = phi_1_10 + phi_1_30*t36
+    saltation_1_11 = phi_1_11 + phi_1_31*t36
+    saltation_1_12 = phi_1_12 + phi_1_32*t36
+    saltation_1_13 = phi_1_13 + phi_1_33*t36
+    saltation_1_20 = phi_1_20 + phi_1_30*t37
+    saltation_1_21 = phi_1_21 + phi_1_31*t37
+    saltation_1_22 = phi_1_22 + phi_1_32*t37
+    saltation_1_23 = phi_1_23 + phi_1_33*t37
     # Phi of phase 2
     phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t24 + saltation_1_20*sin_tau1
     phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t24 + saltation_1_21*sin_tau1
@@ -2622,16 +2659,16 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t25
     phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t25
     # saltation of phase 2
-    saltation_2_20 = -phi_2_00*t41 + phi_2_20 + saltation_1_10*t41
-    saltation_2_21 = -phi_2_01*t41 + phi_2_21 + saltation_1_11*t41
-    saltation_2_22 = -phi_2_02*t41 + phi_2_22 + saltation_1_12*t41
-    saltation_2_23 = -phi_2_03*t41 + phi_2_23 + saltation_1_13*t41
-    saltation_2_30 = behind_v2_2*chi*saltation_1_10*t39 - phi_2_00*t42
-    saltation_2_31 = behind_v2_2*chi*saltation_1_11*t39 - phi_2_01*t42
-    saltation_2_32 = behind_v2_2*chi*saltation_1_12*t39 - phi_2_02*t42
-    saltation_2_33 = behind_v2_2*chi*saltation_1_13*t39 - phi_2_03*t42
+    saltation_2_20 = -phi_2_00*t40 + phi_2_20 + saltation_1_10*t40
+    saltation_2_21 = -phi_2_01*t40 + phi_2_21 + saltation_1_11*t40
+    saltation_2_22 = -phi_2_02*t40 + phi_2_22 + saltation_1_12*t40
+    saltation_2_23 = -phi_2_03*t40 + phi_2_23 + saltation_1_13*t40
+    saltation_2_30 = behind_v2_2*chi*saltation_1_10*t38 - phi_2_00*t41
+    saltation_2_31 = behind_v2_2*chi*saltation_1_11*t38 - phi_2_01*t41
+    saltation_2_32 = behind_v2_2*chi*saltation_1_12*t38 - phi_2_02*t41
+    saltation_2_33 = behind_v2_2*chi*saltation_1_13*t38 - phi_2_03*t41
     monodromy = [[phi_2_00, phi_2_01, phi_2_02, phi_2_03], [saltation_1_10, saltation_1_11, saltation_1_12, saltation_1_13], [saltation_2_20, saltation_2_21, saltation_2_22, saltation_2_23], [saltation_2_30, saltation_2_31, saltation_2_32, saltation_2_33]]
-    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
+    return poincare_jacobian, saltations, monodromy
 
 
 def symmetric_flow_slip_slip(parameters, spectrum, time, state, *, lib):
@@ -3284,11 +3321,10 @@ def global_stick_trace(parameters, spectrum, unknowns, spectrum_derivatives=None
     return trace, trace_gradient
 
 
-def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     """State at the start and behind each transition. Boundaries along the phases: constant,
     slope, cosine and sine amplitudes, one after the other; and the frequencies of each
-    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
-    one below the other; monodromy matrix.
+    phase.
 
     Takes parameters (5): chi, eta, V, e1, e2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -3296,12 +3332,93 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     Gives states (5, 4).
     Gives coefficients (44).
     Gives frequencies (4).
+    Operations: 190. Intermediate terms: 51.
+    """
+    [chi, _, V, e1, e2] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    [z10, z20, ta, tau, tau1, tau2] = unknowns
+    # stick-stick for ta, until first-breaks-forward
+    t0 = V*ta
+    z1_1 = t0 + z10
+    z2_1 = t0 + z20
+    # functions of tau in slip-stick
+    cos_tau = lib.cos(tau)
+    sin_tau = lib.sin(tau)
+    # slip-stick for tau, until second-breaks-forward
+    t1 = -chi*cos_tau + chi
+    t2 = chi*sin_tau
+    z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + t1*z2_1
+    z2_2 = V*tau + z2_1
+    v1_2 = V*cos_tau + V*t1 - sin_tau*z1_1 + t2*z2_1
+    # functions of tau1 in slip-slip
+    t3 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t3)
+    sin_omega1_tau1 = lib.sin(t3)
+    t4 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t4)
+    sin_omega2_tau1 = lib.sin(t4)
+    # slip-slip for tau1, until first-reaches-belt
+    t5 = 1/omega1
+    t6 = sin_omega1_tau1*t5
+    t7 = 1 - p1
+    t8 = sin_omega2_tau1/omega2
+    z1_3 = V*(p2*sin_omega1_tau1*t5 - p2*t8) + v1_2*(p1*t6 + t7*t8) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t7) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2)
+    t9 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t10 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1
+    z2_3 = V*(p1*t8 + t6*t7) + t10*z2_2 + t9*z1_2 + v1_2*(p3*sin_omega1_tau1*t5 - p3*t8)
+    t11 = omega1*sin_omega1_tau1
+    v2_3 = V*t10 + t9*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t11) + z2_2*(-omega2*p1*sin_omega2_tau1 - t11*t7)
+    # functions of tau2 in stick-slip
+    t12 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t12)
+    sin_omega3_tau2 = lib.sin(t12)
+    # stick-slip for tau2, until second-reaches-belt
+    z1_4 = V*tau2 + z1_3
+    t13 = 1/omega3
+    t14 = sin_omega3_tau2*t13
+    z2_4 = V*(-t14 + tau2) + cos_omega3_tau2*z2_3 + t14*v2_3 + z1_3*(1 - cos_omega3_tau2)
+    states = [[z10, z20, V, V], [z1_1, z2_1, V, V], [z1_2, z2_2, v1_2, V], [z1_3, z2_3, V, v2_3], [z1_4, z2_4, V, V]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t15 = chi*z20
+    t17 = V*chi
+    t18 = -V + t17
+    t21 = chi*z10
+    t22 = chi*z2_1
+    t23 = t22 - z1_1
+    t24 = chi**2
+    t25 = t24*z2_1
+    t26 = V*t24 - t17
+    t27 = -chi*t23
+    t28 = -chi*t18
+    t29 = V*p2
+    t30 = omega1*z1_2
+    t31 = p2*z2_2
+    t32 = p3*v1_2
+    t33 = chi*z1_3
+    t34 = chi*(-z1_3 + z2_3)
+    t35 = chi*(-V*t13 + t13*v2_3)
+    coefficients = [-e1 - t15 + z10, -t18, -e1 + t15 - z10, t18, -e2 + t15 - t21, 0, -e2 - t15 + t21, 0, t18, 0, -t18, t23, -e2 + t22 - t25, -t26, -t27, -t28, -e2 - t22 + t25, t26, t27, t28, -V, 0, p1*v1_2 + t29, -t29 + t7*v1_2, -omega1*t31 - p1*t30, omega2*t31 - omega2*t7*z1_2, -V, 0, V*t7 + t32, V*p1 - t32, -omega1*t7*z2_2 - p3*t30, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t33 + z1_3, -t18, -t34, -t35, -e1 + t33 - z1_3, t18, t34, t35, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [1, omega1, omega2, omega3]
+    return states, coefficients, frequencies
+
+
+def global_stick_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
+    below the other; monodromy matrix.
+
+    Takes parameters (5): chi, eta, V, e1, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (6): z10, z20, ta, tau, tau1, tau2.
     Gives poincare_jacobian (2, 2).
     Gives saltations (16, 4).
     Gives monodromy (4, 4).
-    Operations: 588. Intermediate terms: 205.
+    Operations: 508. Intermediate terms: 185.
     """
-    [chi, eta, V, e1, e2] = parameters
+    [chi, eta, V, _, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
     [z10, z20, ta, tau, tau1, tau2] = unknowns
     # stick-stick for ta, until first-breaks-forward
@@ -3340,9 +3457,13 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1
     t17 = p1*t9 + t7*t8
     z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2
-    t19 = omega1*sin_omega1_tau1
-    t23 = omega2*p3*sin_omega2_tau1 - p3*t19
     t18 = omega2*sin_omega2_tau1
+    t19 = omega1*sin_omega1_tau1
+    t20 = -p1*t19 - t18*t8
+    t21 = p2*t19
+    t22 = omega2*p2*sin_omega2_tau1 - t21
+    v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2
+    t23 = omega2*p3*sin_omega2_tau1 - p3*t19
     t24 = p1*t18
     t25 = t19*t8
     t26 = -t24 - t25
@@ -3354,57 +3475,22 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
     t28 = 1 - cos_omega3_tau2
-    t29 = 1/omega3
-    t30 = sin_omega3_tau2*t29
-    z2_4 = V*(-t30 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t30*v2_3
-    states = [[z10, z20, V, V], [z1_1, z2_1, V, V], [z1_2, z2_2, v1_2, V], [z1_3, z2_3, V, v2_3], [z1_4, z2_4, V, V]]
-    if outputs == 1:
-        return states
-    # coefficients
-    t68 = chi*z20
-    t34 = V*chi
-    t35 = -V + t34
-    t70 = chi*z10
-    t54 = chi*z2_1
-    t55 = t54 - z1_1
-    t71 = chi**2
-    t72 = t71*z2_1
-    t73 = V*t71 - t34
-    t74 = -chi*t55
-    t75 = -chi*t35
-    t76 = V*p2
-    t77 = omega1*z1_2
-    t78 = p2*z2_2
-    t79 = p3*v1_2
-    t48 = chi*z1_3
-    t80 = chi*(-z1_3 + z2_3)
-    t81 = chi*(-V*t29 + t29*v2_3)
-    t31 = omega3*z1_3
-    t32 = omega3*z2_3
-    coefficients = [-e1 - t68 + z10, -t35, -e1 + t68 - z10, t35, -e2 + t68 - t70, 0, -e2 - t68 + t70, 0, t35, 0, -t35, t55, -e2 + t54 - t72, -t73, -t74, -t75, -e2 - t54 + t72, t73, t74, t75, -V, 0, p1*v1_2 + t76, -t76 + t8*v1_2, -omega1*t78 - p1*t77, omega2*t78 - omega2*t8*z1_2, -V, 0, V*t8 + t79, V*p1 - t79, -omega1*t8*z2_2 - p3*t77, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t48 + z1_3, -t35, -t80, -t81, -e1 + t48 - z1_3, t35, t80, t81, 0, 0, -V + v2_3, t31 - t32]
-    if outputs == 2:
-        return states, coefficients
-    frequencies = [1, omega1, omega2, omega3]
-    if outputs == 3:
-        return states, coefficients, frequencies
-    # slip-slip for tau1, until first-reaches-belt
-    t20 = -p1*t19 - t18*t8
-    t21 = p2*t19
-    t22 = omega2*p2*sin_omega2_tau1 - t21
-    v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2
-    # stick-slip for tau2, until second-reaches-belt
-    v2_4 = V*t28 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t31 - sin_omega3_tau2*t32
+    t29 = sin_omega3_tau2/omega3
+    z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3
+    t30 = omega3*sin_omega3_tau2
+    v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3
     # rate of the exit boundary after ta
-    rate_1 = -t35
+    t31 = V*chi
+    rate_1 = V - t31
     # derivatives of the time to the boundary after ta
-    t37 = 1/rate_1
-    delay_ta_by_z10 = -t37
-    delay_ta_by_z20 = chi*t37
+    t33 = 1/rate_1
+    delay_ta_by_z10 = -t33
+    delay_ta_by_z20 = chi*t33
     # perturbation on the boundary after ta
-    t38 = V*delay_ta_by_z10
-    z1_1_on_boundary_by_z10 = t38 + 1
+    t34 = V*delay_ta_by_z10
+    z1_1_on_boundary_by_z10 = t34 + 1
     z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
-    z2_1_on_boundary_by_z10 = t38
+    z2_1_on_boundary_by_z10 = t34
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
     carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10
@@ -3412,20 +3498,20 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
-    rate_2 = -chi*v1_2 + t34
+    rate_2 = -chi*v1_2 + t31
     # derivatives of the time to the boundary after tau
-    t41 = 1/rate_2
-    delay_tau_by_z10 = t41*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    delay_tau_by_z20 = t41*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    t37 = 1/rate_2
+    delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
     # perturbation on the boundary after tau
     z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
     z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
     z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
     z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
-    t42 = chi*z2_2
-    t43 = t42 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t43
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t43
+    t38 = chi*z2_2
+    t39 = t38 - z1_2
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39
     # Phi along tau1
     carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10
     carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20
@@ -3436,91 +3522,90 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10
     carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20
     # rate of the exit boundary after tau1
-    t45 = chi*z2_3
-    rate_3 = t45 - z1_3
+    t40 = chi*z2_3
+    rate_3 = t40 - z1_3
     # derivatives of the time to the boundary after tau1
-    t47 = 1/rate_3
-    delay_tau1_by_z10 = -carried_v1_3_by_z10*t47
-    delay_tau1_by_z20 = -carried_v1_3_by_z20*t47
+    t42 = 1/rate_3
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t42
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t42
     # perturbation on the boundary after tau1
     z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
     z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
     z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
     z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
-    t49 = -eta*t45 + eta*t48
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t49
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t49
+    t43 = chi*eta
+    t44 = -eta*t40 + t43*z1_3
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44
     # Phi along tau2
-    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t30*v2_3_on_boundary_by_z10
-    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t30*v2_3_on_boundary_by_z20
-    t50 = omega3*sin_omega3_tau2
-    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t50*z1_3_on_boundary_by_z10 - t50*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t50*z1_3_on_boundary_by_z20 - t50*z2_3_on_boundary_by_z20
+    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10
+    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20
+    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10
+    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20
     # rate of the exit boundary after tau2
-    t51 = chi*eta
-    rate_4 = t51*z1_4 - t51*z2_4
+    rate_4 = t43*z1_4 - t43*z2_4
     # derivatives of the time to the boundary after tau2
-    t53 = 1/rate_4
-    delay_tau2_by_z10 = -carried_v2_4_by_z10*t53
-    delay_tau2_by_z20 = -carried_v2_4_by_z20*t53
+    t46 = 1/rate_4
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t46
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t46
     # perturbation on the boundary after tau2
     z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
     z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20
     z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + delay_tau2_by_z10*v2_4
     z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
     poincare_jacobian = [[z1_4_on_boundary_by_z10, z1_4_on_boundary_by_z20], [z2_4_on_boundary_by_z10, z2_4_on_boundary_by_z20]]
-    if outputs == 4:
-        return states, coefficients, frequencies, poincare_jacobian
+    if outputs == 1:
+        return poincare_jacobian
     # vector fields at transition 1
-    behind_v1_1 = t55
+    behind_v1_1 = chi*z2_1 - z1_1
     # vector fields at transition 2
-    before_v1_2 = t43
-    behind_v1_2 = t43
-    behind_v2_2 = -eta*t42 + t51*z1_2
+    before_v1_2 = t39
+    behind_v1_2 = t39
+    behind_v2_2 = -eta*t38 + t43*z1_2
     # vector fields at transition 3
     before_v1_3 = rate_3
-    before_v2_3 = t49
-    behind_v2_3 = t49
+    before_v2_3 = t44
+    behind_v2_3 = t44
     # vector fields at transition 4
     before_v2_4 = rate_4
     # saltations
-    t56 = -behind_v1_1/t35
-    t57 = chi*t56
-    t60 = chi/rate_2
-    t61 = t60*(-before_v1_2 + behind_v1_2)
-    t62 = behind_v2_2*t60
-    t64 = 1/before_v1_3
-    t65 = t64*(V - v1_3)
-    t66 = t64*(-before_v2_3 + behind_v2_3)
-    t67 = (V - v2_4)/before_v2_4
-    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t56, -t57, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t61, t61, 1, 0], [-t62, t62, 0, 1], [1, 0, t65, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t66, 1], [1, 0, 0, 0], [0, 1, 0, t67], [0, 0, 1, 0], [0, 0, 0, 0]]
-    if outputs == 5:
-        return states, coefficients, frequencies, poincare_jacobian, saltations
+    t47 = behind_v1_1/rate_1
+    t48 = chi*t47
+    t51 = chi/rate_2
+    t52 = t51*(-before_v1_2 + behind_v1_2)
+    t53 = behind_v2_2*t51
+    t55 = 1/before_v1_3
+    t56 = t55*(V - v1_3)
+    t57 = t55*(-before_v2_3 + behind_v2_3)
+    t58 = (V - v2_4)/before_v2_4
+    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t47, -t48, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t52, t52, 1, 0], [-t53, t53, 0, 1], [1, 0, t56, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t57, 1], [1, 0, 0, 0], [0, 1, 0, t58], [0, 0, 1, 0], [0, 0, 0, 0]]
+    if outputs == 2:
+        return poincare_jacobian, saltations
     # saltation of phase 1
-    saltation_1_20 = t56
-    saltation_1_21 = -t57
-    saltation_1_22 = t56*ta + 1
-    saltation_1_23 = -t57*ta
+    saltation_1_20 = t47
+    saltation_1_21 = -t48
+    saltation_1_22 = t47*ta + 1
+    saltation_1_23 = -t48*ta
     # Phi of phase 2
     phi_2_00 = cos_tau + saltation_1_20*sin_tau
-    t59 = chi - t1
-    phi_2_01 = saltation_1_21*sin_tau + t59
+    t50 = chi - t1
+    phi_2_01 = saltation_1_21*sin_tau + t50
     phi_2_02 = cos_tau*ta + saltation_1_22*sin_tau
     phi_2_03 = chi*tau + saltation_1_23*sin_tau + t2*ta - t3
     phi_2_13 = ta + tau
     phi_2_20 = cos_tau*saltation_1_20 - sin_tau
     phi_2_21 = cos_tau*saltation_1_21 + t3
     phi_2_22 = cos_tau*saltation_1_22 - sin_tau*ta
-    phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t59
+    phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t50
     # saltation of phase 2
-    saltation_2_20 = -phi_2_00*t61 + phi_2_20
-    saltation_2_21 = -phi_2_01*t61 + phi_2_21 + t61
-    saltation_2_22 = -phi_2_02*t61 + phi_2_22
-    saltation_2_23 = -phi_2_03*t61 + phi_2_13*t61 + phi_2_23
-    saltation_2_30 = -phi_2_00*t62
-    saltation_2_31 = -phi_2_01*t62 + t62
-    saltation_2_32 = -phi_2_02*t62
-    saltation_2_33 = -phi_2_03*t62 + phi_2_13*t62 + 1
+    saltation_2_20 = -phi_2_00*t52 + phi_2_20
+    saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52
+    saltation_2_22 = -phi_2_02*t52 + phi_2_22
+    saltation_2_23 = -phi_2_03*t52 + phi_2_13*t52 + phi_2_23
+    saltation_2_30 = -phi_2_00*t53
+    saltation_2_31 = -phi_2_01*t53 + t53
+    saltation_2_32 = -phi_2_02*t53
+    saltation_2_33 = -phi_2_03*t53 + phi_2_13*t53 + 1
     # Phi of phase 3
     phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13
     phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12
@@ -3539,30 +3624,30 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     phi_3_32 = phi_2_02*t23 + saltation_2_22*t15 + saltation_2_32*t16
     phi_3_33 = phi_2_03*t23 + phi_2_13*t26 + saltation_2_23*t15 + saltation_2_33*t16
     # saltation of phase 3
-    saltation_3_00 = phi_3_00 + phi_3_20*t65
-    saltation_3_01 = phi_3_01 + phi_3_21*t65
-    saltation_3_02 = phi_3_02 + phi_3_22*t65
-    saltation_3_03 = phi_3_03 + phi_3_23*t65
-    saltation_3_30 = phi_3_20*t66 + phi_3_30
-    saltation_3_31 = phi_3_21*t66 + phi_3_31
-    saltation_3_32 = phi_3_22*t66 + phi_3_32
-    saltation_3_33 = phi_3_23*t66 + phi_3_33
+    saltation_3_00 = phi_3_00 + phi_3_20*t56
+    saltation_3_01 = phi_3_01 + phi_3_21*t56
+    saltation_3_02 = phi_3_02 + phi_3_22*t56
+    saltation_3_03 = phi_3_03 + phi_3_23*t56
+    saltation_3_30 = phi_3_20*t57 + phi_3_30
+    saltation_3_31 = phi_3_21*t57 + phi_3_31
+    saltation_3_32 = phi_3_22*t57 + phi_3_32
+    saltation_3_33 = phi_3_23*t57 + phi_3_33
     # Phi of phase 4
-    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t30
-    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t30
-    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t30
-    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t30
-    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t50 + saltation_3_00*t50
-    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t50 + saltation_3_01*t50
-    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t50 + saltation_3_02*t50
-    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t50 + saltation_3_03*t50
+    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29
+    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29
+    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29
+    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29
+    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30
+    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30
+    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30
+    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30
     # saltation of phase 4
-    saltation_4_10 = phi_4_10 + phi_4_30*t67
-    saltation_4_11 = phi_4_11 + phi_4_31*t67
-    saltation_4_12 = phi_4_12 + phi_4_32*t67
-    saltation_4_13 = phi_4_13 + phi_4_33*t67
+    saltation_4_10 = phi_4_10 + phi_4_30*t58
+    saltation_4_11 = phi_4_11 + phi_4_31*t58
+    saltation_4_12 = phi_4_12 + phi_4_32*t58
+    saltation_4_13 = phi_4_13 + phi_4_33*t58
     monodromy = [[saltation_3_00, saltation_3_01, saltation_3_02, saltation_3_03], [saltation_4_10, saltation_4_11, saltation_4_12, saltation_4_13], [0, 0, 0, 0], [0, 0, 0, 0]]
-    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
+    return poincare_jacobian, saltations, monodromy
 
 
 def global_stick_flow_stick_stick(parameters, spectrum, time, state, *, lib):
@@ -4349,11 +4434,10 @@ def solution_ii_trace(parameters, spectrum, unknowns, spectrum_derivatives=None,
     return trace, trace_gradient
 
 
-def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     """State at the start and behind each transition. Boundaries along the phases: constant,
     slope, cosine and sine amplitudes, one after the other; and the frequencies of each
-    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
-    one below the other; monodromy matrix.
+    phase.
 
     Takes parameters (4): chi, eta, V, e2.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -4361,14 +4445,92 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     Gives states (5, 4).
     Gives coefficients (44).
     Gives frequencies (4).
+    Operations: 186. Intermediate terms: 49.
+    """
+    [chi, _, V, e2] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    [z10, z20, tau, tau1, tau2, e1] = unknowns
+    # functions of tau in slip-stick
+    cos_tau = lib.cos(tau)
+    sin_tau = lib.sin(tau)
+    # slip-stick for tau, until second-breaks-forward
+    t0 = -chi*cos_tau + chi
+    t1 = chi*sin_tau
+    z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20
+    z2_2 = V*tau + z20
+    v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20
+    # functions of tau1 in slip-slip
+    t2 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t2)
+    sin_omega1_tau1 = lib.sin(t2)
+    t3 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t3)
+    sin_omega2_tau1 = lib.sin(t3)
+    # slip-slip for tau1, until first-reaches-belt
+    t4 = 1/omega1
+    t5 = sin_omega1_tau1*t4
+    t6 = 1 - p1
+    t7 = sin_omega2_tau1/omega2
+    z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + v1_2*(p1*t5 + t6*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t6) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2)
+    t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t9 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1
+    z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7)
+    t10 = omega1*sin_omega1_tau1
+    v2_3 = V*t9 + t8*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t10) + z2_2*(-omega2*p1*sin_omega2_tau1 - t10*t6)
+    # functions of tau2 in stick-slip
+    t11 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t11)
+    sin_omega3_tau2 = lib.sin(t11)
+    # stick-slip for tau2, until second-reaches-belt
+    z1_4 = V*tau2 + z1_3
+    t12 = 1/omega3
+    t13 = sin_omega3_tau2*t12
+    z2_4 = V*(-t13 + tau2) + cos_omega3_tau2*z2_3 + t13*v2_3 + z1_3*(1 - cos_omega3_tau2)
+    states = [[z10, z20, V, V], [z10, z20, V, V], [z1_2, z2_2, v1_2, V], [z1_3, z2_3, V, v2_3], [z1_4, z2_4, V, V]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t14 = chi*z20
+    t15 = t14 - z10
+    t17 = V*chi
+    t18 = -V + t17
+    t21 = chi*z10
+    t22 = e2 - t14
+    t23 = e2 + t14
+    t24 = chi**2
+    t25 = t24*z20
+    t26 = V*t24 - t17
+    t27 = -chi*t15
+    t28 = -chi*t18
+    t29 = V*p2
+    t30 = omega1*z1_2
+    t31 = p2*z2_2
+    t32 = p3*v1_2
+    t33 = chi*z1_3
+    t34 = chi*(-z1_3 + z2_3)
+    t35 = chi*(-V*t12 + t12*v2_3)
+    coefficients = [-e1 - t15, -t18, -e1 + t14 - z10, t18, -t21 - t22, 0, t21 - t23, 0, t18, 0, -t18, t15, -t22 - t25, -t26, -t27, -t28, -t23 + t25, t26, t27, t28, -V, 0, p1*v1_2 + t29, -t29 + t6*v1_2, -omega1*t31 - p1*t30, omega2*t31 - omega2*t6*z1_2, -V, 0, V*t6 + t32, V*p1 - t32, -omega1*t6*z2_2 - p3*t30, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t33 + z1_3, -t18, -t34, -t35, -e1 + t33 - z1_3, t18, t34, t35, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [1, omega1, omega2, omega3]
+    return states, coefficients, frequencies
+
+
+def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
+    below the other; monodromy matrix.
+
+    Takes parameters (4): chi, eta, V, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
     Gives poincare_jacobian (2, 2).
     Gives saltations (16, 4).
     Gives monodromy (4, 4).
-    Operations: 566. Intermediate terms: 203.
+    Operations: 487. Intermediate terms: 182.
     """
-    [chi, eta, V, e2] = parameters
+    [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
-    [z10, z20, tau, tau1, tau2, e1] = unknowns
+    [z10, z20, tau, tau1, tau2, _] = unknowns
     # functions of tau in slip-stick
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
@@ -4402,9 +4564,13 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1
     t17 = p1*t9 + t7*t8
     z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2
-    t19 = omega1*sin_omega1_tau1
-    t23 = omega2*p3*sin_omega2_tau1 - p3*t19
     t18 = omega2*sin_omega2_tau1
+    t19 = omega1*sin_omega1_tau1
+    t20 = -p1*t19 - t18*t8
+    t21 = p2*t19
+    t22 = omega2*p2*sin_omega2_tau1 - t21
+    v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2
+    t23 = omega2*p3*sin_omega2_tau1 - p3*t19
     t24 = p1*t18
     t25 = t19*t8
     t26 = -t24 - t25
@@ -4416,58 +4582,22 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
     t28 = 1 - cos_omega3_tau2
-    t29 = 1/omega3
-    t30 = sin_omega3_tau2*t29
-    z2_4 = V*(-t30 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t30*v2_3
-    states = [[z10, z20, V, V], [z10, z20, V, V], [z1_2, z2_2, v1_2, V], [z1_3, z2_3, V, v2_3], [z1_4, z2_4, V, V]]
-    if outputs == 1:
-        return states
-    # coefficients
-    t54 = chi*z20
-    t55 = t54 - z10
-    t34 = V*chi
-    t35 = -V + t34
-    t72 = chi*z10
-    t73 = e2 - t54
-    t74 = e2 + t54
-    t75 = chi**2
-    t76 = t75*z20
-    t77 = V*t75 - t34
-    t78 = -chi*t55
-    t79 = -chi*t35
-    t80 = V*p2
-    t81 = omega1*z1_2
-    t82 = p2*z2_2
-    t83 = p3*v1_2
-    t48 = chi*z1_3
-    t84 = chi*(-z1_3 + z2_3)
-    t85 = chi*(-V*t29 + t29*v2_3)
-    t31 = omega3*z1_3
-    t32 = omega3*z2_3
-    coefficients = [-e1 - t55, -t35, -e1 + t54 - z10, t35, -t72 - t73, 0, t72 - t74, 0, t35, 0, -t35, t55, -t73 - t76, -t77, -t78, -t79, -t74 + t76, t77, t78, t79, -V, 0, p1*v1_2 + t80, t8*v1_2 - t80, -omega1*t82 - p1*t81, -omega2*t8*z1_2 + omega2*t82, -V, 0, V*t8 + t83, V*p1 - t83, -omega1*t8*z2_2 - p3*t81, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t48 + z1_3, -t35, -t84, -t85, -e1 + t48 - z1_3, t35, t84, t85, 0, 0, -V + v2_3, t31 - t32]
-    if outputs == 2:
-        return states, coefficients
-    frequencies = [1, omega1, omega2, omega3]
-    if outputs == 3:
-        return states, coefficients, frequencies
-    # slip-slip for tau1, until first-reaches-belt
-    t20 = -p1*t19 - t18*t8
-    t21 = p2*t19
-    t22 = omega2*p2*sin_omega2_tau1 - t21
-    v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2
-    # stick-slip for tau2, until second-reaches-belt
-    v2_4 = V*t28 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t31 - sin_omega3_tau2*t32
+    t29 = sin_omega3_tau2/omega3
+    z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3
+    t30 = omega3*sin_omega3_tau2
+    v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3
     # rate of the exit boundary after ta
-    rate_1 = -t35
+    t31 = V*chi
+    rate_1 = V - t31
     # derivatives of the time to the boundary after ta
-    t37 = 1/rate_1
-    delay_ta_by_z10 = -t37
-    delay_ta_by_z20 = chi*t37
+    t33 = 1/rate_1
+    delay_ta_by_z10 = -t33
+    delay_ta_by_z20 = chi*t33
     # perturbation on the boundary after ta
-    t38 = V*delay_ta_by_z10
-    z1_1_on_boundary_by_z10 = t38 + 1
+    t34 = V*delay_ta_by_z10
+    z1_1_on_boundary_by_z10 = t34 + 1
     z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
-    z2_1_on_boundary_by_z10 = t38
+    z2_1_on_boundary_by_z10 = t34
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
     carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10
@@ -4475,20 +4605,20 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
-    rate_2 = -chi*v1_2 + t34
+    rate_2 = -chi*v1_2 + t31
     # derivatives of the time to the boundary after tau
-    t41 = 1/rate_2
-    delay_tau_by_z10 = t41*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    delay_tau_by_z20 = t41*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    t37 = 1/rate_2
+    delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
     # perturbation on the boundary after tau
     z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
     z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
     z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
     z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
-    t42 = chi*z2_2
-    t43 = t42 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t43
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t43
+    t38 = chi*z2_2
+    t39 = t38 - z1_2
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39
     # Phi along tau1
     carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10
     carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20
@@ -4499,71 +4629,70 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10
     carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20
     # rate of the exit boundary after tau1
-    t45 = chi*z2_3
-    rate_3 = t45 - z1_3
+    t40 = chi*z2_3
+    rate_3 = t40 - z1_3
     # derivatives of the time to the boundary after tau1
-    t47 = 1/rate_3
-    delay_tau1_by_z10 = -carried_v1_3_by_z10*t47
-    delay_tau1_by_z20 = -carried_v1_3_by_z20*t47
+    t42 = 1/rate_3
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t42
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t42
     # perturbation on the boundary after tau1
     z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
     z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
     z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
     z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
-    t49 = -eta*t45 + eta*t48
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t49
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t49
+    t43 = chi*eta
+    t44 = -eta*t40 + t43*z1_3
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44
     # Phi along tau2
-    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t30*v2_3_on_boundary_by_z10
-    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t30*v2_3_on_boundary_by_z20
-    t50 = omega3*sin_omega3_tau2
-    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t50*z1_3_on_boundary_by_z10 - t50*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t50*z1_3_on_boundary_by_z20 - t50*z2_3_on_boundary_by_z20
+    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10
+    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20
+    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10
+    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20
     # rate of the exit boundary after tau2
-    t51 = chi*eta
-    rate_4 = t51*z1_4 - t51*z2_4
+    rate_4 = t43*z1_4 - t43*z2_4
     # derivatives of the time to the boundary after tau2
-    t53 = 1/rate_4
-    delay_tau2_by_z10 = -carried_v2_4_by_z10*t53
-    delay_tau2_by_z20 = -carried_v2_4_by_z20*t53
+    t46 = 1/rate_4
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t46
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t46
     # perturbation on the boundary after tau2
     z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
     z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20
     z2_4_on_boundary_by_z10 = carried_z2_4_by_z10 + delay_tau2_by_z10*v2_4
     z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
     poincare_jacobian = [[z1_4_on_boundary_by_z10, z1_4_on_boundary_by_z20], [z2_4_on_boundary_by_z10, z2_4_on_boundary_by_z20]]
-    if outputs == 4:
-        return states, coefficients, frequencies, poincare_jacobian
+    if outputs == 1:
+        return poincare_jacobian
     # vector fields at transition 1
-    behind_v1_1 = t55
+    behind_v1_1 = chi*z20 - z10
     # vector fields at transition 2
-    before_v1_2 = t43
-    behind_v1_2 = t43
-    behind_v2_2 = -eta*t42 + t51*z1_2
+    before_v1_2 = t39
+    behind_v1_2 = t39
+    behind_v2_2 = -eta*t38 + t43*z1_2
     # vector fields at transition 3
     before_v1_3 = rate_3
-    before_v2_3 = t49
-    behind_v2_3 = t49
+    before_v2_3 = t44
+    behind_v2_3 = t44
     # vector fields at transition 4
     before_v2_4 = rate_4
     # saltations
-    t56 = -behind_v1_1/t35
-    t57 = -chi*t56
-    t58 = -before_v1_2 + behind_v1_2
-    t59 = 1/rate_2
-    t60 = chi*t59
-    t61 = t58*t60
-    t64 = behind_v2_2*t60
-    t67 = 1/before_v1_3
-    t68 = t67*(V - v1_3)
-    t69 = t67*(-before_v2_3 + behind_v2_3)
-    t70 = (V - v2_4)/before_v2_4
-    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t56, t57, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t61, t61, 1, 0], [-t64, t64, 0, 1], [1, 0, t68, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t69, 1], [1, 0, 0, 0], [0, 1, 0, t70], [0, 0, 1, 0], [0, 0, 0, 0]]
-    if outputs == 5:
-        return states, coefficients, frequencies, poincare_jacobian, saltations
+    t47 = behind_v1_1/rate_1
+    t48 = -chi*t47
+    t49 = -before_v1_2 + behind_v1_2
+    t50 = 1/rate_2
+    t51 = chi*t50
+    t52 = t49*t51
+    t55 = behind_v2_2*t51
+    t58 = 1/before_v1_3
+    t59 = t58*(V - v1_3)
+    t60 = t58*(-before_v2_3 + behind_v2_3)
+    t61 = (V - v2_4)/before_v2_4
+    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t47, t48, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t52, t52, 1, 0], [-t55, t55, 0, 1], [1, 0, t59, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t60, 1], [1, 0, 0, 0], [0, 1, 0, t61], [0, 0, 1, 0], [0, 0, 0, 0]]
+    if outputs == 2:
+        return poincare_jacobian, saltations
     # saltation of phase 1
-    saltation_1_20 = t56
-    saltation_1_21 = t57
+    saltation_1_20 = t47
+    saltation_1_21 = t48
     # Phi of phase 2
     phi_2_00 = cos_tau + saltation_1_20*sin_tau
     phi_2_01 = chi + saltation_1_21*sin_tau - t0
@@ -4572,17 +4701,17 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     phi_2_21 = cos_tau*saltation_1_21 + t2
     phi_2_23 = t1
     # saltation of phase 2
-    saltation_2_20 = -phi_2_00*t61 + phi_2_20
-    saltation_2_21 = -phi_2_01*t61 + phi_2_21 + t61
-    t62 = t58*t59
-    saltation_2_22 = cos_tau - t2*t62
-    t63 = chi*tau
-    saltation_2_23 = -phi_2_03*t61 + phi_2_23 + t62*t63
-    saltation_2_30 = -phi_2_00*t64
-    saltation_2_31 = -phi_2_01*t64 + t64
-    t66 = behind_v2_2*t59
-    saltation_2_32 = -t2*t66
-    saltation_2_33 = -phi_2_03*t64 + t63*t66 + 1
+    saltation_2_20 = -phi_2_00*t52 + phi_2_20
+    saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52
+    t53 = t49*t50
+    saltation_2_22 = cos_tau - t2*t53
+    t54 = chi*tau
+    saltation_2_23 = -phi_2_03*t52 + phi_2_23 + t53*t54
+    saltation_2_30 = -phi_2_00*t55
+    saltation_2_31 = -phi_2_01*t55 + t55
+    t57 = behind_v2_2*t50
+    saltation_2_32 = -t2*t57
+    saltation_2_33 = -phi_2_03*t55 + t54*t57 + 1
     # Phi of phase 3
     phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13
     phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12
@@ -4601,30 +4730,30 @@ def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     phi_3_32 = saltation_2_22*t15 + saltation_2_32*t16 + sin_tau*t23
     phi_3_33 = phi_2_03*t23 + saltation_2_23*t15 + saltation_2_33*t16 + t26*tau
     # saltation of phase 3
-    saltation_3_00 = phi_3_00 + phi_3_20*t68
-    saltation_3_01 = phi_3_01 + phi_3_21*t68
-    saltation_3_02 = phi_3_02 + phi_3_22*t68
-    saltation_3_03 = phi_3_03 + phi_3_23*t68
-    saltation_3_30 = phi_3_20*t69 + phi_3_30
-    saltation_3_31 = phi_3_21*t69 + phi_3_31
-    saltation_3_32 = phi_3_22*t69 + phi_3_32
-    saltation_3_33 = phi_3_23*t69 + phi_3_33
+    saltation_3_00 = phi_3_00 + phi_3_20*t59
+    saltation_3_01 = phi_3_01 + phi_3_21*t59
+    saltation_3_02 = phi_3_02 + phi_3_22*t59
+    saltation_3_03 = phi_3_03 + phi_3_23*t59
+    saltation_3_30 = phi_3_20*t60 + phi_3_30
+    saltation_3_31 = phi_3_21*t60 + phi_3_31
+    saltation_3_32 = phi_3_22*t60 + phi_3_32
+    saltation_3_33 = phi_3_23*t60 + phi_3_33
     # Phi of phase 4
-    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t30
-    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t30
-    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t30
-    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t30
-    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t50 + saltation_3_00*t50
-    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t50 + saltation_3_01*t50
-    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t50 + saltation_3_02*t50
-    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t50 + saltation_3_03*t50
+    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29
+    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29
+    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29
+    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29
+    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30
+    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30
+    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30
+    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30
     # saltation of phase 4
-    saltation_4_10 = phi_4_10 + phi_4_30*t70
-    saltation_4_11 = phi_4_11 + phi_4_31*t70
-    saltation_4_12 = phi_4_12 + phi_4_32*t70
-    saltation_4_13 = phi_4_13 + phi_4_33*t70
+    saltation_4_10 = phi_4_10 + phi_4_30*t61
+    saltation_4_11 = phi_4_11 + phi_4_31*t61
+    saltation_4_12 = phi_4_12 + phi_4_32*t61
+    saltation_4_13 = phi_4_13 + phi_4_33*t61
     monodromy = [[saltation_3_00, saltation_3_01, saltation_3_02, saltation_3_03], [saltation_4_10, saltation_4_11, saltation_4_12, saltation_4_13], [0, 0, 0, 0], [0, 0, 0, 0]]
-    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
+    return poincare_jacobian, saltations, monodromy
 
 
 def solution_ii_flow_stick_stick(parameters, spectrum, time, state, *, lib):

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2611b2928ebfb50d */
+ * SymPy 1.14.0, derivation 6ce0fc264bd74082 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -1355,15 +1355,13 @@ void elastic_stop_one_contact_trace(
     }
 }
 
-/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (6), spectrum (12), unknowns (4); gives states (3, 4), coefficients (12), frequencies (4), poincare_jacobian (3, 3), saltations (8, 4), monodromy (4, 4), row by row.
+/* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
+ * Takes parameters (6), spectrum (12), unknowns (4); gives states (3, 4), coefficients (12), frequencies (4), row by row.
  * An output that is NULL is not wanted.
- * Operations: 575. Intermediate terms: 201. */
+ * Operations: 245. Intermediate terms: 58. */
 void elastic_stop_one_contact_passage(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states, double *coefficients, double *frequencies)
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
     const double k1 = parameters[2];
     const double k2 = parameters[3];
     const double k3 = parameters[4];
@@ -1404,60 +1402,43 @@ void elastic_stop_one_contact_passage(
     const double t13 = sin_omega1_tau*t12;
     const double t15 = (1.0/(omega2));
     const double t16 = sin_omega2_tau*t15;
-    const double t17 = p1*t13 - t10*t16;
-    const double t18 = p2*sin_omega1_tau*t12 - p2*t16;
-    const double t19 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t20 = cos_omega1_tau*p1 - cos_omega2_tau*t10;
-    const double x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*u + t18*w + t19*y + t20 + t5;
-    const double t21 = p3*t5;
-    const double t23 = p1*t7;
-    const double t24 = p3*sin_omega1_tau*t12 - p3*t16;
-    const double t25 = p1*t16 - t10*t13;
-    const double t26 = -cos_omega1_tau*t10 + cos_omega2_tau*p1;
-    const double t27 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double x2_1 = cos_omega1_tau*(t10*t7 - t21) + cos_omega2_tau*(t21 - t23) + t24*u + t25*w + t26*y + t27 + t7;
-    const double t28 = omega1*sin_omega1_tau;
-    const double t29 = omega2*p2*sin_omega2_tau - p2*t28;
-    const double t30 = p1*t28;
-    const double t31 = omega2*sin_omega2_tau;
-    const double t32 = -t10*t31;
-    const double v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t19*w + t20*u + t29*y - t30 - t32;
-    const double t33 = -p1*t31 + t10*t28;
-    const double t34 = p3*t28;
-    const double v2_1 = p3*t31 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t21) + sin_omega2_tau*(-omega2*t21 + omega2*t23) + t26*w + t27*u + t33*y - t34;
+    const double t17 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t18 = cos_omega1_tau*p1 - cos_omega2_tau*t10;
+    const double x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*y + t18 + t5 + u*(p1*t13 - t10*t16) + w*(p2*sin_omega1_tau*t12 - p2*t16);
+    const double t19 = p3*t5;
+    const double t21 = p1*t7;
+    const double t22 = -cos_omega1_tau*t10 + cos_omega2_tau*p1;
+    const double t23 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double x2_1 = cos_omega1_tau*(t10*t7 - t19) + cos_omega2_tau*(t19 - t21) + t22*y + t23 + t7 + u*(p3*sin_omega1_tau*t12 - p3*t16) + w*(p1*t16 - t10*t13);
+    const double t24 = omega1*sin_omega1_tau;
+    const double t25 = omega2*sin_omega2_tau;
+    const double v1_1 = -p1*t24 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t10*t25 + t17*w + t18*u + y*(omega2*p2*sin_omega2_tau - p2*t24);
+    const double v2_1 = -p3*t24 + p3*t25 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t19) + sin_omega2_tau*(-omega2*t19 + omega2*t21) + t22*w + t23*u + y*(-p1*t25 + t10*t24);
     /* tau1 completes the period */
     const double tau1 = T - tau;
     /* functions of tau1 in free */
-    const double t35 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t35);
-    const double sin_omega3_tau1 = sin(t35);
-    const double t36 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t36);
-    const double sin_omega4_tau1 = sin(t36);
+    const double t26 = omega3*tau1;
+    const double cos_omega3_tau1 = cos(t26);
+    const double sin_omega3_tau1 = sin(t26);
+    const double t27 = omega4*tau1;
+    const double cos_omega4_tau1 = cos(t27);
+    const double sin_omega4_tau1 = sin(t27);
     /* free for tau1, until first-reaches-stop */
-    const double t37 = (1.0/(omega3));
-    const double t38 = sin_omega3_tau1*t37;
-    const double t39 = 1 - p4;
-    const double t40 = (1.0/(omega4));
-    const double t41 = sin_omega4_tau1*t40;
-    const double t42 = p4*t38 + t39*t41;
-    const double t43 = p5*sin_omega3_tau1*t37 - p5*t41;
-    const double t44 = cos_omega3_tau1*p4 + cos_omega4_tau1*t39;
-    const double t45 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-    const double x1_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1;
-    const double t46 = p6*sin_omega3_tau1*t37 - p6*t41;
-    const double t47 = p4*t41 + t38*t39;
-    const double t48 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
-    const double t49 = cos_omega3_tau1*t39 + cos_omega4_tau1*p4;
-    const double x2_2 = t46*v1_1 + t47*v2_1 + t48*x1_1 + t49*x2_1;
-    const double t50 = omega3*sin_omega3_tau1;
-    const double t51 = omega4*sin_omega4_tau1;
-    const double t52 = -p4*t50 - t39*t51;
-    const double t53 = omega4*p5*sin_omega4_tau1 - p5*t50;
-    const double v1_2 = t44*v1_1 + t45*v2_1 + t52*x1_1 + t53*x2_1;
-    const double t54 = omega4*p6*sin_omega4_tau1 - p6*t50;
-    const double t55 = -p4*t51 - t39*t50;
-    const double v2_2 = t48*v1_1 + t49*v2_1 + t54*x1_1 + t55*x2_1;
+    const double t28 = (1.0/(omega3));
+    const double t29 = sin_omega3_tau1*t28;
+    const double t30 = 1 - p4;
+    const double t31 = (1.0/(omega4));
+    const double t32 = sin_omega4_tau1*t31;
+    const double t33 = cos_omega3_tau1*p4 + cos_omega4_tau1*t30;
+    const double t34 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
+    const double x1_2 = t33*x1_1 + t34*x2_1 + v1_1*(p4*t29 + t30*t32) + v2_1*(p5*sin_omega3_tau1*t28 - p5*t32);
+    const double t35 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
+    const double t36 = cos_omega3_tau1*t30 + cos_omega4_tau1*p4;
+    const double x2_2 = t35*x1_1 + t36*x2_1 + v1_1*(p6*sin_omega3_tau1*t28 - p6*t32) + v2_1*(p4*t32 + t29*t30);
+    const double t37 = omega3*sin_omega3_tau1;
+    const double t38 = omega4*sin_omega4_tau1;
+    const double v1_2 = t33*v1_1 + t34*v2_1 + x1_1*(-p4*t37 - t30*t38) + x2_1*(omega4*p5*sin_omega4_tau1 - p5*t37);
+    const double v2_2 = t35*v1_1 + t36*v2_1 + x1_1*(omega4*p6*sin_omega4_tau1 - p6*t37) + x2_1*(-p4*t38 - t30*t37);
     if (states) {
         states[0] = 1;
         states[1] = y;
@@ -1472,28 +1453,28 @@ void elastic_stop_one_contact_passage(
         states[10] = v1_2;
         states[11] = v2_2;
     }
-    if (!coefficients && !frequencies && !poincare_jacobian && !saltations && !monodromy)
+    if (!coefficients && !frequencies)
         return;
     /* coefficients */
-    const double t74 = -p1 - p2*y;
-    const double t75 = p2*w;
-    const double t76 = p5*x2_1;
-    const double t77 = p5*v2_1;
+    const double t39 = -p1 - p2*y;
+    const double t40 = p2*w;
+    const double t41 = p5*x2_1;
+    const double t42 = p5*v2_1;
     if (coefficients) {
         coefficients[0] = 1 - t5;
         coefficients[1] = 0;
-        coefficients[2] = t74 + t9;
-        coefficients[3] = -t11 - t74 - 1;
-        coefficients[4] = -p1*t12*u - t12*t75;
-        coefficients[5] = t10*t15*u + t15*t75;
+        coefficients[2] = t39 + t9;
+        coefficients[3] = -t11 - t39 - 1;
+        coefficients[4] = -p1*t12*u - t12*t40;
+        coefficients[5] = t10*t15*u + t15*t40;
         coefficients[6] = -1;
         coefficients[7] = 0;
-        coefficients[8] = p4*x1_1 + t76;
-        coefficients[9] = t39*x1_1 - t76;
-        coefficients[10] = p4*t37*v1_1 + t37*t77;
-        coefficients[11] = t39*t40*v1_1 - t40*t77;
+        coefficients[8] = p4*x1_1 + t41;
+        coefficients[9] = t30*x1_1 - t41;
+        coefficients[10] = p4*t28*v1_1 + t28*t42;
+        coefficients[11] = t30*t31*v1_1 - t31*t42;
     }
-    if (!frequencies && !poincare_jacobian && !saltations && !monodromy)
+    if (!frequencies)
         return;
     if (frequencies) {
         frequencies[0] = omega1;
@@ -1501,28 +1482,127 @@ void elastic_stop_one_contact_passage(
         frequencies[2] = omega3;
         frequencies[3] = omega4;
     }
-    if (!poincare_jacobian && !saltations && !monodromy)
-        return;
+}
+
+/* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
+ * Takes parameters (6), spectrum (12), unknowns (4); gives poincare_jacobian (3, 3), saltations (8, 4), monodromy (4, 4), row by row.
+ * An output that is NULL is not wanted.
+ * Operations: 541. Intermediate terms: 193. */
+void elastic_stop_one_contact_linearisation(
+    const double parameters[6], const double spectrum[12], const double unknowns[4], double *poincare_jacobian, double *saltations, double *monodromy)
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double k1 = parameters[2];
+    const double k2 = parameters[3];
+    const double k3 = parameters[4];
+    const double T = parameters[5];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[7];
+    const double omega4 = spectrum[8];
+    const double p4 = spectrum[9];
+    const double p5 = spectrum[10];
+    const double p6 = spectrum[11];
+    const double y = unknowns[0];
+    const double u = unknowns[1];
+    const double w = unknowns[2];
+    const double tau = unknowns[3];
+    /* functions of tau in contact */
+    const double t0 = omega1*tau;
+    const double cos_omega1_tau = cos(t0);
+    const double sin_omega1_tau = sin(t0);
+    const double t1 = omega2*tau;
+    const double cos_omega2_tau = cos(t1);
+    const double sin_omega2_tau = sin(t1);
+    /* contact for tau, until first-leaves-stop */
+    const double t2 = k1*k3;
+    const double t3 = k2*k3 + t2;
+    const double t4 = (1.0/((k1*k2 + t3)));
+    const double t5 = t3*t4;
+    const double t6 = p1*t5;
+    const double t7 = t2*t4;
+    const double t8 = p2*t7;
+    const double t9 = p1 - 1;
+    const double t10 = (1.0/(omega1));
+    const double t11 = sin_omega1_tau*t10;
+    const double t13 = sin_omega2_tau/omega2;
+    const double t14 = p1*t11 - t13*t9;
+    const double t15 = p2*sin_omega1_tau*t10 - p2*t13;
+    const double t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
+    const double x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5;
+    const double t18 = p3*t5;
+    const double t20 = p1*t7;
+    const double t21 = p3*sin_omega1_tau*t10 - p3*t13;
+    const double t22 = p1*t13 - t11*t9;
+    const double t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
+    const double t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7;
+    const double t25 = omega1*sin_omega1_tau;
+    const double t26 = omega2*p2*sin_omega2_tau - p2*t25;
+    const double t27 = p1*t25;
+    const double t28 = omega2*sin_omega2_tau;
+    const double t29 = -t28*t9;
+    const double v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y - t27 - t29;
+    const double t30 = -p1*t28 + t25*t9;
+    const double t31 = p3*t25;
+    const double v2_1 = p3*t28 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t30*y - t31;
+    /* tau1 completes the period */
+    const double tau1 = T - tau;
+    /* functions of tau1 in free */
+    const double t32 = omega3*tau1;
+    const double cos_omega3_tau1 = cos(t32);
+    const double sin_omega3_tau1 = sin(t32);
+    const double t33 = omega4*tau1;
+    const double cos_omega4_tau1 = cos(t33);
+    const double sin_omega4_tau1 = sin(t33);
+    /* free for tau1, until first-reaches-stop */
+    const double t34 = (1.0/(omega3));
+    const double t35 = sin_omega3_tau1*t34;
+    const double t36 = 1 - p4;
+    const double t37 = sin_omega4_tau1/omega4;
+    const double t38 = p4*t35 + t36*t37;
+    const double t39 = p5*sin_omega3_tau1*t34 - p5*t37;
+    const double t40 = cos_omega3_tau1*p4 + cos_omega4_tau1*t36;
+    const double t41 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
+    const double x1_2 = t38*v1_1 + t39*v2_1 + t40*x1_1 + t41*x2_1;
+    const double t42 = p6*sin_omega3_tau1*t34 - p6*t37;
+    const double t43 = p4*t37 + t35*t36;
+    const double t44 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
+    const double t45 = cos_omega3_tau1*t36 + cos_omega4_tau1*p4;
+    const double x2_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1;
+    const double t46 = omega3*sin_omega3_tau1;
+    const double t47 = omega4*sin_omega4_tau1;
+    const double t48 = -p4*t46 - t36*t47;
+    const double t49 = omega4*p5*sin_omega4_tau1 - p5*t46;
+    const double v1_2 = t40*v1_1 + t41*v2_1 + t48*x1_1 + t49*x2_1;
+    const double t50 = omega4*p6*sin_omega4_tau1 - p6*t46;
+    const double t51 = -p4*t47 - t36*t46;
+    const double v2_2 = t44*v1_1 + t45*v2_1 + t50*x1_1 + t51*x2_1;
     /* Phi along tau */
-    const double carried_x1_1_by_y = t19;
-    const double carried_x1_1_by_u = t17;
-    const double carried_x1_1_by_w = t18;
-    const double carried_x2_1_by_y = t26;
-    const double carried_x2_1_by_u = t24;
-    const double carried_x2_1_by_w = t25;
-    const double carried_v1_1_by_y = t29;
-    const double carried_v1_1_by_u = t20;
-    const double carried_v1_1_by_w = t19;
-    const double carried_v2_1_by_y = t33;
-    const double carried_v2_1_by_u = t27;
-    const double carried_v2_1_by_w = t26;
+    const double carried_x1_1_by_y = t16;
+    const double carried_x1_1_by_u = t14;
+    const double carried_x1_1_by_w = t15;
+    const double carried_x2_1_by_y = t23;
+    const double carried_x2_1_by_u = t21;
+    const double carried_x2_1_by_w = t22;
+    const double carried_v1_1_by_y = t26;
+    const double carried_v1_1_by_u = t17;
+    const double carried_v1_1_by_w = t16;
+    const double carried_v2_1_by_y = t30;
+    const double carried_v2_1_by_u = t24;
+    const double carried_v2_1_by_w = t23;
     /* rate of the exit boundary after tau */
     const double rate_1 = -v1_1;
     /* derivatives of the time to the boundary after tau */
-    const double t56 = (1.0/(rate_1));
-    const double delay_tau_by_y = carried_x1_1_by_y*t56;
-    const double delay_tau_by_u = carried_x1_1_by_u*t56;
-    const double delay_tau_by_w = carried_x1_1_by_w*t56;
+    const double t52 = (1.0/(rate_1));
+    const double delay_tau_by_y = carried_x1_1_by_y*t52;
+    const double delay_tau_by_u = carried_x1_1_by_u*t52;
+    const double delay_tau_by_w = carried_x1_1_by_w*t52;
     /* perturbation on the boundary after tau */
     const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
     const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
@@ -1530,51 +1610,51 @@ void elastic_stop_one_contact_passage(
     const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
     const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
     const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
-    const double t57 = (1.0/(m1));
-    const double t58 = k3*t57;
-    const double t59 = k1*t57;
-    const double t60 = t57*(k1 + k3);
-    const double t61 = t58 + t59*x2_1 - t60*x1_1;
-    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t61;
-    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t61;
-    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t61;
-    const double t62 = (1.0/(m2));
-    const double t63 = k1*t62;
-    const double t64 = t62*(k1 + k2);
-    const double t65 = t63*x1_1 - t64*x2_1;
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t65;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t65;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t65;
+    const double t53 = (1.0/(m1));
+    const double t54 = k3*t53;
+    const double t55 = k1*t53;
+    const double t56 = t53*(k1 + k3);
+    const double t57 = t54 + t55*x2_1 - t56*x1_1;
+    const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t57;
+    const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t57;
+    const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t57;
+    const double t58 = (1.0/(m2));
+    const double t59 = k1*t58;
+    const double t60 = t58*(k1 + k2);
+    const double t61 = t59*x1_1 - t60*x2_1;
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t61;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t61;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t61;
     /* Phi along tau1 */
-    const double carried_x1_2_by_y = t42*v1_1_on_boundary_by_y + t43*v2_1_on_boundary_by_y + t44*x1_1_on_boundary_by_y + t45*x2_1_on_boundary_by_y;
-    const double carried_x1_2_by_u = t42*v1_1_on_boundary_by_u + t43*v2_1_on_boundary_by_u + t44*x1_1_on_boundary_by_u + t45*x2_1_on_boundary_by_u;
-    const double carried_x1_2_by_w = t42*v1_1_on_boundary_by_w + t43*v2_1_on_boundary_by_w + t44*x1_1_on_boundary_by_w + t45*x2_1_on_boundary_by_w;
-    const double carried_x2_2_by_y = t46*v1_1_on_boundary_by_y + t47*v2_1_on_boundary_by_y + t48*x1_1_on_boundary_by_y + t49*x2_1_on_boundary_by_y;
-    const double carried_x2_2_by_u = t46*v1_1_on_boundary_by_u + t47*v2_1_on_boundary_by_u + t48*x1_1_on_boundary_by_u + t49*x2_1_on_boundary_by_u;
-    const double carried_x2_2_by_w = t46*v1_1_on_boundary_by_w + t47*v2_1_on_boundary_by_w + t48*x1_1_on_boundary_by_w + t49*x2_1_on_boundary_by_w;
-    const double carried_v1_2_by_y = t44*v1_1_on_boundary_by_y + t45*v2_1_on_boundary_by_y + t52*x1_1_on_boundary_by_y + t53*x2_1_on_boundary_by_y;
-    const double carried_v1_2_by_u = t44*v1_1_on_boundary_by_u + t45*v2_1_on_boundary_by_u + t52*x1_1_on_boundary_by_u + t53*x2_1_on_boundary_by_u;
-    const double carried_v1_2_by_w = t44*v1_1_on_boundary_by_w + t45*v2_1_on_boundary_by_w + t52*x1_1_on_boundary_by_w + t53*x2_1_on_boundary_by_w;
-    const double carried_v2_2_by_y = t48*v1_1_on_boundary_by_y + t49*v2_1_on_boundary_by_y + t54*x1_1_on_boundary_by_y + t55*x2_1_on_boundary_by_y;
-    const double carried_v2_2_by_u = t48*v1_1_on_boundary_by_u + t49*v2_1_on_boundary_by_u + t54*x1_1_on_boundary_by_u + t55*x2_1_on_boundary_by_u;
-    const double carried_v2_2_by_w = t48*v1_1_on_boundary_by_w + t49*v2_1_on_boundary_by_w + t54*x1_1_on_boundary_by_w + t55*x2_1_on_boundary_by_w;
+    const double carried_x1_2_by_y = t38*v1_1_on_boundary_by_y + t39*v2_1_on_boundary_by_y + t40*x1_1_on_boundary_by_y + t41*x2_1_on_boundary_by_y;
+    const double carried_x1_2_by_u = t38*v1_1_on_boundary_by_u + t39*v2_1_on_boundary_by_u + t40*x1_1_on_boundary_by_u + t41*x2_1_on_boundary_by_u;
+    const double carried_x1_2_by_w = t38*v1_1_on_boundary_by_w + t39*v2_1_on_boundary_by_w + t40*x1_1_on_boundary_by_w + t41*x2_1_on_boundary_by_w;
+    const double carried_x2_2_by_y = t42*v1_1_on_boundary_by_y + t43*v2_1_on_boundary_by_y + t44*x1_1_on_boundary_by_y + t45*x2_1_on_boundary_by_y;
+    const double carried_x2_2_by_u = t42*v1_1_on_boundary_by_u + t43*v2_1_on_boundary_by_u + t44*x1_1_on_boundary_by_u + t45*x2_1_on_boundary_by_u;
+    const double carried_x2_2_by_w = t42*v1_1_on_boundary_by_w + t43*v2_1_on_boundary_by_w + t44*x1_1_on_boundary_by_w + t45*x2_1_on_boundary_by_w;
+    const double carried_v1_2_by_y = t40*v1_1_on_boundary_by_y + t41*v2_1_on_boundary_by_y + t48*x1_1_on_boundary_by_y + t49*x2_1_on_boundary_by_y;
+    const double carried_v1_2_by_u = t40*v1_1_on_boundary_by_u + t41*v2_1_on_boundary_by_u + t48*x1_1_on_boundary_by_u + t49*x2_1_on_boundary_by_u;
+    const double carried_v1_2_by_w = t40*v1_1_on_boundary_by_w + t41*v2_1_on_boundary_by_w + t48*x1_1_on_boundary_by_w + t49*x2_1_on_boundary_by_w;
+    const double carried_v2_2_by_y = t44*v1_1_on_boundary_by_y + t45*v2_1_on_boundary_by_y + t50*x1_1_on_boundary_by_y + t51*x2_1_on_boundary_by_y;
+    const double carried_v2_2_by_u = t44*v1_1_on_boundary_by_u + t45*v2_1_on_boundary_by_u + t50*x1_1_on_boundary_by_u + t51*x2_1_on_boundary_by_u;
+    const double carried_v2_2_by_w = t44*v1_1_on_boundary_by_w + t45*v2_1_on_boundary_by_w + t50*x1_1_on_boundary_by_w + t51*x2_1_on_boundary_by_w;
     /* derivatives of the time to the boundary after tau1 */
-    const double t66 = (1.0/(v1_2));
-    const double delay_tau1_by_y = -carried_x1_2_by_y*t66;
-    const double delay_tau1_by_u = -carried_x1_2_by_u*t66;
-    const double delay_tau1_by_w = -carried_x1_2_by_w*t66;
+    const double t62 = (1.0/(v1_2));
+    const double delay_tau1_by_y = -carried_x1_2_by_y*t62;
+    const double delay_tau1_by_u = -carried_x1_2_by_u*t62;
+    const double delay_tau1_by_w = -carried_x1_2_by_w*t62;
     /* perturbation on the boundary after tau1 */
     const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
     const double x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2;
     const double x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2;
-    const double t67 = k1*t57*x2_2 - t59*x1_2;
-    const double v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t67;
-    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t67;
-    const double v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t67;
-    const double t68 = t63*x1_2 - t64*x2_2;
-    const double v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t68;
-    const double v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t68;
-    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t68;
+    const double t63 = k1*t53*x2_2 - t55*x1_2;
+    const double v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t63;
+    const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t63;
+    const double v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t63;
+    const double t64 = t59*x1_2 - t60*x2_2;
+    const double v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t64;
+    const double v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t64;
+    const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t64;
     if (poincare_jacobian) {
         poincare_jacobian[0] = x2_2_on_boundary_by_y;
         poincare_jacobian[1] = x2_2_on_boundary_by_u;
@@ -1589,21 +1669,21 @@ void elastic_stop_one_contact_passage(
     if (!saltations && !monodromy)
         return;
     /* vector fields at transition 1 */
-    const double before_v1_1 = t61;
-    const double before_v2_1 = t65;
-    const double behind_v1_1 = k1*t57*x2_1 - t59*x1_1;
-    const double behind_v2_1 = t65;
+    const double before_v1_1 = t57;
+    const double before_v2_1 = t61;
+    const double behind_v1_1 = k1*t53*x2_1 - t55*x1_1;
+    const double behind_v2_1 = t61;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t67;
-    const double before_v2_2 = t68;
-    const double behind_v1_2 = t58 + t59*x2_2 - t60*x1_2;
-    const double behind_v2_2 = t68;
+    const double before_v1_2 = t63;
+    const double before_v2_2 = t64;
+    const double behind_v1_2 = t54 + t55*x2_2 - t56*x1_2;
+    const double behind_v2_2 = t64;
     /* saltations */
-    const double t69 = (1.0/(v1_1));
-    const double t70 = t69*(before_v1_1 - behind_v1_1);
-    const double t71 = t69*(before_v2_1 - behind_v2_1);
-    const double t72 = t66*(-before_v1_2 + behind_v1_2);
-    const double t73 = t66*(-before_v2_2 + behind_v2_2);
+    const double t65 = (1.0/(v1_1));
+    const double t66 = t65*(before_v1_1 - behind_v1_1);
+    const double t67 = t65*(before_v2_1 - behind_v2_1);
+    const double t68 = t62*(-before_v1_2 + behind_v1_2);
+    const double t69 = t62*(-before_v2_2 + behind_v2_2);
     if (saltations) {
         saltations[0] = 1;
         saltations[1] = 0;
@@ -1613,11 +1693,11 @@ void elastic_stop_one_contact_passage(
         saltations[5] = 1;
         saltations[6] = 0;
         saltations[7] = 0;
-        saltations[8] = -t70;
+        saltations[8] = -t66;
         saltations[9] = 0;
         saltations[10] = 1;
         saltations[11] = 0;
-        saltations[12] = -t71;
+        saltations[12] = -t67;
         saltations[13] = 0;
         saltations[14] = 0;
         saltations[15] = 1;
@@ -1629,11 +1709,11 @@ void elastic_stop_one_contact_passage(
         saltations[21] = 1;
         saltations[22] = 0;
         saltations[23] = 0;
-        saltations[24] = t72;
+        saltations[24] = t68;
         saltations[25] = 0;
         saltations[26] = 1;
         saltations[27] = 0;
-        saltations[28] = t73;
+        saltations[28] = t69;
         saltations[29] = 0;
         saltations[30] = 0;
         saltations[31] = 1;
@@ -1641,57 +1721,57 @@ void elastic_stop_one_contact_passage(
     if (!monodromy)
         return;
     /* Phi of phase 1 */
-    const double phi_1_00 = t20;
-    const double phi_1_01 = t19;
-    const double phi_1_02 = t17;
-    const double phi_1_03 = t18;
-    const double phi_1_10 = t27;
-    const double phi_1_11 = t26;
-    const double phi_1_12 = t24;
-    const double phi_1_13 = t25;
-    const double phi_1_20 = -t30 - t32;
-    const double phi_1_21 = t29;
-    const double phi_1_22 = t20;
-    const double phi_1_23 = t19;
-    const double phi_1_30 = omega2*p3*sin_omega2_tau - t34;
-    const double phi_1_31 = t33;
-    const double phi_1_32 = t27;
-    const double phi_1_33 = t26;
+    const double phi_1_00 = t17;
+    const double phi_1_01 = t16;
+    const double phi_1_02 = t14;
+    const double phi_1_03 = t15;
+    const double phi_1_10 = t24;
+    const double phi_1_11 = t23;
+    const double phi_1_12 = t21;
+    const double phi_1_13 = t22;
+    const double phi_1_20 = -t27 - t29;
+    const double phi_1_21 = t26;
+    const double phi_1_22 = t17;
+    const double phi_1_23 = t16;
+    const double phi_1_30 = omega2*p3*sin_omega2_tau - t31;
+    const double phi_1_31 = t30;
+    const double phi_1_32 = t24;
+    const double phi_1_33 = t23;
     /* saltation of phase 1 */
-    const double saltation_1_20 = -phi_1_00*t70 + phi_1_20;
-    const double saltation_1_21 = -phi_1_01*t70 + phi_1_21;
-    const double saltation_1_22 = -phi_1_02*t70 + phi_1_22;
-    const double saltation_1_23 = -phi_1_03*t70 + phi_1_23;
-    const double saltation_1_30 = -phi_1_00*t71 + phi_1_30;
-    const double saltation_1_31 = -phi_1_01*t71 + phi_1_31;
-    const double saltation_1_32 = -phi_1_02*t71 + phi_1_32;
-    const double saltation_1_33 = -phi_1_03*t71 + phi_1_33;
+    const double saltation_1_20 = -phi_1_00*t66 + phi_1_20;
+    const double saltation_1_21 = -phi_1_01*t66 + phi_1_21;
+    const double saltation_1_22 = -phi_1_02*t66 + phi_1_22;
+    const double saltation_1_23 = -phi_1_03*t66 + phi_1_23;
+    const double saltation_1_30 = -phi_1_00*t67 + phi_1_30;
+    const double saltation_1_31 = -phi_1_01*t67 + phi_1_31;
+    const double saltation_1_32 = -phi_1_02*t67 + phi_1_32;
+    const double saltation_1_33 = -phi_1_03*t67 + phi_1_33;
     /* Phi of phase 2 */
-    const double phi_2_00 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43;
-    const double phi_2_01 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43;
-    const double phi_2_02 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43;
-    const double phi_2_03 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43;
-    const double phi_2_10 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t46 + saltation_1_30*t47;
-    const double phi_2_11 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t46 + saltation_1_31*t47;
-    const double phi_2_12 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t46 + saltation_1_32*t47;
-    const double phi_2_13 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t46 + saltation_1_33*t47;
-    const double phi_2_20 = phi_1_00*t52 + phi_1_10*t53 + saltation_1_20*t44 + saltation_1_30*t45;
-    const double phi_2_21 = phi_1_01*t52 + phi_1_11*t53 + saltation_1_21*t44 + saltation_1_31*t45;
-    const double phi_2_22 = phi_1_02*t52 + phi_1_12*t53 + saltation_1_22*t44 + saltation_1_32*t45;
-    const double phi_2_23 = phi_1_03*t52 + phi_1_13*t53 + saltation_1_23*t44 + saltation_1_33*t45;
-    const double phi_2_30 = phi_1_00*t54 + phi_1_10*t55 + saltation_1_20*t48 + saltation_1_30*t49;
-    const double phi_2_31 = phi_1_01*t54 + phi_1_11*t55 + saltation_1_21*t48 + saltation_1_31*t49;
-    const double phi_2_32 = phi_1_02*t54 + phi_1_12*t55 + saltation_1_22*t48 + saltation_1_32*t49;
-    const double phi_2_33 = phi_1_03*t54 + phi_1_13*t55 + saltation_1_23*t48 + saltation_1_33*t49;
+    const double phi_2_00 = phi_1_00*t40 + phi_1_10*t41 + saltation_1_20*t38 + saltation_1_30*t39;
+    const double phi_2_01 = phi_1_01*t40 + phi_1_11*t41 + saltation_1_21*t38 + saltation_1_31*t39;
+    const double phi_2_02 = phi_1_02*t40 + phi_1_12*t41 + saltation_1_22*t38 + saltation_1_32*t39;
+    const double phi_2_03 = phi_1_03*t40 + phi_1_13*t41 + saltation_1_23*t38 + saltation_1_33*t39;
+    const double phi_2_10 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43;
+    const double phi_2_11 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43;
+    const double phi_2_12 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43;
+    const double phi_2_13 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43;
+    const double phi_2_20 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t40 + saltation_1_30*t41;
+    const double phi_2_21 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t40 + saltation_1_31*t41;
+    const double phi_2_22 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t40 + saltation_1_32*t41;
+    const double phi_2_23 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t40 + saltation_1_33*t41;
+    const double phi_2_30 = phi_1_00*t50 + phi_1_10*t51 + saltation_1_20*t44 + saltation_1_30*t45;
+    const double phi_2_31 = phi_1_01*t50 + phi_1_11*t51 + saltation_1_21*t44 + saltation_1_31*t45;
+    const double phi_2_32 = phi_1_02*t50 + phi_1_12*t51 + saltation_1_22*t44 + saltation_1_32*t45;
+    const double phi_2_33 = phi_1_03*t50 + phi_1_13*t51 + saltation_1_23*t44 + saltation_1_33*t45;
     /* saltation of phase 2 */
-    const double saltation_2_20 = phi_2_00*t72 + phi_2_20;
-    const double saltation_2_21 = phi_2_01*t72 + phi_2_21;
-    const double saltation_2_22 = phi_2_02*t72 + phi_2_22;
-    const double saltation_2_23 = phi_2_03*t72 + phi_2_23;
-    const double saltation_2_30 = phi_2_00*t73 + phi_2_30;
-    const double saltation_2_31 = phi_2_01*t73 + phi_2_31;
-    const double saltation_2_32 = phi_2_02*t73 + phi_2_32;
-    const double saltation_2_33 = phi_2_03*t73 + phi_2_33;
+    const double saltation_2_20 = phi_2_00*t68 + phi_2_20;
+    const double saltation_2_21 = phi_2_01*t68 + phi_2_21;
+    const double saltation_2_22 = phi_2_02*t68 + phi_2_22;
+    const double saltation_2_23 = phi_2_03*t68 + phi_2_23;
+    const double saltation_2_30 = phi_2_00*t69 + phi_2_30;
+    const double saltation_2_31 = phi_2_01*t69 + phi_2_31;
+    const double saltation_2_32 = phi_2_02*t69 + phi_2_32;
+    const double saltation_2_33 = phi_2_03*t69 + phi_2_33;
     if (monodromy) {
         monodromy[0] = phi_2_00;
         monodromy[1] = phi_2_01;
@@ -2710,9 +2790,9 @@ void elastic_stop_one_contact_admissible(
         const double *const p = parameters + 6 * point, *const u = unknowns + 4 * point;
         const double q[5] = {p[2], p[3], p[4], p[0], p[1]};
         const double durations[] = {u[3], p[5] - u[3]};
-        double spectral[12], derivatives[60], coefficients[12], frequencies[4];
-        elastic_stop_spectrum(q, spectral, derivatives);
-        elastic_stop_one_contact_passage(p, spectral, u, NULL, coefficients, frequencies, NULL, NULL, NULL);
+        double spectral[12], coefficients[12], frequencies[4];
+        elastic_stop_spectrum(q, spectral, NULL);
+        elastic_stop_one_contact_passage(p, spectral, u, NULL, coefficients, frequencies);
         /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {u[0], u[1], u[2]};
         double size = 0.0, missed = 0.0;

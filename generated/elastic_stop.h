@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2611b2928ebfb50d */
+ * SymPy 1.14.0, derivation 6ce0fc264bd74082 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 
@@ -31,7 +31,9 @@ void elastic_stop_one_contact_equations(
 void elastic_stop_one_contact_trace(
     const double parameters[6], const double spectrum[12], const double unknowns[4], const double *spectrum_derivatives, double *trace, double *trace_gradient);
 void elastic_stop_one_contact_passage(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy);
+    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states, double *coefficients, double *frequencies);
+void elastic_stop_one_contact_linearisation(
+    const double parameters[6], const double spectrum[12], const double unknowns[4], double *poincare_jacobian, double *saltations, double *monodromy);
 void elastic_stop_one_contact_flow_contact(
     const double parameters[6], const double spectrum[12], double time, const double state[4], double state_after[4]);
 void elastic_stop_one_contact_flow_free(

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 2611b2928ebfb50d
+# SymPy 1.14.0, derivation 6ce0fc264bd74082
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "2611b2928ebfb50d"
+DERIVATION = "6ce0fc264bd74082"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -183,12 +183,11 @@ KERNELS = {'spectrum': ([((5,), 0)], [('spectrum', (12,)), ('derivatives', (12, 
  'one_contact_trace': ([((6,), 0), ((12,), 0), ((4,), 0), ((12, 5), 1)],
                        [('trace', ()), ('trace_gradient', (10,))]),
  'one_contact_passage': ([((6,), 0), ((12,), 0), ((4,), 0)],
-                         [('states', (3, 4)),
-                          ('coefficients', (12,)),
-                          ('frequencies', (4,)),
-                          ('poincare_jacobian', (3, 3)),
-                          ('saltations', (8, 4)),
-                          ('monodromy', (4, 4))]),
+                         [('states', (3, 4)), ('coefficients', (12,)), ('frequencies', (4,))]),
+ 'one_contact_linearisation': ([((6,), 0), ((12,), 0), ((4,), 0)],
+                               [('poincare_jacobian', (3, 3)),
+                                ('saltations', (8, 4)),
+                                ('monodromy', (4, 4))]),
  'one_contact_flow_contact': ([((6,), 0), ((12,), 0), ((), 0), ((4,), 0)],
                               [('state_after', (4,))]),
  'one_contact_flow_free': ([((6,), 0), ((12,), 0), ((), 0), ((4,), 0)],
@@ -1147,11 +1146,10 @@ def one_contact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None,
     return trace, trace_gradient
 
 
-def one_contact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+def one_contact_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     """State at the start and behind each transition. Boundaries along the phases: constant,
     slope, cosine and sine amplitudes, one after the other; and the frequencies of each
-    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
-    one below the other; monodromy matrix.
+    phase.
 
     Takes parameters (6): m1, m2, k1, k2, k3, T.
     Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
@@ -1159,12 +1157,9 @@ def one_contact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     Gives states (3, 4).
     Gives coefficients (12).
     Gives frequencies (4).
-    Gives poincare_jacobian (3, 3).
-    Gives saltations (8, 4).
-    Gives monodromy (4, 4).
-    Operations: 575. Intermediate terms: 201.
+    Operations: 245. Intermediate terms: 58.
     """
-    [m1, m2, k1, k2, k3, T] = parameters
+    [_, _, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
     [y, u, w, tau] = unknowns
     # functions of tau in contact
@@ -1189,94 +1184,165 @@ def one_contact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     t13 = sin_omega1_tau*t12
     t15 = 1/omega2
     t16 = sin_omega2_tau*t15
-    t17 = p1*t13 - t10*t16
-    t18 = p2*sin_omega1_tau*t12 - p2*t16
-    t19 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t20 = cos_omega1_tau*p1 - cos_omega2_tau*t10
-    x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*u + t18*w + t19*y + t20 + t5
-    t21 = p3*t5
-    t23 = p1*t7
-    t24 = p3*sin_omega1_tau*t12 - p3*t16
-    t25 = p1*t16 - t10*t13
-    t26 = -cos_omega1_tau*t10 + cos_omega2_tau*p1
-    t27 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*(t10*t7 - t21) + cos_omega2_tau*(t21 - t23) + t24*u + t25*w + t26*y + t27 + t7
-    t28 = omega1*sin_omega1_tau
-    t29 = omega2*p2*sin_omega2_tau - p2*t28
-    t30 = p1*t28
-    t31 = omega2*sin_omega2_tau
-    t32 = -t10*t31
-    v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t19*w + t20*u + t29*y - t30 - t32
-    t33 = -p1*t31 + t10*t28
-    t34 = p3*t28
-    v2_1 = p3*t31 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t21) + sin_omega2_tau*(-omega2*t21 + omega2*t23) + t26*w + t27*u + t33*y - t34
+    t17 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t18 = cos_omega1_tau*p1 - cos_omega2_tau*t10
+    x1_1 = -cos_omega1_tau*t9 + cos_omega2_tau*t11 + t17*y + t18 + t5 + u*(p1*t13 - t10*t16) + w*(p2*sin_omega1_tau*t12 - p2*t16)
+    t19 = p3*t5
+    t21 = p1*t7
+    t22 = -cos_omega1_tau*t10 + cos_omega2_tau*p1
+    t23 = cos_omega1_tau*p3 - cos_omega2_tau*p3
+    x2_1 = cos_omega1_tau*(t10*t7 - t19) + cos_omega2_tau*(t19 - t21) + t22*y + t23 + t7 + u*(p3*sin_omega1_tau*t12 - p3*t16) + w*(p1*t16 - t10*t13)
+    t24 = omega1*sin_omega1_tau
+    t25 = omega2*sin_omega2_tau
+    v1_1 = -p1*t24 + sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t10*t3*t4 - omega2*t8) + t10*t25 + t17*w + t18*u + y*(omega2*p2*sin_omega2_tau - p2*t24)
+    v2_1 = -p3*t24 + p3*t25 + sin_omega1_tau*(-omega1*t10*t7 + omega1*t19) + sin_omega2_tau*(-omega2*t19 + omega2*t21) + t22*w + t23*u + y*(-p1*t25 + t10*t24)
     # tau1 completes the period
     tau1 = T - tau
     # functions of tau1 in free
-    t35 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t35)
-    sin_omega3_tau1 = lib.sin(t35)
-    t36 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t36)
-    sin_omega4_tau1 = lib.sin(t36)
+    t26 = omega3*tau1
+    cos_omega3_tau1 = lib.cos(t26)
+    sin_omega3_tau1 = lib.sin(t26)
+    t27 = omega4*tau1
+    cos_omega4_tau1 = lib.cos(t27)
+    sin_omega4_tau1 = lib.sin(t27)
     # free for tau1, until first-reaches-stop
-    t37 = 1/omega3
-    t38 = sin_omega3_tau1*t37
-    t39 = 1 - p4
-    t40 = 1/omega4
-    t41 = sin_omega4_tau1*t40
-    t42 = p4*t38 + t39*t41
-    t43 = p5*sin_omega3_tau1*t37 - p5*t41
-    t44 = cos_omega3_tau1*p4 + cos_omega4_tau1*t39
-    t45 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1
-    t46 = p6*sin_omega3_tau1*t37 - p6*t41
-    t47 = p4*t41 + t38*t39
-    t48 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
-    t49 = cos_omega3_tau1*t39 + cos_omega4_tau1*p4
-    x2_2 = t46*v1_1 + t47*v2_1 + t48*x1_1 + t49*x2_1
-    t50 = omega3*sin_omega3_tau1
-    t51 = omega4*sin_omega4_tau1
-    t52 = -p4*t50 - t39*t51
-    t53 = omega4*p5*sin_omega4_tau1 - p5*t50
-    v1_2 = t44*v1_1 + t45*v2_1 + t52*x1_1 + t53*x2_1
-    t54 = omega4*p6*sin_omega4_tau1 - p6*t50
-    t55 = -p4*t51 - t39*t50
-    v2_2 = t48*v1_1 + t49*v2_1 + t54*x1_1 + t55*x2_1
+    t28 = 1/omega3
+    t29 = sin_omega3_tau1*t28
+    t30 = 1 - p4
+    t31 = 1/omega4
+    t32 = sin_omega4_tau1*t31
+    t33 = cos_omega3_tau1*p4 + cos_omega4_tau1*t30
+    t34 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
+    x1_2 = t33*x1_1 + t34*x2_1 + v1_1*(p4*t29 + t30*t32) + v2_1*(p5*sin_omega3_tau1*t28 - p5*t32)
+    t35 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
+    t36 = cos_omega3_tau1*t30 + cos_omega4_tau1*p4
+    x2_2 = t35*x1_1 + t36*x2_1 + v1_1*(p6*sin_omega3_tau1*t28 - p6*t32) + v2_1*(p4*t32 + t29*t30)
+    t37 = omega3*sin_omega3_tau1
+    t38 = omega4*sin_omega4_tau1
+    v1_2 = t33*v1_1 + t34*v2_1 + x1_1*(-p4*t37 - t30*t38) + x2_1*(omega4*p5*sin_omega4_tau1 - p5*t37)
+    v2_2 = t35*v1_1 + t36*v2_1 + x1_1*(omega4*p6*sin_omega4_tau1 - p6*t37) + x2_1*(-p4*t38 - t30*t37)
     states = [[1, y, u, w], [x1_1, x2_1, v1_1, v2_1], [x1_2, x2_2, v1_2, v2_2]]
     if outputs == 1:
         return states
     # coefficients
-    t74 = -p1 - p2*y
-    t75 = p2*w
-    t76 = p5*x2_1
-    t77 = p5*v2_1
-    coefficients = [1 - t5, 0, t74 + t9, -t11 - t74 - 1, -p1*t12*u - t12*t75, t10*t15*u + t15*t75, -1, 0, p4*x1_1 + t76, t39*x1_1 - t76, p4*t37*v1_1 + t37*t77, t39*t40*v1_1 - t40*t77]
+    t39 = -p1 - p2*y
+    t40 = p2*w
+    t41 = p5*x2_1
+    t42 = p5*v2_1
+    coefficients = [1 - t5, 0, t39 + t9, -t11 - t39 - 1, -p1*t12*u - t12*t40, t10*t15*u + t15*t40, -1, 0, p4*x1_1 + t41, t30*x1_1 - t41, p4*t28*v1_1 + t28*t42, t30*t31*v1_1 - t31*t42]
     if outputs == 2:
         return states, coefficients
     frequencies = [omega1, omega2, omega3, omega4]
-    if outputs == 3:
-        return states, coefficients, frequencies
+    return states, coefficients, frequencies
+
+
+def one_contact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
+    below the other; monodromy matrix.
+
+    Takes parameters (6): m1, m2, k1, k2, k3, T.
+    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
+    Takes unknowns (4): y, u, w, tau.
+    Gives poincare_jacobian (3, 3).
+    Gives saltations (8, 4).
+    Gives monodromy (4, 4).
+    Operations: 541. Intermediate terms: 193.
+    """
+    [m1, m2, k1, k2, k3, T] = parameters
+    [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
+    [y, u, w, tau] = unknowns
+    # functions of tau in contact
+    t0 = omega1*tau
+    cos_omega1_tau = lib.cos(t0)
+    sin_omega1_tau = lib.sin(t0)
+    t1 = omega2*tau
+    cos_omega2_tau = lib.cos(t1)
+    sin_omega2_tau = lib.sin(t1)
+    # contact for tau, until first-leaves-stop
+    t2 = k1*k3
+    t3 = k2*k3 + t2
+    t4 = 1/(k1*k2 + t3)
+    t5 = t3*t4
+    t6 = p1*t5
+    t7 = t2*t4
+    t8 = p2*t7
+    t9 = p1 - 1
+    t10 = 1/omega1
+    t11 = sin_omega1_tau*t10
+    t13 = sin_omega2_tau/omega2
+    t14 = p1*t11 - t13*t9
+    t15 = p2*sin_omega1_tau*t10 - p2*t13
+    t16 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t17 = cos_omega1_tau*p1 - cos_omega2_tau*t9
+    x1_1 = cos_omega1_tau*(-t6 - t8) + cos_omega2_tau*(t5*t9 + t8) + t14*u + t15*w + t16*y + t17 + t5
+    t18 = p3*t5
+    t20 = p1*t7
+    t21 = p3*sin_omega1_tau*t10 - p3*t13
+    t22 = p1*t13 - t11*t9
+    t23 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
+    t24 = cos_omega1_tau*p3 - cos_omega2_tau*p3
+    x2_1 = cos_omega1_tau*(-t18 + t7*t9) + cos_omega2_tau*(t18 - t20) + t21*u + t22*w + t23*y + t24 + t7
+    t25 = omega1*sin_omega1_tau
+    t26 = omega2*p2*sin_omega2_tau - p2*t25
+    t27 = p1*t25
+    t28 = omega2*sin_omega2_tau
+    t29 = -t28*t9
+    v1_1 = sin_omega1_tau*(omega1*t6 + omega1*t8) + sin_omega2_tau*(-omega2*t3*t4*t9 - omega2*t8) + t16*w + t17*u + t26*y - t27 - t29
+    t30 = -p1*t28 + t25*t9
+    t31 = p3*t25
+    v2_1 = p3*t28 + sin_omega1_tau*(omega1*t18 - omega1*t7*t9) + sin_omega2_tau*(-omega2*t18 + omega2*t20) + t23*w + t24*u + t30*y - t31
+    # tau1 completes the period
+    tau1 = T - tau
+    # functions of tau1 in free
+    t32 = omega3*tau1
+    cos_omega3_tau1 = lib.cos(t32)
+    sin_omega3_tau1 = lib.sin(t32)
+    t33 = omega4*tau1
+    cos_omega4_tau1 = lib.cos(t33)
+    sin_omega4_tau1 = lib.sin(t33)
+    # free for tau1, until first-reaches-stop
+    t34 = 1/omega3
+    t35 = sin_omega3_tau1*t34
+    t36 = 1 - p4
+    t37 = sin_omega4_tau1/omega4
+    t38 = p4*t35 + t36*t37
+    t39 = p5*sin_omega3_tau1*t34 - p5*t37
+    t40 = cos_omega3_tau1*p4 + cos_omega4_tau1*t36
+    t41 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
+    x1_2 = t38*v1_1 + t39*v2_1 + t40*x1_1 + t41*x2_1
+    t42 = p6*sin_omega3_tau1*t34 - p6*t37
+    t43 = p4*t37 + t35*t36
+    t44 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
+    t45 = cos_omega3_tau1*t36 + cos_omega4_tau1*p4
+    x2_2 = t42*v1_1 + t43*v2_1 + t44*x1_1 + t45*x2_1
+    t46 = omega3*sin_omega3_tau1
+    t47 = omega4*sin_omega4_tau1
+    t48 = -p4*t46 - t36*t47
+    t49 = omega4*p5*sin_omega4_tau1 - p5*t46
+    v1_2 = t40*v1_1 + t41*v2_1 + t48*x1_1 + t49*x2_1
+    t50 = omega4*p6*sin_omega4_tau1 - p6*t46
+    t51 = -p4*t47 - t36*t46
+    v2_2 = t44*v1_1 + t45*v2_1 + t50*x1_1 + t51*x2_1
     # Phi along tau
-    carried_x1_1_by_y = t19
-    carried_x1_1_by_u = t17
-    carried_x1_1_by_w = t18
-    carried_x2_1_by_y = t26
-    carried_x2_1_by_u = t24
-    carried_x2_1_by_w = t25
-    carried_v1_1_by_y = t29
-    carried_v1_1_by_u = t20
-    carried_v1_1_by_w = t19
-    carried_v2_1_by_y = t33
-    carried_v2_1_by_u = t27
-    carried_v2_1_by_w = t26
+    carried_x1_1_by_y = t16
+    carried_x1_1_by_u = t14
+    carried_x1_1_by_w = t15
+    carried_x2_1_by_y = t23
+    carried_x2_1_by_u = t21
+    carried_x2_1_by_w = t22
+    carried_v1_1_by_y = t26
+    carried_v1_1_by_u = t17
+    carried_v1_1_by_w = t16
+    carried_v2_1_by_y = t30
+    carried_v2_1_by_u = t24
+    carried_v2_1_by_w = t23
     # rate of the exit boundary after tau
     rate_1 = -v1_1
     # derivatives of the time to the boundary after tau
-    t56 = 1/rate_1
-    delay_tau_by_y = carried_x1_1_by_y*t56
-    delay_tau_by_u = carried_x1_1_by_u*t56
-    delay_tau_by_w = carried_x1_1_by_w*t56
+    t52 = 1/rate_1
+    delay_tau_by_y = carried_x1_1_by_y*t52
+    delay_tau_by_u = carried_x1_1_by_u*t52
+    delay_tau_by_w = carried_x1_1_by_w*t52
     # perturbation on the boundary after tau
     x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
     x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
@@ -1284,127 +1350,127 @@ def one_contact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
     x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
     x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
-    t57 = 1/m1
-    t58 = k3*t57
-    t59 = k1*t57
-    t60 = t57*(k1 + k3)
-    t61 = t58 + t59*x2_1 - t60*x1_1
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t61
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t61
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t61
-    t62 = 1/m2
-    t63 = k1*t62
-    t64 = t62*(k1 + k2)
-    t65 = t63*x1_1 - t64*x2_1
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t65
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t65
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t65
+    t53 = 1/m1
+    t54 = k3*t53
+    t55 = k1*t53
+    t56 = t53*(k1 + k3)
+    t57 = t54 + t55*x2_1 - t56*x1_1
+    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t57
+    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t57
+    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t57
+    t58 = 1/m2
+    t59 = k1*t58
+    t60 = t58*(k1 + k2)
+    t61 = t59*x1_1 - t60*x2_1
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t61
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t61
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t61
     # Phi along tau1
-    carried_x1_2_by_y = t42*v1_1_on_boundary_by_y + t43*v2_1_on_boundary_by_y + t44*x1_1_on_boundary_by_y + t45*x2_1_on_boundary_by_y
-    carried_x1_2_by_u = t42*v1_1_on_boundary_by_u + t43*v2_1_on_boundary_by_u + t44*x1_1_on_boundary_by_u + t45*x2_1_on_boundary_by_u
-    carried_x1_2_by_w = t42*v1_1_on_boundary_by_w + t43*v2_1_on_boundary_by_w + t44*x1_1_on_boundary_by_w + t45*x2_1_on_boundary_by_w
-    carried_x2_2_by_y = t46*v1_1_on_boundary_by_y + t47*v2_1_on_boundary_by_y + t48*x1_1_on_boundary_by_y + t49*x2_1_on_boundary_by_y
-    carried_x2_2_by_u = t46*v1_1_on_boundary_by_u + t47*v2_1_on_boundary_by_u + t48*x1_1_on_boundary_by_u + t49*x2_1_on_boundary_by_u
-    carried_x2_2_by_w = t46*v1_1_on_boundary_by_w + t47*v2_1_on_boundary_by_w + t48*x1_1_on_boundary_by_w + t49*x2_1_on_boundary_by_w
-    carried_v1_2_by_y = t44*v1_1_on_boundary_by_y + t45*v2_1_on_boundary_by_y + t52*x1_1_on_boundary_by_y + t53*x2_1_on_boundary_by_y
-    carried_v1_2_by_u = t44*v1_1_on_boundary_by_u + t45*v2_1_on_boundary_by_u + t52*x1_1_on_boundary_by_u + t53*x2_1_on_boundary_by_u
-    carried_v1_2_by_w = t44*v1_1_on_boundary_by_w + t45*v2_1_on_boundary_by_w + t52*x1_1_on_boundary_by_w + t53*x2_1_on_boundary_by_w
-    carried_v2_2_by_y = t48*v1_1_on_boundary_by_y + t49*v2_1_on_boundary_by_y + t54*x1_1_on_boundary_by_y + t55*x2_1_on_boundary_by_y
-    carried_v2_2_by_u = t48*v1_1_on_boundary_by_u + t49*v2_1_on_boundary_by_u + t54*x1_1_on_boundary_by_u + t55*x2_1_on_boundary_by_u
-    carried_v2_2_by_w = t48*v1_1_on_boundary_by_w + t49*v2_1_on_boundary_by_w + t54*x1_1_on_boundary_by_w + t55*x2_1_on_boundary_by_w
+    carried_x1_2_by_y = t38*v1_1_on_boundary_by_y + t39*v2_1_on_boundary_by_y + t40*x1_1_on_boundary_by_y + t41*x2_1_on_boundary_by_y
+    carried_x1_2_by_u = t38*v1_1_on_boundary_by_u + t39*v2_1_on_boundary_by_u + t40*x1_1_on_boundary_by_u + t41*x2_1_on_boundary_by_u
+    carried_x1_2_by_w = t38*v1_1_on_boundary_by_w + t39*v2_1_on_boundary_by_w + t40*x1_1_on_boundary_by_w + t41*x2_1_on_boundary_by_w
+    carried_x2_2_by_y = t42*v1_1_on_boundary_by_y + t43*v2_1_on_boundary_by_y + t44*x1_1_on_boundary_by_y + t45*x2_1_on_boundary_by_y
+    carried_x2_2_by_u = t42*v1_1_on_boundary_by_u + t43*v2_1_on_boundary_by_u + t44*x1_1_on_boundary_by_u + t45*x2_1_on_boundary_by_u
+    carried_x2_2_by_w = t42*v1_1_on_boundary_by_w + t43*v2_1_on_boundary_by_w + t44*x1_1_on_boundary_by_w + t45*x2_1_on_boundary_by_w
+    carried_v1_2_by_y = t40*v1_1_on_boundary_by_y + t41*v2_1_on_boundary_by_y + t48*x1_1_on_boundary_by_y + t49*x2_1_on_boundary_by_y
+    carried_v1_2_by_u = t40*v1_1_on_boundary_by_u + t41*v2_1_on_boundary_by_u + t48*x1_1_on_boundary_by_u + t49*x2_1_on_boundary_by_u
+    carried_v1_2_by_w = t40*v1_1_on_boundary_by_w + t41*v2_1_on_boundary_by_w + t48*x1_1_on_boundary_by_w + t49*x2_1_on_boundary_by_w
+    carried_v2_2_by_y = t44*v1_1_on_boundary_by_y + t45*v2_1_on_boundary_by_y + t50*x1_1_on_boundary_by_y + t51*x2_1_on_boundary_by_y
+    carried_v2_2_by_u = t44*v1_1_on_boundary_by_u + t45*v2_1_on_boundary_by_u + t50*x1_1_on_boundary_by_u + t51*x2_1_on_boundary_by_u
+    carried_v2_2_by_w = t44*v1_1_on_boundary_by_w + t45*v2_1_on_boundary_by_w + t50*x1_1_on_boundary_by_w + t51*x2_1_on_boundary_by_w
     # derivatives of the time to the boundary after tau1
-    t66 = 1/v1_2
-    delay_tau1_by_y = -carried_x1_2_by_y*t66
-    delay_tau1_by_u = -carried_x1_2_by_u*t66
-    delay_tau1_by_w = -carried_x1_2_by_w*t66
+    t62 = 1/v1_2
+    delay_tau1_by_y = -carried_x1_2_by_y*t62
+    delay_tau1_by_u = -carried_x1_2_by_u*t62
+    delay_tau1_by_w = -carried_x1_2_by_w*t62
     # perturbation on the boundary after tau1
     x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2
     x2_2_on_boundary_by_u = carried_x2_2_by_u + delay_tau1_by_u*v2_2
     x2_2_on_boundary_by_w = carried_x2_2_by_w + delay_tau1_by_w*v2_2
-    t67 = k1*t57*x2_2 - t59*x1_2
-    v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t67
-    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t67
-    v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t67
-    t68 = t63*x1_2 - t64*x2_2
-    v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t68
-    v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t68
-    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t68
+    t63 = k1*t53*x2_2 - t55*x1_2
+    v1_2_on_boundary_by_y = carried_v1_2_by_y + delay_tau1_by_y*t63
+    v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*t63
+    v1_2_on_boundary_by_w = carried_v1_2_by_w + delay_tau1_by_w*t63
+    t64 = t59*x1_2 - t60*x2_2
+    v2_2_on_boundary_by_y = carried_v2_2_by_y + delay_tau1_by_y*t64
+    v2_2_on_boundary_by_u = carried_v2_2_by_u + delay_tau1_by_u*t64
+    v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t64
     poincare_jacobian = [[x2_2_on_boundary_by_y, x2_2_on_boundary_by_u, x2_2_on_boundary_by_w], [v1_2_on_boundary_by_y, v1_2_on_boundary_by_u, v1_2_on_boundary_by_w], [v2_2_on_boundary_by_y, v2_2_on_boundary_by_u, v2_2_on_boundary_by_w]]
-    if outputs == 4:
-        return states, coefficients, frequencies, poincare_jacobian
+    if outputs == 1:
+        return poincare_jacobian
     # vector fields at transition 1
-    before_v1_1 = t61
-    before_v2_1 = t65
-    behind_v1_1 = k1*t57*x2_1 - t59*x1_1
-    behind_v2_1 = t65
+    before_v1_1 = t57
+    before_v2_1 = t61
+    behind_v1_1 = k1*t53*x2_1 - t55*x1_1
+    behind_v2_1 = t61
     # vector fields at transition 2
-    before_v1_2 = t67
-    before_v2_2 = t68
-    behind_v1_2 = t58 + t59*x2_2 - t60*x1_2
-    behind_v2_2 = t68
+    before_v1_2 = t63
+    before_v2_2 = t64
+    behind_v1_2 = t54 + t55*x2_2 - t56*x1_2
+    behind_v2_2 = t64
     # saltations
-    t69 = 1/v1_1
-    t70 = t69*(before_v1_1 - behind_v1_1)
-    t71 = t69*(before_v2_1 - behind_v2_1)
-    t72 = t66*(-before_v1_2 + behind_v1_2)
-    t73 = t66*(-before_v2_2 + behind_v2_2)
-    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [-t70, 0, 1, 0], [-t71, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [t72, 0, 1, 0], [t73, 0, 0, 1]]
-    if outputs == 5:
-        return states, coefficients, frequencies, poincare_jacobian, saltations
+    t65 = 1/v1_1
+    t66 = t65*(before_v1_1 - behind_v1_1)
+    t67 = t65*(before_v2_1 - behind_v2_1)
+    t68 = t62*(-before_v1_2 + behind_v1_2)
+    t69 = t62*(-before_v2_2 + behind_v2_2)
+    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [-t66, 0, 1, 0], [-t67, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [t68, 0, 1, 0], [t69, 0, 0, 1]]
+    if outputs == 2:
+        return poincare_jacobian, saltations
     # Phi of phase 1
-    phi_1_00 = t20
-    phi_1_01 = t19
-    phi_1_02 = t17
-    phi_1_03 = t18
-    phi_1_10 = t27
-    phi_1_11 = t26
-    phi_1_12 = t24
-    phi_1_13 = t25
-    phi_1_20 = -t30 - t32
-    phi_1_21 = t29
-    phi_1_22 = t20
-    phi_1_23 = t19
-    phi_1_30 = omega2*p3*sin_omega2_tau - t34
-    phi_1_31 = t33
-    phi_1_32 = t27
-    phi_1_33 = t26
+    phi_1_00 = t17
+    phi_1_01 = t16
+    phi_1_02 = t14
+    phi_1_03 = t15
+    phi_1_10 = t24
+    phi_1_11 = t23
+    phi_1_12 = t21
+    phi_1_13 = t22
+    phi_1_20 = -t27 - t29
+    phi_1_21 = t26
+    phi_1_22 = t17
+    phi_1_23 = t16
+    phi_1_30 = omega2*p3*sin_omega2_tau - t31
+    phi_1_31 = t30
+    phi_1_32 = t24
+    phi_1_33 = t23
     # saltation of phase 1
-    saltation_1_20 = -phi_1_00*t70 + phi_1_20
-    saltation_1_21 = -phi_1_01*t70 + phi_1_21
-    saltation_1_22 = -phi_1_02*t70 + phi_1_22
-    saltation_1_23 = -phi_1_03*t70 + phi_1_23
-    saltation_1_30 = -phi_1_00*t71 + phi_1_30
-    saltation_1_31 = -phi_1_01*t71 + phi_1_31
-    saltation_1_32 = -phi_1_02*t71 + phi_1_32
-    saltation_1_33 = -phi_1_03*t71 + phi_1_33
+    saltation_1_20 = -phi_1_00*t66 + phi_1_20
+    saltation_1_21 = -phi_1_01*t66 + phi_1_21
+    saltation_1_22 = -phi_1_02*t66 + phi_1_22
+    saltation_1_23 = -phi_1_03*t66 + phi_1_23
+    saltation_1_30 = -phi_1_00*t67 + phi_1_30
+    saltation_1_31 = -phi_1_01*t67 + phi_1_31
+    saltation_1_32 = -phi_1_02*t67 + phi_1_32
+    saltation_1_33 = -phi_1_03*t67 + phi_1_33
     # Phi of phase 2
-    phi_2_00 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43
-    phi_2_01 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43
-    phi_2_02 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43
-    phi_2_03 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43
-    phi_2_10 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t46 + saltation_1_30*t47
-    phi_2_11 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t46 + saltation_1_31*t47
-    phi_2_12 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t46 + saltation_1_32*t47
-    phi_2_13 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t46 + saltation_1_33*t47
-    phi_2_20 = phi_1_00*t52 + phi_1_10*t53 + saltation_1_20*t44 + saltation_1_30*t45
-    phi_2_21 = phi_1_01*t52 + phi_1_11*t53 + saltation_1_21*t44 + saltation_1_31*t45
-    phi_2_22 = phi_1_02*t52 + phi_1_12*t53 + saltation_1_22*t44 + saltation_1_32*t45
-    phi_2_23 = phi_1_03*t52 + phi_1_13*t53 + saltation_1_23*t44 + saltation_1_33*t45
-    phi_2_30 = phi_1_00*t54 + phi_1_10*t55 + saltation_1_20*t48 + saltation_1_30*t49
-    phi_2_31 = phi_1_01*t54 + phi_1_11*t55 + saltation_1_21*t48 + saltation_1_31*t49
-    phi_2_32 = phi_1_02*t54 + phi_1_12*t55 + saltation_1_22*t48 + saltation_1_32*t49
-    phi_2_33 = phi_1_03*t54 + phi_1_13*t55 + saltation_1_23*t48 + saltation_1_33*t49
+    phi_2_00 = phi_1_00*t40 + phi_1_10*t41 + saltation_1_20*t38 + saltation_1_30*t39
+    phi_2_01 = phi_1_01*t40 + phi_1_11*t41 + saltation_1_21*t38 + saltation_1_31*t39
+    phi_2_02 = phi_1_02*t40 + phi_1_12*t41 + saltation_1_22*t38 + saltation_1_32*t39
+    phi_2_03 = phi_1_03*t40 + phi_1_13*t41 + saltation_1_23*t38 + saltation_1_33*t39
+    phi_2_10 = phi_1_00*t44 + phi_1_10*t45 + saltation_1_20*t42 + saltation_1_30*t43
+    phi_2_11 = phi_1_01*t44 + phi_1_11*t45 + saltation_1_21*t42 + saltation_1_31*t43
+    phi_2_12 = phi_1_02*t44 + phi_1_12*t45 + saltation_1_22*t42 + saltation_1_32*t43
+    phi_2_13 = phi_1_03*t44 + phi_1_13*t45 + saltation_1_23*t42 + saltation_1_33*t43
+    phi_2_20 = phi_1_00*t48 + phi_1_10*t49 + saltation_1_20*t40 + saltation_1_30*t41
+    phi_2_21 = phi_1_01*t48 + phi_1_11*t49 + saltation_1_21*t40 + saltation_1_31*t41
+    phi_2_22 = phi_1_02*t48 + phi_1_12*t49 + saltation_1_22*t40 + saltation_1_32*t41
+    phi_2_23 = phi_1_03*t48 + phi_1_13*t49 + saltation_1_23*t40 + saltation_1_33*t41
+    phi_2_30 = phi_1_00*t50 + phi_1_10*t51 + saltation_1_20*t44 + saltation_1_30*t45
+    phi_2_31 = phi_1_01*t50 + phi_1_11*t51 + saltation_1_21*t44 + saltation_1_31*t45
+    phi_2_32 = phi_1_02*t50 + phi_1_12*t51 + saltation_1_22*t44 + saltation_1_32*t45
+    phi_2_33 = phi_1_03*t50 + phi_1_13*t51 + saltation_1_23*t44 + saltation_1_33*t45
     # saltation of phase 2
-    saltation_2_20 = phi_2_00*t72 + phi_2_20
-    saltation_2_21 = phi_2_01*t72 + phi_2_21
-    saltation_2_22 = phi_2_02*t72 + phi_2_22
-    saltation_2_23 = phi_2_03*t72 + phi_2_23
-    saltation_2_30 = phi_2_00*t73 + phi_2_30
-    saltation_2_31 = phi_2_01*t73 + phi_2_31
-    saltation_2_32 = phi_2_02*t73 + phi_2_32
-    saltation_2_33 = phi_2_03*t73 + phi_2_33
+    saltation_2_20 = phi_2_00*t68 + phi_2_20
+    saltation_2_21 = phi_2_01*t68 + phi_2_21
+    saltation_2_22 = phi_2_02*t68 + phi_2_22
+    saltation_2_23 = phi_2_03*t68 + phi_2_23
+    saltation_2_30 = phi_2_00*t69 + phi_2_30
+    saltation_2_31 = phi_2_01*t69 + phi_2_31
+    saltation_2_32 = phi_2_02*t69 + phi_2_32
+    saltation_2_33 = phi_2_03*t69 + phi_2_33
     monodromy = [[phi_2_00, phi_2_01, phi_2_02, phi_2_03], [phi_2_10, phi_2_11, phi_2_12, phi_2_13], [saltation_2_20, saltation_2_21, saltation_2_22, saltation_2_23], [saltation_2_30, saltation_2_31, saltation_2_32, saltation_2_33]]
-    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
+    return poincare_jacobian, saltations, monodromy
 
 
 def one_contact_flow_contact(parameters, spectrum, time, state, *, lib):

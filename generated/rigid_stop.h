@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 90747bf74ee5ccb4 */
+ * SymPy 1.14.0, derivation 3d278f1eb7b963cc */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 
@@ -31,7 +31,9 @@ void rigid_stop_one_impact_equations(
 void rigid_stop_one_impact_trace(
     const double parameters[5], const double spectrum[7], const double unknowns[2], const double *spectrum_derivatives, double *trace, double *trace_gradient);
 void rigid_stop_one_impact_passage(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double *states, double *coefficients, double *frequencies, double *poincare_jacobian, double *saltations, double *monodromy);
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double *states, double *coefficients, double *frequencies);
+void rigid_stop_one_impact_linearisation(
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double *poincare_jacobian, double *saltations, double *monodromy);
 void rigid_stop_one_impact_flow_free(
     const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4]);
 void rigid_stop_one_impact_reduced(

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 90747bf74ee5ccb4
+# SymPy 1.14.0, derivation 3d278f1eb7b963cc
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "90747bf74ee5ccb4"
+DERIVATION = "3d278f1eb7b963cc"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -163,12 +163,11 @@ KERNELS = {'spectrum': ([((4,), 0)], [('spectrum', (7,)), ('derivatives', (7, 4)
  'one_impact_trace': ([((5,), 0), ((7,), 0), ((2,), 0), ((7, 4), 1)],
                       [('trace', ()), ('trace_gradient', (7,))]),
  'one_impact_passage': ([((5,), 0), ((7,), 0), ((2,), 0)],
-                        [('states', (2, 4)),
-                         ('coefficients', (6,)),
-                         ('frequencies', (2,)),
-                         ('poincare_jacobian', (3, 3)),
-                         ('saltations', (4, 4)),
-                         ('monodromy', (4, 4))]),
+                        [('states', (2, 4)), ('coefficients', (6,)), ('frequencies', (2,))]),
+ 'one_impact_linearisation': ([((5,), 0), ((7,), 0), ((2,), 0)],
+                              [('poincare_jacobian', (3, 3)),
+                               ('saltations', (4, 4)),
+                               ('monodromy', (4, 4))]),
  'one_impact_flow_free': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'one_impact_reduced': ([((5,), 0), ((7,), 0)], [('unknowns', (2,)), ('determinants', (1,))])}
 
@@ -622,11 +621,10 @@ def one_impact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, 
     return trace, trace_gradient
 
 
-def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
+def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     """State at the start and behind each transition. Boundaries along the phases: constant,
     slope, cosine and sine amplitudes, one after the other; and the frequencies of each
-    phase. Jacobian of the Poincare map in the section's coordinates; saltation matrices,
-    one below the other; monodromy matrix.
+    phase.
 
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
@@ -634,10 +632,56 @@ def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     Gives states (2, 4).
     Gives coefficients (6).
     Gives frequencies (2).
+    Operations: 72. Intermediate terms: 20.
+    """
+    [_, _, _, _, T] = parameters
+    [_, omega1, omega2, p1, p2, p3, _] = spectrum
+    [y, u] = unknowns
+    # functions of T in free
+    t0 = T*omega1
+    cos_omega1_T = lib.cos(t0)
+    sin_omega1_T = lib.sin(t0)
+    t1 = T*omega2
+    cos_omega2_T = lib.cos(t1)
+    sin_omega2_T = lib.sin(t1)
+    # free for T, until first-reaches-stop
+    t2 = 1/omega1
+    t3 = p1 - 1
+    t5 = 1/omega2
+    t6 = sin_omega2_T*t5
+    t7 = cos_omega1_T*p1 - cos_omega2_T*t3
+    x1_1 = t7 + u*(p1*sin_omega1_T*t2 - t3*t6) + y*(cos_omega1_T*p2 - cos_omega2_T*p2)
+    t8 = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = t8 + u*(p3*sin_omega1_T*t2 - p3*t6) + y*(-cos_omega1_T*t3 + cos_omega2_T*p1)
+    t9 = omega1*sin_omega1_T
+    t10 = omega2*sin_omega2_T
+    v1_1 = -p1*t9 + t10*t3 + t7*u + y*(omega2*p2*sin_omega2_T - p2*t9)
+    v2_1 = p3*t10 - p3*t9 + t8*u + y*(-p1*t10 + t3*t9)
+    # transition to free
+    v1_1_reset = -v1_1
+    states = [[1, y, u, 0], [x1_1, x2_1, v1_1_reset, v2_1]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t11 = p2*y
+    coefficients = [-1, 0, p1 + t11, -t11 - t3, p1*t2*u, -t3*t5*u]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [omega1, omega2]
+    return states, coefficients, frequencies
+
+
+def one_impact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
+    below the other; monodromy matrix.
+
+    Takes parameters (5): m1, m2, k1, k2, T.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (2): y, u.
     Gives poincare_jacobian (3, 3).
     Gives saltations (4, 4).
     Gives monodromy (4, 4).
-    Operations: 152. Intermediate terms: 93.
+    Operations: 142. Intermediate terms: 91.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -652,117 +696,105 @@ def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=6):
     # free for T, until first-reaches-stop
     t2 = 1/omega1
     t3 = sin_omega1_T*t2
-    t4 = p1 - 1
-    t6 = 1/omega2
-    t7 = sin_omega2_T*t6
-    t8 = p1*t3 - t4*t7
-    t9 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t10 = cos_omega1_T*p1 - cos_omega2_T*t4
-    x1_1 = t10 + t8*u + t9*y
-    t11 = p3*sin_omega1_T*t2 - p3*t7
-    t12 = -cos_omega1_T*t4 + cos_omega2_T*p1
-    t13 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t11*u + t12*y + t13
-    t14 = omega1*sin_omega1_T
-    t15 = omega2*p2*sin_omega2_T - p2*t14
-    t16 = omega2*sin_omega2_T
-    t17 = p1*t14 - t16*t4
-    v1_1 = t10*u + t15*y - t17
-    t18 = -p1*t16 + t14*t4
-    t19 = p3*t14
-    v2_1 = p3*t16 + t13*u + t18*y - t19
-    # transition to free
-    v1_1_reset = -v1_1
-    states = [[1, y, u, 0], [x1_1, x2_1, v1_1_reset, v2_1]]
-    if outputs == 1:
-        return states
-    # coefficients
-    t30 = p2*y
-    coefficients = [-1, 0, p1 + t30, -t30 - t4, p1*t2*u, -t4*t6*u]
-    if outputs == 2:
-        return states, coefficients
-    frequencies = [omega1, omega2]
-    if outputs == 3:
-        return states, coefficients, frequencies
+    t4 = 1 - p1
+    t5 = sin_omega2_T/omega2
+    t6 = p1*t3 + t4*t5
+    t7 = cos_omega1_T*p2 - cos_omega2_T*p2
+    t8 = cos_omega1_T*p1 + cos_omega2_T*t4
+    x1_1 = t6*u + t7*y + t8
+    t9 = p3*sin_omega1_T*t2 - p3*t5
+    t10 = cos_omega1_T*t4 + cos_omega2_T*p1
+    t11 = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = t10*y + t11 + t9*u
+    t12 = omega1*sin_omega1_T
+    t13 = omega2*p2*sin_omega2_T - p2*t12
+    t14 = omega2*sin_omega2_T
+    t15 = p1*t12 + t14*t4
+    v1_1 = t13*y - t15 + t8*u
+    t16 = -p1*t14 - t12*t4
+    t17 = p3*t12
+    v2_1 = p3*t14 + t11*u + t16*y - t17
     # Phi along T
-    carried_x1_1_by_y = t9
-    carried_x1_1_by_u = t8
-    carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t7
-    carried_x2_1_by_y = t12
-    carried_x2_1_by_u = t11
-    carried_x2_1_by_w = p1*t7 - t3*t4
-    carried_v1_1_by_y = t15
-    carried_v1_1_by_u = t10
-    carried_v1_1_by_w = t9
-    carried_v2_1_by_y = t18
-    carried_v2_1_by_u = t13
-    carried_v2_1_by_w = t12
+    carried_x1_1_by_y = t7
+    carried_x1_1_by_u = t6
+    carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t5
+    carried_x2_1_by_y = t10
+    carried_x2_1_by_u = t9
+    carried_x2_1_by_w = p1*t5 + t3*t4
+    carried_v1_1_by_y = t13
+    carried_v1_1_by_u = t8
+    carried_v1_1_by_w = t7
+    carried_v2_1_by_y = t16
+    carried_v2_1_by_u = t11
+    carried_v2_1_by_w = t10
     # derivatives of the time to the boundary after T
-    t22 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t22
-    delay_T_by_u = -carried_x1_1_by_u*t22
-    delay_T_by_w = -carried_x1_1_by_w*t22
+    t20 = 1/v1_1
+    delay_T_by_y = -carried_x1_1_by_y*t20
+    delay_T_by_u = -carried_x1_1_by_u*t20
+    delay_T_by_w = -carried_x1_1_by_w*t20
     # perturbation on the boundary after T
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
     x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1
     x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1
-    t23 = 1/m1
-    t24 = -k1*t23*x1_1 + k1*t23*x2_1
-    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t24
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t24
-    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t24
-    t25 = 1/m2
-    t26 = k1*t25*x1_1 - t25*x2_1*(k1 + k2)
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t26
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t26
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t26
+    t21 = 1/m1
+    t22 = -k1*t21*x1_1 + k1*t21*x2_1
+    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t22
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t22
+    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t22
+    t23 = 1/m2
+    t24 = k1*t23*x1_1 - t23*x2_1*(k1 + k2)
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t24
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t24
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t24
     poincare_jacobian = [[x2_1_on_boundary_by_y, x2_1_on_boundary_by_u, x2_1_on_boundary_by_w], [v1_1_on_boundary_by_y, v1_1_on_boundary_by_u, v1_1_on_boundary_by_w], [v2_1_on_boundary_by_y, v2_1_on_boundary_by_u, v2_1_on_boundary_by_w]]
-    if outputs == 4:
-        return states, coefficients, frequencies, poincare_jacobian
+    if outputs == 1:
+        return poincare_jacobian
+    # transition to free
+    v1_1_reset = -v1_1
     # vector fields at transition 1
-    before_v1_1 = t24
-    before_v2_1 = t26
-    behind_v1_1 = t24
-    behind_v2_1 = t26
+    before_v1_1 = t22
+    before_v2_1 = t24
+    behind_v1_1 = t22
+    behind_v2_1 = t24
     # saltations
-    t27 = t22*(-v1_1 + v1_1_reset) + 1
-    t28 = t22*(before_v1_1 + behind_v1_1)
-    t29 = t22*(-before_v2_1 + behind_v2_1)
-    saltations = [[t27, 0, 0, 0], [0, 1, 0, 0], [t28, 0, -1, 0], [t29, 0, 0, 1]]
-    if outputs == 5:
-        return states, coefficients, frequencies, poincare_jacobian, saltations
+    t25 = t20*(-v1_1 + v1_1_reset) + 1
+    t26 = t20*(before_v1_1 + behind_v1_1)
+    t27 = t20*(-before_v2_1 + behind_v2_1)
+    saltations = [[t25, 0, 0, 0], [0, 1, 0, 0], [t26, 0, -1, 0], [t27, 0, 0, 1]]
+    if outputs == 2:
+        return poincare_jacobian, saltations
     # Phi of phase 1
-    phi_1_00 = t10
-    phi_1_01 = t9
-    phi_1_02 = t8
+    phi_1_00 = t8
+    phi_1_01 = t7
+    phi_1_02 = t6
     phi_1_03 = carried_x1_1_by_w
-    phi_1_10 = t13
-    phi_1_11 = t12
-    phi_1_12 = t11
+    phi_1_10 = t11
+    phi_1_11 = t10
+    phi_1_12 = t9
     phi_1_13 = carried_x2_1_by_w
-    phi_1_20 = -t17
-    phi_1_21 = t15
-    phi_1_22 = t10
-    phi_1_23 = t9
-    phi_1_30 = omega2*p3*sin_omega2_T - t19
-    phi_1_31 = t18
-    phi_1_32 = t13
-    phi_1_33 = t12
+    phi_1_20 = -t15
+    phi_1_21 = t13
+    phi_1_22 = t8
+    phi_1_23 = t7
+    phi_1_30 = omega2*p3*sin_omega2_T - t17
+    phi_1_31 = t16
+    phi_1_32 = t11
+    phi_1_33 = t10
     # saltation of phase 1
-    saltation_1_00 = phi_1_00*t27
-    saltation_1_01 = phi_1_01*t27
-    saltation_1_02 = phi_1_02*t27
-    saltation_1_03 = phi_1_03*t27
-    saltation_1_20 = phi_1_00*t28 - phi_1_20
-    saltation_1_21 = phi_1_01*t28 - phi_1_21
-    saltation_1_22 = phi_1_02*t28 - phi_1_22
-    saltation_1_23 = phi_1_03*t28 - phi_1_23
-    saltation_1_30 = phi_1_00*t29 + phi_1_30
-    saltation_1_31 = phi_1_01*t29 + phi_1_31
-    saltation_1_32 = phi_1_02*t29 + phi_1_32
-    saltation_1_33 = phi_1_03*t29 + phi_1_33
+    saltation_1_00 = phi_1_00*t25
+    saltation_1_01 = phi_1_01*t25
+    saltation_1_02 = phi_1_02*t25
+    saltation_1_03 = phi_1_03*t25
+    saltation_1_20 = phi_1_00*t26 - phi_1_20
+    saltation_1_21 = phi_1_01*t26 - phi_1_21
+    saltation_1_22 = phi_1_02*t26 - phi_1_22
+    saltation_1_23 = phi_1_03*t26 - phi_1_23
+    saltation_1_30 = phi_1_00*t27 + phi_1_30
+    saltation_1_31 = phi_1_01*t27 + phi_1_31
+    saltation_1_32 = phi_1_02*t27 + phi_1_32
+    saltation_1_33 = phi_1_03*t27 + phi_1_33
     monodromy = [[saltation_1_00, saltation_1_01, saltation_1_02, saltation_1_03], [phi_1_10, phi_1_11, phi_1_12, phi_1_13], [saltation_1_20, saltation_1_21, saltation_1_22, saltation_1_23], [saltation_1_30, saltation_1_31, saltation_1_32, saltation_1_33]]
-    return states, coefficients, frequencies, poincare_jacobian, saltations, monodromy
+    return poincare_jacobian, saltations, monodromy
 
 
 def one_impact_flow_free(parameters, spectrum, time, state, *, lib):

@@ -32,9 +32,9 @@ $prototype
         const double *const p = parameters + $p * point, *const u = unknowns + $n * point;
         const double q[$nq] = {$spectral_parameters};
         const double durations[] = {$durations};
-        double spectral[$ns], derivatives[$nd], $arrays;
-        $spectrum(q, spectral, derivatives);
-        $passage(p, spectral, u, $given, NULL, NULL, NULL);
+        double spectral[$ns], $arrays;
+        $spectrum(q, spectral, NULL);
+        $passage(p, spectral, u, $given);
 $prepared        /* the $data are differences of the data and carry their rounding */
         const double measures[] = {$measures};
         double size = 0.0, missed = 0.0;
@@ -220,7 +220,6 @@ def admissible_source(orbit: EquationSystem) -> str:
         nm=len(orbit.measures),
         per_unit=", ".join(print_c(sp.Float(-b.open_coefficient)) for b in functions),
         ns=max(len(spectrum.symbols), 1),
-        nd=max(len(spectrum.symbols) * len(spectrum.parameters), 1),
         nq=max(len(spectrum.parameters), 1),
         spectral_parameters=", ".join(
             f"p[{orbit.parameters.index(q)}]" for q in spectrum.parameters

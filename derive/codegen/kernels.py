@@ -97,6 +97,7 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
         _equations_kernel(orbit, (*point, replace(derivatives, since=2))),
         _trace_kernel(orbit, (*point, replace(derivatives, since=1))),
         _passage_kernel(orbit, point),
+        _linearisation_kernel(orbit, point),
         *flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters),
         _reduced_kernel(orbit, parameters, spectrum),
     )
@@ -133,11 +134,7 @@ def _trace_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kerne
 
 
 def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
-    chain, names = orbit.chain, orbit.system.states
-    links, functions = chain.links, orbit.boundary_functions
-    poincare_stages, poincare = orbit.map_program
-    saltation_stages, saltations = saltation_matrices(chain, names)
-    monodromy_stages, full = monodromy(chain, names)
+    links, functions = orbit.chain.links, orbit.boundary_functions
     states = [links[0].before, *(link.following for link in links)]
     along: tuple[Output, ...]
     if orbit.trigonometric:
@@ -160,13 +157,24 @@ def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Ker
             if orbit.trigonometric
             else "Vector fields [A, b] of the phases, their states at the end, and the boundaries"
             " along them [n, c]."
-        )
-        + " Jacobian of the Poincare map in the section's coordinates; saltation matrices, one"
+        ),
+        arguments,
+        (_table("states", sp.Matrix([list(s) for s in states])), *along),
+        orbit.chain.stages,
+    )
+
+
+def _linearisation_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+    chain, names = orbit.chain, orbit.system.states
+    poincare_stages, poincare = orbit.map_program
+    saltation_stages, saltations = saltation_matrices(chain, names)
+    monodromy_stages, full = monodromy(chain, names)
+    return _kernel(
+        "linearisation",
+        "Jacobian of the Poincare map in the section's coordinates; saltation matrices, one"
         " below the other; monodromy matrix.",
         arguments,
         (
-            _table("states", sp.Matrix([list(s) for s in states])),
-            *along,
             _table("poincare_jacobian", poincare),
             _table("saltations", sp.Matrix.vstack(*saltations)),
             _table("monodromy", full),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, partial
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,6 +18,9 @@ from nonsmooth.runtime.core.vectorised import filled, vectorised
 from nonsmooth.runtime.model.loading.growing import JoinedKernel
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
+
+
+_KINDS = ("equations", "trace", "passage", "linearisation", "reduced")  # kernels of an orbit
 
 
 @dataclass(frozen=True)
@@ -177,6 +180,15 @@ class SystemKernels:
         takes, gives = self.module.KERNELS[kernel]
         given = [tuple(shape) for _, shape in gives[:outputs]]
         return [tuple(shape) for shape, since in takes if since < len(given)], given
+
+
+class Asked(NamedTuple):
+    """How quantities of one kernel are computed."""
+
+    function: Callable[..., Any]  # in doubles
+    source: Callable[..., Any]  # over any arithmetic
+    arrays: int  # how many it takes
+    places: list[int] | None  # of the quantities among the results; None if they are all
 
 
 @dataclass(frozen=True, eq=False)
@@ -358,16 +370,14 @@ class OrbitKernels:
         reduced_residual, reduced_jacobian        of the reduced equations
         ========================================  ===========================================
         """
-        kernel, places = self._places(quantities)
-        count = max(places) + 1
+        asked = self._asked.get(quantities) or self._ask(quantities)
         if lib is None:
-            found = self.system.evaluate(kernel, *at, outputs=count)
+            found = asked.function(*at[: asked.arrays])
         else:
-            takes, gives = self.system.module.KERNELS[kernel]
-            wanted = {"outputs": count} if len(gives) > 1 else {}
-            found = self.system.source(kernel)(*at[: len(takes)], lib=lib, **wanted)
-        values = found if count > 1 else (found,)
-        return values[places[0]] if len(places) == 1 else tuple(values[place] for place in places)
+            found = asked.source(*at[: asked.arrays], lib=lib)
+        if asked.places is None:
+            return found
+        return tuple(found[place] for place in asked.places) if len(quantities) > 1 else found[-1]
 
     def has(self, quantity: str) -> bool:
         """Whether a kernel of this orbit gives a quantity."""
@@ -377,18 +387,32 @@ class OrbitKernels:
     def _quantities(self) -> dict[str, tuple[str, int]]:
         """Kernel and place among its outputs, by the name of what it gives."""
         kernels, prefix = self.system.module.KERNELS, self.orbit.replace("-", "_")
-        names = [f"{prefix}_{kind}" for kind in ("equations", "trace", "passage", "reduced")]
+        names = [f"{prefix}_{kind}" for kind in _KINDS]
         return {
             quantity: (name, place)
             for name in names
             for place, (quantity, _) in enumerate(kernels[name][1])
         }
 
-    @cache  # noqa: B019 - as long as its system
-    def _places(self, quantities: tuple[str, ...]) -> tuple[str, list[int]]:
-        found = [self._quantities[quantity] for quantity in quantities]
-        (kernel,) = {name for name, _ in found}
-        return kernel, [place for _, place in found]
+    @cached_property
+    def _asked(self) -> dict[tuple[str, ...], Asked]:
+        """How the quantities are computed that were asked for so far."""
+        return {}
+
+    def _ask(self, quantities: tuple[str, ...]) -> Asked:
+        known = [self._quantities[quantity] for quantity in quantities]
+        (kernel,) = {name for name, _ in known}
+        places, system = [place for _, place in known], self.system
+        count, total = max(places) + 1, len(system.module.KERNELS[kernel][1])
+        source = system.source(kernel)
+        asked = Asked(
+            system.function(kernel, count),
+            source if total == 1 else partial(source, outputs=count),
+            sum(since < count for _, since in system.module.KERNELS[kernel][0]),
+            None if places == [*range(count)] else places,
+        )
+        self._asked[quantities] = asked
+        return asked
 
     def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
         """The spectrum and its derivatives at the equations' parameters, in their order.
