@@ -21,6 +21,12 @@ class Heading:
 
     text: str
     level: int = 1
+    number: int | None = None  # of a section among those of the whole document
+
+    @property
+    def numbered(self) -> str:
+        """The title behind its number."""
+        return self.text if self.number is None else f"{self.number}. {self.text}"
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
@@ -86,21 +86,18 @@ def describe_system(system: System) -> Document:
     configurations = configuration_section(naming, names, {})
     if not complete:
         configurations += constraint_paragraphs(naming, names)
-    blocks: list[Block] = [
-        Heading("The system"),
-        *system_section(naming, None),
-        Heading("Configurations"),
-        *configurations,
-        Heading("Modal analysis"),
-        *flow_section(naming, spectrum, flows, names, centres)[0],
+    sections: list[tuple[str, list[Block]]] = [
+        ("The system", system_section(naming, None)),
+        ("Configurations", configurations),
+        ("Modal analysis", flow_section(naming, spectrum, flows, names, centres)[0]),
     ]
     if system.transitions:
-        blocks += [Heading("Transitions"), *transition_section(naming)]
+        sections.append(("Transitions", transition_section(naming)))
     if system.law is not None:
-        blocks += [Heading("Contact law"), *law_section(naming, system.law)]
+        sections.append(("Contact law", law_section(naming, system.law)))
     if system.contacts and not complete:
-        blocks += [Heading("Contacts"), *contact_section(naming)]
-    return Document(f"The system {system.name}", tuple(blocks))
+        sections.append(("Contacts", contact_section(naming)))
+    return _document(f"The system {system.name}", sections)
 
 
 def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
@@ -122,33 +119,28 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     modal, numbers = modal_section(
         naming, equations.spectrum, equations.flows, list(places), centres
     )
-    view = View(equations, naming, centres, numbers)
-    sections: list[tuple[str, list[Block]]] = [
-        ("The system", system_section(naming, itinerary, equations.required)),
-        ("Configurations", configuration_section(naming, list(places), remarks)),
-        ("Modal analysis", modal),
-        ("The itinerary", itinerary_section(view)),
+    chain = ("The chain of states", chain_section)
+    derivatives = ("Derivatives and the Poincaré map", derivative_section)
+    equation = ("The equations", equation_section)
+    sections: list[tuple[str, Callable[[View], list[Block]]]] = [
+        ("The system", lambda _: system_section(naming, itinerary, equations.required)),
+        ("Configurations", lambda _: configuration_section(naming, list(places), remarks)),
+        ("Modal analysis", lambda _: modal),
+        ("The itinerary", itinerary_section),
     ]
-    chain = ("The chain of states", chain_section(view))
-    derivatives = ("Derivatives and the Poincaré map", derivative_section(view))
-    equation = ("The equations", equation_section(view))
-    if view.reversible:
+    if equations.itinerary.reversor:
         # conditions halfway need no chain
-        sections += [
-            ("The symmetry", symmetry_section(view)),
-            equation,
-            ("The reduction", solution_section(view)),
-            chain,
-            derivatives,
-        ]
+        symmetry, solution = ("The symmetry", symmetry_section), ("The reduction", solution_section)
+        sections += [symmetry, equation, solution, chain, derivatives]
     else:
-        sections += [chain, equation, derivatives, ("The reduction", reduction_section(view))]
+        sections += [chain, equation, derivatives, ("The reduction", reduction_section)]
     if equations.conservative:
-        sections.append(("The energy", energy_section(view)))
-    sections.append(("The trace", trace_section(view)))
-    blocks = [b for title, found in sections for b in (Heading(title), *found)]
+        sections.append(("The energy", energy_section))
+    sections.append(("The trace", trace_section))
+    order = {title: number for number, (title, _) in enumerate(sections, start=1)}
+    view = View(equations, naming, centres, numbers, order)
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
-    return Document(title, tuple(blocks))
+    return _document(title, [(heading, blocks_of(view)) for heading, blocks_of in sections])
 
 
 def describe_itinerary(itinerary: Itinerary) -> Document:
@@ -184,8 +176,15 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
         ("Stability", stability_section(cycle)),
         ("Admissibility", admissibility_section(cycle)),
     ]
-    blocks = [b for title, found in sections for b in (Heading(title), *found)]
     title = f"The itinerary {itinerary.name} of the system {itinerary.system.name}"
+    return _document(title, sections)
+
+
+def _document(title: str, sections: Iterable[tuple[str, Iterable[Block]]]) -> Document:
+    """A document of sections, numbered in their order."""
+    blocks: list[Block] = []
+    for number, (heading, found) in enumerate(sections, start=1):
+        blocks += [Heading(heading, number=number), *found]
     return Document(title, tuple(blocks))
 
 
@@ -207,4 +206,4 @@ def naming_of(
     ).with_responses(flows.values())
     taken = (*constants, *states, *notation.unknowns)
     centres = name_centres(flows.values(), map(notation.symbol, taken))
-    return Naming(notation.with_names(centres.names), system), centres
+    return Naming(notation.with_names(centres.names), system, itinerary.source), centres

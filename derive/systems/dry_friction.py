@@ -23,6 +23,7 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.presentation import Presentation
+from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 
@@ -169,6 +170,37 @@ shifted = Presentation(
     substitution={ur1: us1 + _E1.symbol, ur2: us2 + _E2.symbol},
 )
 
+_PAPER = "Pascal (2011)"
+_WITH_GLOBAL_STICK = Source(
+    _PAPER,
+    equations={
+        "configuration slip-slip": "(6)",
+        "configuration slip-stick": "(7)",
+        "configuration stick-slip": "(8)",
+        "configuration stick-stick": "(9)",
+        "flow stick-stick": "(10)",
+        "start": "(11)",
+        "phase 1": "(12)",
+        "end 1": "(12)",
+        "phase 2": "(13)",
+        "end 2": "(14)",
+        "phase 3": "(15)",
+        "end 3": "(16)",
+        "phase 4": "(17)",
+        "end 4": "(18)",
+        "closure": "(18)",
+        "map": "Sec. 5",
+        "trace": "Sec. 5",
+    },
+    flows={"stick-stick": "D", "slip-stick": r"\Gamma", "slip-slip": "h", "stick-slip": "C"},
+    states=("Z_{0}", "Z_{a}", "Z_{c}", "Z_{d}"),
+    section=r"\Sigma_{0}",
+    misprints={
+        "(10)": "which prints the upper right block as $V t I$",
+        "(15)": "which prints $H$ for the flow $h$",
+    },
+)
+
 global_stick = Itinerary(
     name="global-stick",
     system=system,
@@ -188,6 +220,14 @@ global_stick = Itinerary(
             "tau": "2",
             "tau1": "1.568",
             "tau2": "3.28",
+        },
+    ),
+    source=replace(
+        _WITH_GLOBAL_STICK,
+        equations={**_WITH_GLOBAL_STICK.equations, "reference": "the numbers of Sec. 3.3"},
+        misprints={
+            **_WITH_GLOBAL_STICK.misprints,
+            "the numbers of Sec. 3.3": "which belong to no single orbit",
         },
     ),
 )
@@ -213,6 +253,18 @@ symmetric = Itinerary(
             "tau1": "2.245",
         },
     ),
+    source=Source(
+        _PAPER,
+        equations={
+            "configuration slip-slip": "(6)",
+            "configuration slip-stick": "(7)",
+            "symmetry": "Sec. 3.2",
+            "reference": "the numbers of Sec. 3.2",
+        },
+        flows={"slip-slip": "h", "slip-stick": r"\Gamma"},
+        states=("Z_{0}",),
+        misprints={"the numbers of Sec. 3.2": r"of which $\tau_{1}$ is not right to its digits"},
+    ),
 )
 
 # the limit of the global stick orbit at ta = 0: the second mass reaches the belt at the
@@ -234,6 +286,7 @@ solution_ii = replace(
             "e1": "3.5",
         },
     ),
+    source=_WITH_GLOBAL_STICK,
 )
 
 orbits = (symmetric, global_stick, solution_ii)

@@ -122,6 +122,7 @@ def _local_maps(view: View) -> list[Block]:
     naming, links, section = view.naming, view.links, view.equations.chain.section
     resets, period = _resets(view), view.equations.itinerary.period
     maps = "the product of the local maps" if len(links) > 1 else "that of the local map"
+    maps += naming.cited("map")
     unit = ", $R_{k}$ being $I$ where it is not given," if any(map(_is_unit, links)) else ""
     text = "On the boundaries the dwell times follow the perturbation"
     text += (

@@ -45,7 +45,8 @@ def system_section(
     size = len(system.states) // 2
     # a dwell time may be called as a word of a description is
     described = replace(naming.notation, unknowns=())
-    text = f"The system is *{system.name}*: {described.prose(system.description)}."
+    text = f"The system is *{system.name}*: {described.prose(system.description)}"
+    text += f"{naming.cited('system')}."
     if naming.second_order:
         plural = "" if size == 1 else "s"
         velocities = enumeration(
@@ -184,6 +185,7 @@ def configuration_section(
             letters = {}
     for configuration in chosen:
         remark = remarks.get(configuration.name, "")
+        remark += naming.cited(f"configuration {configuration.name}")
         blocks.append(Paragraph(f"*{configuration.name}*{remark}:"))
         blocks += motion_of(configuration, naming, letters)
     blocks.append(
@@ -239,8 +241,7 @@ def modal_section(
     if any(map(is_response, used)):
         more, numbers = response_flows(naming, used, dict(spectrum.entries))
     else:
-        in_blocks = naming.second_order
-        more, numbers = flow_blocks(naming.notation, naming.state, used, in_blocks, centres)
+        more, numbers = flow_blocks(naming, used, centres)
     return blocks + more, numbers
 
 
