@@ -39,6 +39,7 @@ from nonsmooth.derive.document.sections.describe_orbit import chain_section, equ
 from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
 from nonsmooth.derive.document.sections.describe_poincare import derivative_section
 from nonsmooth.derive.document.sections.describe_reduction import reduction_section
+from nonsmooth.derive.document.sections.describe_reference import reference_section
 from nonsmooth.derive.document.sections.describe_solution import solution_section
 from nonsmooth.derive.document.sections.describe_symmetry import symmetry_section
 from nonsmooth.derive.document.sections.describe_system import (
@@ -54,6 +55,7 @@ from nonsmooth.derive.document.views.closed_forms import closed_flows
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.reference_orbit import reference_orbit
 from nonsmooth.derive.equations.section import section_of, start_of
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
@@ -137,6 +139,9 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     if equations.conservative:
         sections.append(("The energy", energy_section))
     sections.append(("The trace", trace_section))
+    known = reference_orbit(equations)
+    if known is not None:
+        sections.append(("The reference orbit", lambda view: reference_section(view, known)))
     order = {title: number for number, (title, _) in enumerate(sections, start=1)}
     view = View(equations, naming, centres, numbers, order)
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"

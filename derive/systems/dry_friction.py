@@ -224,10 +224,10 @@ global_stick = Itinerary(
     ),
     source=replace(
         _WITH_GLOBAL_STICK,
-        equations={**_WITH_GLOBAL_STICK.equations, "reference": "the numbers of Sec. 3.3"},
+        equations={**_WITH_GLOBAL_STICK.equations, "reference": "the data of Sec. 3.3"},
         misprints={
             **_WITH_GLOBAL_STICK.misprints,
-            "the numbers of Sec. 3.3": "which belong to no single orbit",
+            "the data of Sec. 3.3": "whose numbers belong to no single orbit",
         },
     ),
 )
@@ -259,11 +259,11 @@ symmetric = Itinerary(
             "configuration slip-slip": "(6)",
             "configuration slip-stick": "(7)",
             "symmetry": "Sec. 3.2",
-            "reference": "the numbers of Sec. 3.2",
+            "reference": "the data of Sec. 3.2",
         },
         flows={"slip-slip": "h", "slip-stick": r"\Gamma"},
         states=("Z_{0}",),
-        misprints={"the numbers of Sec. 3.2": r"of which $\tau_{1}$ is not right to its digits"},
+        misprints={"the data of Sec. 3.2": r"of which $\tau_{1}$ is not right to its digits"},
     ),
 )
 
