@@ -73,6 +73,9 @@ def to_latex(document: Document) -> str:
         r"\begin{document}",
         rf"\begin{{center}}\Large\bfseries {title}\end{{center}}",
     ]
+    first = next((b.number for b in document.blocks if isinstance(b, Heading)), None) or 1
+    if first > 1:
+        parts.append(rf"\setcounter{{section}}{{{first - 1}}}")
     parts += [_group(group) for group in document.groups]
     parts.append(r"\end{document}")
     return "\n".join(parts) + "\n"
