@@ -66,7 +66,7 @@ def _reference_orbit(equations: EquationSystem, known: dict[sp.Symbol, sp.Expr])
     stages = (*equations.chain.stages, *program.stages)
     total, *entries = evaluate(stages, [period, *program.expressions], known, _DIGITS)
     matrix = sp.ImmutableMatrix(*program.expressions.shape, entries)
-    found = mpmath.eig(mpmath.matrix(matrix.tolist()), left=False, right=False) if entries else []
+    found, _ = mpmath.eig(mpmath.matrix(matrix.tolist())) if entries else ((), None)
     multipliers = sorted(found, key=lambda m: (-abs(m), -mpmath.im(m)))
     return ReferenceOrbit(
         tuple(known[u] for u in equations.unknowns),

@@ -213,7 +213,13 @@ def _entries(view: View) -> list[Block]:
         return []
     stages, matrix = equations.map_program
     entries = [
-        Line(f"J_{{{i + 1}{j + 1}}}", "=", notation.pieces(matrix[i, j]), None, matrix[i, j])
+        Line(
+            f"J_{{{i + 1}{j + 1}}}" if len(names) > 1 else "J",
+            "=",
+            notation.pieces(matrix[i, j]),
+            None,
+            matrix[i, j],
+        )
         for i in range(len(names))
         for j in range(len(names))
     ]
@@ -223,7 +229,7 @@ def _entries(view: View) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(
             r"Written out, $|_{\Phi}$ marking what the flow carries along, and $|_{\Sigma}$ what"
-            " arrives on the boundary and passes the transition, the entries are"
+            " arrives on the boundary and passes the transition, this is"
         ),
         Formula(tuple(entries)),
         Paragraph(f"with, phase by phase, the derivatives by ${notation.symbol(first)}$"),
