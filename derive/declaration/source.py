@@ -9,7 +9,7 @@ from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Source"]
 
-_PARTS = ("system", "start", "symmetry", "halfway", "closure", "map", "trace", "reference")
+_PARTS = ("model", "start", "symmetry", "halfway", "closure", "map", "trace", "reference")
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Source:
         Where the source has what the document prints: the number of an equation in brackets, or
         a section. The keys are ``configuration NAME`` (equations of motion), ``flow NAME``,
         ``phase K`` (the state at the end of phase K, counted from 1), ``end K`` (the condition
-        that ends it), ``reset K`` (the transition behind it), ``system`` (units and laws),
+        that ends it), ``reset K`` (the transition behind it), ``model`` (units and laws),
         ``start``, ``symmetry``, ``halfway``, ``closure``, ``map``, ``trace`` and ``reference``.
     flows : mapping of configuration to str
         LaTeX of the source's letters for the flows.

@@ -8,6 +8,7 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
@@ -46,6 +47,7 @@ from nonsmooth.derive.document.sections.describe_system import (
     configuration_section,
     flow_section,
     modal_section,
+    model_section,
     system_section,
 )
 from nonsmooth.derive.document.sections.describe_trace import trace_section
@@ -90,6 +92,7 @@ def describe_system(system: System) -> Document:
         configurations += constraint_paragraphs(naming, names)
     sections: list[tuple[str, list[Block]]] = [
         ("The system", system_section(naming, None)),
+        *([("The model", model_section(naming, system))] if system.model else []),
         ("Configurations", configurations),
         ("Modal analysis", flow_section(naming, spectrum, flows, names, centres)[0]),
     ]
@@ -124,8 +127,9 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     chain = ("The chain of states", chain_section)
     derivatives = ("Derivatives and the Poincaré map", derivative_section)
     equation = ("The equations", equation_section)
-    sections: list[tuple[str, Callable[[View], list[Block]]]] = [
+    sections: list[tuple[str, Callable[[Any], list[Block]]]] = [
         ("The system", lambda _: system_section(naming, itinerary, equations.required)),
+        *_model(naming, itinerary.system),
         ("Configurations", lambda _: configuration_section(naming, list(places), remarks)),
         ("Modal analysis", lambda _: modal),
         ("The itinerary", itinerary_section),
@@ -142,8 +146,7 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     known = reference_orbit(equations)
     if known is not None:
         sections.append(("The reference orbit", lambda view: reference_section(view, known)))
-    order = {title: number for number, (title, _) in enumerate(sections, start=1)}
-    view = View(equations, naming, centres, numbers, order)
+    view = View(equations, naming, centres, numbers, _places(sections))
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
     return _document(title, [(heading, blocks_of(view)) for heading, blocks_of in sections])
 
@@ -163,26 +166,33 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
     naming, centres = naming_of(itinerary, spectrum, flows)
     modal, numbers = flow_section(naming, spectrum, flows, names, centres)
     taken = (*naming.notation.constants, *naming.notation.states, *naming.notation.unknowns)
-    cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers)
-    sections: list[tuple[str, list[Block]]] = [
-        ("The system", system_section(naming, itinerary)),
-        (
-            "Configurations",
-            [
-                *configuration_section(naming, names, {}),
-                *constraint_paragraphs(naming, names),
-            ],
-        ),
-        ("Modal analysis", modal),
-        ("The itinerary", phase_section(cycle)),
-        ("The equations", cycle_equations(cycle)),
-        ("The reduction", elimination_section(cycle)),
-        ("The transitions", passing_section(cycle)),
-        ("Stability", stability_section(cycle)),
-        ("Admissibility", admissibility_section(cycle)),
+    configurations = configuration_section(naming, names, {})
+    configurations += constraint_paragraphs(naming, names)
+    sections: list[tuple[str, Callable[[Any], list[Block]]]] = [
+        ("The system", lambda _: system_section(naming, itinerary)),
+        *_model(naming, itinerary.system),
+        ("Configurations", lambda _: configurations),
+        ("Modal analysis", lambda _: modal),
+        ("The itinerary", phase_section),
+        ("The equations", cycle_equations),
+        ("The reduction", elimination_section),
+        ("The transitions", passing_section),
+        ("Stability", stability_section),
+        ("Admissibility", admissibility_section),
     ]
+    cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers, _places(sections))
     title = f"The itinerary {itinerary.name} of the system {itinerary.system.name}"
-    return _document(title, sections)
+    return _document(title, [(heading, blocks_of(cycle)) for heading, blocks_of in sections])
+
+
+def _model(naming: Naming, system: System) -> list[tuple[str, Callable[[Any], list[Block]]]]:
+    """The section on the model, if the system declares one."""
+    return [("The model", lambda _: model_section(naming, system))] if system.model else []
+
+
+def _places(sections: Iterable[tuple[str, object]]) -> dict[str, int]:
+    """Number of each section by its title."""
+    return {title: number for number, (title, _) in enumerate(sections, start=1)}
 
 
 def _document(title: str, sections: Iterable[tuple[str, Iterable[Block]]]) -> Document:

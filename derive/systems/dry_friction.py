@@ -139,10 +139,36 @@ def _friction(mass: int, pairs: tuple[tuple[str, str], ...]) -> Contact:
     )
 
 
+_MODEL = (
+    "Dry friction on a belt of velocity $V$ drives two masses: springs tie the first to the ground"
+    " and the second to the first. In time $t$, with the friction forces $F_{1}$ and $F_{2}$,",
+    r"$m_{1} \frac{\mathrm{d}^{2} x_{1}}{\mathrm{d} t^{2}} + \left(k_{1} + k_{2}\right) x_{1}"
+    r" - k_{2} x_{2} = F_{1},\qquad m_{2} \frac{\mathrm{d}^{2} x_{2}}{\mathrm{d} t^{2}}"
+    r" + k_{2} \left(x_{2} - x_{1}\right) = F_{2}.$",
+    r"Time is counted in units of $1/\bar{\omega}$ ($1/\omega_{3}$ in the paper), and forces are"
+    " divided by $k_{1} + k_{2}$, which makes them displacements, in any unit of length:",
+    r"$\bar{\omega} = \sqrt{\frac{k_{1} + k_{2}}{m_{1}}},\qquad \chi = \frac{k_{2}}{k_{1} + k_{2}},"
+    r"\qquad \eta = \frac{m_{1}}{m_{2}},\qquad u_{1} = \frac{F_{1}}{k_{1} + k_{2}},"
+    r"\qquad u_{2} = \frac{F_{2}}{k_{1} + k_{2}}.$",
+    r"With a prime for the derivative by $\bar{\omega} t$, and $V$ in these units, this is",
+    r"$x_{1}'' + x_{1} - \chi x_{2} = u_{1},\qquad"
+    r" x_{2}'' + \chi \eta \left(x_{2} - x_{1}\right) = \eta u_{2}.$",
+    "Friction follows Coulomb's law with a slipping force $u_{si}$ and a greater static one"
+    " $u_{ri}$. A mass that is slower or faster than the belt slips,",
+    r"$u_{i} = u_{si} \text{ for } x_{i}' < V,\qquad u_{i} = - u_{si} \text{ for } x_{i}' > V.$",
+    r"At the velocity of the belt it sticks, $u_{i} = \varphi_{i}$, while the force"
+    r" $\varphi_{i}$ that keeps it there is smaller than $u_{ri}$ in magnitude,",
+    r"$\varphi_{1} = x_{1} - \chi x_{2},\qquad"
+    r" \varphi_{2} = \chi \left(x_{2} - x_{1}\right);$",
+    r"where it is greater, friction is $u_{si}$ in its direction, and the mass slips.",
+)
+
+
 def _declare() -> System:
     pairs: tuple[tuple[str, str], ...] = tuple(product(REGIMES, REGIMES))
     return System(
         name="dry-friction",
+        model=_MODEL,
         description="two coupled oscillators on a driving belt with dry friction (Sec. 3)",
         states=states,
         parameters=_PARAMETERS,
@@ -171,6 +197,7 @@ shifted = Presentation(
 )
 
 _PAPER = "Pascal (2011)"
+_TIME = r"which prints $t = \omega_{3} t'$ for $t' = \omega_{3} t$"
 _WITH_GLOBAL_STICK = Source(
     _PAPER,
     equations={
@@ -178,6 +205,7 @@ _WITH_GLOBAL_STICK = Source(
         "configuration slip-stick": "(7)",
         "configuration stick-slip": "(8)",
         "configuration stick-stick": "(9)",
+        "model": "Sec. 3",
         "flow stick-stick": "(10)",
         "start": "(11)",
         "phase 1": "(12)",
@@ -198,6 +226,7 @@ _WITH_GLOBAL_STICK = Source(
     misprints={
         "(10)": "which prints the upper right block as $V t I$",
         "(15)": "which prints $H$ for the flow $h$",
+        "Sec. 3": _TIME,
     },
 )
 
@@ -258,12 +287,16 @@ symmetric = Itinerary(
         equations={
             "configuration slip-slip": "(6)",
             "configuration slip-stick": "(7)",
+            "model": "Sec. 3",
             "symmetry": "Sec. 3.2",
             "reference": "the data of Sec. 3.2",
         },
         flows={"slip-slip": "h", "slip-stick": r"\Gamma"},
         states=("Z_{0}",),
-        misprints={"the data of Sec. 3.2": r"of which $\tau_{1}$ is not right to its digits"},
+        misprints={
+            "Sec. 3": _TIME,
+            "the data of Sec. 3.2": r"of which $\tau_{1}$ is not right to its digits",
+        },
     ),
 )
 

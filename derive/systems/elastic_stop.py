@@ -18,6 +18,7 @@ from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.systems.rigid_stop import (
     CHAIN,
     MASS,
+    MODEL,
     PERIOD,
     STIFFNESS,
     free,
@@ -40,6 +41,7 @@ contact = Configuration(
 
 system = System(
     name="elastic-stop",
+    model=MODEL,
     description="two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)",
     states=states,
     parameters=(*CHAIN, _STOP),

@@ -25,6 +25,7 @@ from nonsmooth.derive.declaration.transition import Condition, Transition
 __all__ = [
     "CHAIN",
     "MASS",
+    "MODEL",
     "PERIOD",
     "STIFFNESS",
     "free",
@@ -40,6 +41,10 @@ CHAIN = (
     Parameter("m2", "second mass"),
     Parameter("k1", "stiffness of the spring between the masses"),
     Parameter("k2", "stiffness of the spring between the second mass and the ground"),
+)
+MODEL = (
+    "Lengths are in units of the clearance, which puts the stop at $x_{1} = 1$; masses,"
+    " stiffnesses and time are in any consistent units.",
 )
 PERIOD = Parameter("T", "period of the orbit")
 _RESTITUTION = Parameter(
@@ -72,6 +77,7 @@ _REACHED = frozenset({"first-reaches-stop"})
 
 system = System(
     name="rigid-stop",
+    model=MODEL,
     description="two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)",
     states=states,
     parameters=(*CHAIN, _RESTITUTION),

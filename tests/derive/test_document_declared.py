@@ -55,7 +55,7 @@ def cycle_of(itinerary: Itinerary) -> Cycle:
     system = itinerary.presented_system
     symbols = (*system.states, *(p.symbol for p in system.parameters))
     naming = Naming(Notation(system.states, symbols), system)
-    return Cycle(itinerary, naming, letters_of(naming, symbols), {})
+    return Cycle(itinerary, naming, letters_of(naming, symbols), {}, {})
 
 
 def field_of(system: System, name: str, values: Mapping[sp.Symbol, float]) -> Field:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.document.notation.symbols import Notation
@@ -29,6 +30,7 @@ __all__ = [
     "enumeration",
     "flow_section",
     "modal_section",
+    "model_section",
     "system_section",
 ]
 
@@ -45,8 +47,7 @@ def system_section(
     size = len(system.states) // 2
     # a dwell time may be called as a word of a description is
     described = replace(naming.notation, unknowns=())
-    text = f"The system is *{system.name}*: {described.prose(system.description)}"
-    text += f"{naming.cited('system')}."
+    text = f"The system is *{system.name}*: {described.prose(system.description)}."
     if naming.second_order:
         plural = "" if size == 1 else "s"
         velocities = enumeration(
@@ -110,6 +111,18 @@ def system_section(
                 Formula(substituted),
             ]
     return blocks
+
+
+def model_section(naming: Naming, system: System) -> list[Block]:
+    """Blocks on what stands behind a system's equations, as it is declared."""
+    blocks: list[Block] = []
+    for text in system.model:
+        alone = text.startswith("$") and "$" not in text[1:-1]
+        # a line may break behind a wide space
+        pieces = tuple(re.split(r"(?<=\\qquad)", text[1:-1]))
+        blocks.append(Formula((Line("", "", pieces),)) if alone else Paragraph(text))
+    cited = naming.cited("model")
+    return [*blocks, Paragraph(f"This is the model{cited}.")] if cited else blocks
 
 
 def _forcing(naming: Naming, system: System) -> str:
