@@ -36,6 +36,8 @@ def reference_orbit(equations: EquationSystem) -> ReferenceOrbit | None:
     itinerary, unknowns = equations.itinerary, equations.unknowns
     parameters = [p.symbol for p in equations.system.parameters]
     known = reference_values(itinerary.reference, equations.spectrum, parameters)
+    guess = itinerary.reference.guess if itinerary.reference else {}
+    known |= {u: sp.Float(guess[str(u)], _DIGITS) for u in unknowns if str(u) in guess}
     if not {*unknowns, *equations.parameters} <= set(known):
         return None
     derivatives = equations.jacobian_program

@@ -60,7 +60,7 @@ def _number(value: sp.Expr) -> str:
     real, imaginary = (
         sp.latex(part.evalf(_DIGITS)) if abs(part) > _ZERO else "" for part in value.as_real_imag()
     )
-    if imaginary:
-        sign = "" if imaginary.startswith("-") or not real else "+"
-        return rf"{real} {sign} {imaginary}\,\mathrm{{i}}".strip()
-    return real or "0"
+    if not imaginary:
+        return real or "0"
+    sign = "-" if imaginary.startswith("-") else "+" if real else ""
+    return rf"{real} {sign} {imaginary.lstrip('-')}\,\mathrm{{i}}".strip()
