@@ -65,7 +65,7 @@ class Format(StrEnum):
     PDF = "pdf"
 
 
-class Part(StrEnum):
+class DocumentPart(StrEnum):
     """The parts of a document that `equations` writes alone."""
 
     FLOWS = "flows"

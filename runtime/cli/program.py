@@ -44,6 +44,7 @@ from nonsmooth.runtime.cli.options import (
     Assignments,
     Derivatives,
     Digits,
+    DocumentPart,
     Format,
     Frequency,
     FrequencyIn,
@@ -52,7 +53,6 @@ from nonsmooth.runtime.cli.options import (
     Kind,
     OrbitName,
     Over,
-    Part,
     Quantity,
     RefiningArithmetic,
     Require,
@@ -150,7 +150,7 @@ def equations(
     ],
     form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
     section: Annotated[
-        Part | None, typer.Option(help="Write this part alone; a system has its flows.")
+        DocumentPart | None, typer.Option(help="Write this part alone; a system has its flows.")
     ] = None,
     out: Annotated[
         Path | None,
