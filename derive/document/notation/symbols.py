@@ -43,15 +43,16 @@ _WORDS = {
     "spread": r"\delta",
     "equation": "F",
 }
-# of linear equations, and of characteristic factors: the first that the declaration leaves free
+# of linear equations, characteristic factors and rates: the first that the declaration leaves free
 _LINEAR = {
     "coefficient": ("a", r"\alpha", r"\mathsf{a}"),
     "right": ("b", r"\beta", r"\mathsf{b}"),
     "determinant": ("D", r"\Delta", r"\mathsf{D}"),
     "numerator": ("N", r"\mathsf{N}"),
     "factor": (r"\gamma", r"\varrho", r"\mathsf{c}"),
+    "rate": ("s", "g", r"\mathsf{s}"),
 }
-_PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
+_PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
 _TURNED = re.compile(r"(cos|sin)_(\w+)_return")
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[^{}]*\})?")
@@ -127,7 +128,7 @@ class Notation:
         turned = _TURNED.fullmatch(text)
         if turned:
             return rf"\{turned[1]} \theta_{{{_identifier(turned[2])}}}"
-        for part, letter in _PARTS.items():
+        for part, letter in (*_PARTS.items(), ("rate", self._linear["rate"])):
             if text.startswith(f"{part}_"):
                 return f"{letter}_{{{_identifier(text.removeprefix(f'{part}_'))}}}"
         linear = _NAME.fullmatch(text)
@@ -266,7 +267,7 @@ class Notation:
 
     @cached_property
     def _linear(self) -> dict[str, str]:
-        """Letters for linear equations and characteristic factors, by the stem of a name."""
+        """Letters for linear equations, characteristic factors and rates, by a name's stem."""
         taken = {_identifier(name).partition("_")[0] for name in self._known}
         return {
             role: next((c for c in choices if c not in taken), choices[-1])
