@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
     from nonsmooth.derive.declaration.parameter import Parameter
     from nonsmooth.derive.declaration.presentation import Presentation
+    from nonsmooth.derive.declaration.source import Source
     from nonsmooth.derive.declaration.system import System
     from nonsmooth.derive.declaration.transition import Condition, Transition
     from nonsmooth.derive.equations.derivation import derive_equations
@@ -70,6 +71,7 @@ __all__ = [
     "SecondOrder",
     "Slider",
     "SoftStop",
+    "Source",
     "System",
     "Terms",
     "Transition",
@@ -111,6 +113,7 @@ _HOMES = {
     ),
     "declaration.parameter": ("Parameter",),
     "declaration.presentation": ("Presentation",),
+    "declaration.source": ("Source",),
     "declaration.system": ("System",),
     "declaration.transition": (
         "Condition",

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, System, derive_equations
-from nonsmooth.derive.document.blocks import Document
+from nonsmooth.derive.document.blocks import Document, Formula, Heading
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.loading.declared import declaration_in
@@ -49,6 +49,18 @@ def document_of(name: str) -> tuple[Document, EquationSystem | None]:
         return shared_value(f"document of {name}", lambda: describe_orbit(declared)), None
     written = derived(name)
     return (written.document, written.equations) if written else (describe_orbit(declared), None)
+
+
+def labels_by_section(document: Document) -> list[str]:
+    """Numbers that the numbered formulas are to have: that of the section, and the place in it."""
+    section, place, found = 0, 0, []
+    for block in document.blocks:
+        if isinstance(block, Heading) and block.level == 1:
+            section, place = section + 1, 0
+        elif isinstance(block, Formula) and block.label:
+            place += 1
+            found.append(f"{section}.{place}")
+    return found
 
 
 @cache

@@ -13,6 +13,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.names import check_name
 from nonsmooth.derive.declaration.parameter import Parameter, exact
 from nonsmooth.derive.declaration.presentation import Presentation
+from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
@@ -94,13 +95,15 @@ class Itinerary:
         Dwell times that are zero (border collision); as many `solved_for`.
     solved_for : tuple of str
         Parameters that are unknowns in place of the vanishing dwell times.
+    source : Source, optional
+        The publication that the orbit is taken from, which its document cites.
 
     Raises
     ------
     DeclarationError
         For an unknown configuration, a boundary that its configuration does not have,
-        a phase after which no transition leads to the next, or a name that is unknown or
-        used twice.
+        a phase after which no transition leads to the next, a name that is unknown or
+        used twice, or a source with what the itinerary does not have.
 
     Examples
     --------
@@ -125,6 +128,7 @@ class Itinerary:
     vanishing: tuple[str, ...] = ()
     solved_for: tuple[str, ...] = ()
     symmetry: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    source: Source | None = None
 
     def __post_init__(self) -> None:
         phases = tuple(p if isinstance(p, Phase) else Phase(*p) for p in self.phases)
@@ -140,6 +144,8 @@ class Itinerary:
         if not phases:
             raise DeclarationError(f"itinerary {self.name!r} has no phases")
         self._check_names()
+        if self.source is not None:
+            self.source.check([p.configuration for p in phases], len(phases))
         for phase, following in zip(phases, phases[1:] + phases[:1], strict=True):
             self.system.configuration(phase.configuration).boundary(phase.boundary)
             self.system.configuration(following.configuration)
@@ -248,7 +254,7 @@ class Itinerary:
             )
 
     def rotated(self, by: int) -> Itinerary:
-        """Start the same cycle some phases later; its start has names of its own.
+        """Start the same cycle some phases later; its start has names of its own, and no source.
 
         Parameters
         ----------
@@ -260,8 +266,10 @@ class Itinerary:
         Itinerary
         """
         by %= len(self.phases)
-        start = {} if by else self.start
-        return replace(self, phases=self.phases[by:] + self.phases[:by], start=start)
+        if not by:
+            return self
+        phases = self.phases[by:] + self.phases[:by]
+        return replace(self, phases=phases, start={}, source=None)
 
     def specialised(self, values: Mapping[sp.Symbol, sp.Expr]) -> Itinerary:
         """Write the same itinerary with parameters replaced by values.

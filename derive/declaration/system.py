@@ -58,6 +58,9 @@ class System:
         c^2 + s^2 = 1, so that c = cos(w t) from c = 1, s = 0.
     law : ContactLaw, optional
         What decides where no transition is listed: contacts that the mass matrix couples.
+    model : tuple of str
+        What stands behind the equations, such as units and force laws, in paragraphs with LaTeX
+        between dollars; one that is a formula alone has a line of its own.
 
     Raises
     ------
@@ -87,6 +90,7 @@ class System:
     contacts: tuple[Contact, ...] = ()
     forcing: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
     law: ContactLaw | None = None
+    model: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         for attribute in (
@@ -97,6 +101,7 @@ class System:
             "constraints",
             "contacts",
             "forcing",
+            "model",
         ):
             object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
         object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))

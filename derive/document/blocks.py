@@ -21,6 +21,12 @@ class Heading:
 
     text: str
     level: int = 1
+    number: int | None = None  # of a section among those of the whole document
+
+    @property
+    def numbered(self) -> str:
+        """The title behind its number."""
+        return self.text if self.number is None else f"{self.number}. {self.text}"
 
 
 @dataclass(frozen=True)
@@ -79,6 +85,14 @@ class Table:
 
 Block = Heading | Paragraph | Formula | Table
 
+# titles of the sections that are a part by themselves, of an orbit or of an itinerary
+_PARTS = {
+    "flows": ("Modal analysis",),
+    "equations": ("The equations",),
+    "map": ("Derivatives and the Poincaré map", "Stability"),
+    "trace": ("The trace", "Stability"),
+}
+
 
 @dataclass(frozen=True)
 class Document:
@@ -102,6 +116,12 @@ class Document:
     def formulas(self) -> tuple[Formula, ...]:
         """All displayed formulas in order."""
         return tuple(b for b in self.blocks if isinstance(b, Formula))
+
+    def part(self, name: str) -> Document:
+        """A document of one part: flows, equations, map or trace, numbered as in the whole."""
+        headings = [b for b in self.blocks if isinstance(b, Heading) and b.text in _PARTS[name]]
+        found = [b for heading in headings for b in (heading, *self.section(heading.text))]
+        return Document(self.title, tuple(found))
 
     def section(self, title: str) -> tuple[Block, ...]:
         """The blocks between a section's heading and the next section."""

@@ -7,7 +7,8 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
@@ -39,12 +40,14 @@ from nonsmooth.derive.document.sections.describe_orbit import chain_section, equ
 from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
 from nonsmooth.derive.document.sections.describe_poincare import derivative_section
 from nonsmooth.derive.document.sections.describe_reduction import reduction_section
+from nonsmooth.derive.document.sections.describe_reference import reference_section
 from nonsmooth.derive.document.sections.describe_solution import solution_section
 from nonsmooth.derive.document.sections.describe_symmetry import symmetry_section
 from nonsmooth.derive.document.sections.describe_system import (
     configuration_section,
     flow_section,
     modal_section,
+    model_section,
     system_section,
 )
 from nonsmooth.derive.document.sections.describe_trace import trace_section
@@ -54,6 +57,7 @@ from nonsmooth.derive.document.views.closed_forms import closed_flows
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.reference_orbit import reference_orbit
 from nonsmooth.derive.equations.section import section_of, start_of
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
@@ -86,21 +90,19 @@ def describe_system(system: System) -> Document:
     configurations = configuration_section(naming, names, {})
     if not complete:
         configurations += constraint_paragraphs(naming, names)
-    blocks: list[Block] = [
-        Heading("The system"),
-        *system_section(naming, None),
-        Heading("Configurations"),
-        *configurations,
-        Heading("Modal analysis"),
-        *flow_section(naming, spectrum, flows, names, centres)[0],
+    sections: list[tuple[str, list[Block]]] = [
+        ("The system", system_section(naming, None)),
+        *([("The model", model_section(naming, system))] if system.model else []),
+        ("Configurations", configurations),
+        ("Modal analysis", flow_section(naming, spectrum, flows, names, centres)[0]),
     ]
     if system.transitions:
-        blocks += [Heading("Transitions"), *transition_section(naming)]
+        sections.append(("Transitions", transition_section(naming)))
     if system.law is not None:
-        blocks += [Heading("Contact law"), *law_section(naming, system.law)]
+        sections.append(("Contact law", law_section(naming, system.law)))
     if system.contacts and not complete:
-        blocks += [Heading("Contacts"), *contact_section(naming)]
-    return Document(f"The system {system.name}", tuple(blocks))
+        sections.append(("Contacts", contact_section(naming)))
+    return _document(f"The system {system.name}", sections)
 
 
 def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
@@ -122,33 +124,31 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     modal, numbers = modal_section(
         naming, equations.spectrum, equations.flows, list(places), centres
     )
-    view = View(equations, naming, centres, numbers)
-    sections: list[tuple[str, list[Block]]] = [
-        ("The system", system_section(naming, itinerary, equations.required)),
-        ("Configurations", configuration_section(naming, list(places), remarks)),
-        ("Modal analysis", modal),
-        ("The itinerary", itinerary_section(view)),
+    chain = ("The chain of states", chain_section)
+    derivatives = ("Derivatives and the Poincaré map", derivative_section)
+    equation = ("The equations", equation_section)
+    sections: list[tuple[str, Callable[[Any], list[Block]]]] = [
+        ("The system", lambda _: system_section(naming, itinerary, equations.required)),
+        *_model(naming, itinerary.system),
+        ("Configurations", lambda _: configuration_section(naming, list(places), remarks)),
+        ("Modal analysis", lambda _: modal),
+        ("The itinerary", itinerary_section),
     ]
-    chain = ("The chain of states", chain_section(view))
-    derivatives = ("Derivatives and the Poincaré map", derivative_section(view))
-    equation = ("The equations", equation_section(view))
-    if view.reversible:
+    if equations.itinerary.reversor:
         # conditions halfway need no chain
-        sections += [
-            ("The symmetry", symmetry_section(view)),
-            equation,
-            ("The reduction", solution_section(view)),
-            chain,
-            derivatives,
-        ]
+        symmetry, solution = ("The symmetry", symmetry_section), ("The reduction", solution_section)
+        sections += [symmetry, equation, solution, chain, derivatives]
     else:
-        sections += [chain, equation, derivatives, ("The reduction", reduction_section(view))]
+        sections += [chain, equation, derivatives, ("The reduction", reduction_section)]
     if equations.conservative:
-        sections.append(("The energy", energy_section(view)))
-    sections.append(("The trace", trace_section(view)))
-    blocks = [b for title, found in sections for b in (Heading(title), *found)]
+        sections.append(("The energy", energy_section))
+    sections.append(("The trace", trace_section))
+    known = reference_orbit(equations)
+    if known is not None:
+        sections.append(("The reference orbit", lambda view: reference_section(view, known)))
+    view = View(equations, naming, centres, numbers, _places(sections))
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
-    return Document(title, tuple(blocks))
+    return _document(title, [(heading, blocks_of(view)) for heading, blocks_of in sections])
 
 
 def describe_itinerary(itinerary: Itinerary) -> Document:
@@ -166,26 +166,40 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
     naming, centres = naming_of(itinerary, spectrum, flows)
     modal, numbers = flow_section(naming, spectrum, flows, names, centres)
     taken = (*naming.notation.constants, *naming.notation.states, *naming.notation.unknowns)
-    cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers)
-    sections: list[tuple[str, list[Block]]] = [
-        ("The system", system_section(naming, itinerary)),
-        (
-            "Configurations",
-            [
-                *configuration_section(naming, names, {}),
-                *constraint_paragraphs(naming, names),
-            ],
-        ),
-        ("Modal analysis", modal),
-        ("The itinerary", phase_section(cycle)),
-        ("The equations", cycle_equations(cycle)),
-        ("The reduction", elimination_section(cycle)),
-        ("The transitions", passing_section(cycle)),
-        ("Stability", stability_section(cycle)),
-        ("Admissibility", admissibility_section(cycle)),
+    configurations = configuration_section(naming, names, {})
+    configurations += constraint_paragraphs(naming, names)
+    sections: list[tuple[str, Callable[[Any], list[Block]]]] = [
+        ("The system", lambda _: system_section(naming, itinerary)),
+        *_model(naming, itinerary.system),
+        ("Configurations", lambda _: configurations),
+        ("Modal analysis", lambda _: modal),
+        ("The itinerary", phase_section),
+        ("The equations", cycle_equations),
+        ("The reduction", elimination_section),
+        ("The transitions", passing_section),
+        ("Stability", stability_section),
+        ("Admissibility", admissibility_section),
     ]
-    blocks = [b for title, found in sections for b in (Heading(title), *found)]
+    cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers, _places(sections))
     title = f"The itinerary {itinerary.name} of the system {itinerary.system.name}"
+    return _document(title, [(heading, blocks_of(cycle)) for heading, blocks_of in sections])
+
+
+def _model(naming: Naming, system: System) -> list[tuple[str, Callable[[Any], list[Block]]]]:
+    """The section on the model, if the system declares one."""
+    return [("The model", lambda _: model_section(naming, system))] if system.model else []
+
+
+def _places(sections: Iterable[tuple[str, object]]) -> dict[str, int]:
+    """Number of each section by its title."""
+    return {title: number for number, (title, _) in enumerate(sections, start=1)}
+
+
+def _document(title: str, sections: Iterable[tuple[str, Iterable[Block]]]) -> Document:
+    """A document of sections, numbered in their order."""
+    blocks: list[Block] = []
+    for number, (heading, found) in enumerate(sections, start=1):
+        blocks += [Heading(heading, number=number), *found]
     return Document(title, tuple(blocks))
 
 
@@ -207,4 +221,4 @@ def naming_of(
     ).with_responses(flows.values())
     taken = (*constants, *states, *notation.unknowns)
     centres = name_centres(flows.values(), map(notation.symbol, taken))
-    return Naming(notation.with_names(centres.names), system), centres
+    return Naming(notation.with_names(centres.names), system, itinerary.source), centres

@@ -23,6 +23,7 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.presentation import Presentation
+from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 
@@ -138,10 +139,36 @@ def _friction(mass: int, pairs: tuple[tuple[str, str], ...]) -> Contact:
     )
 
 
+_MODEL = (
+    "Dry friction on a belt of velocity $V$ drives two masses: springs tie the first to the ground"
+    " and the second to the first. In time $t$, with the friction forces $F_{1}$ and $F_{2}$,",
+    r"$m_{1} \frac{\mathrm{d}^{2} x_{1}}{\mathrm{d} t^{2}} + \left(k_{1} + k_{2}\right) x_{1}"
+    r" - k_{2} x_{2} = F_{1},\qquad m_{2} \frac{\mathrm{d}^{2} x_{2}}{\mathrm{d} t^{2}}"
+    r" + k_{2} \left(x_{2} - x_{1}\right) = F_{2}.$",
+    r"Time is counted in units of $1/\bar{\omega}$ ($1/\omega_{3}$ in the paper), and forces are"
+    " divided by $k_{1} + k_{2}$, which makes them displacements, in any unit of length:",
+    r"$\bar{\omega} = \sqrt{\frac{k_{1} + k_{2}}{m_{1}}},\qquad \chi = \frac{k_{2}}{k_{1} + k_{2}},"
+    r"\qquad \eta = \frac{m_{1}}{m_{2}},\qquad u_{1} = \frac{F_{1}}{k_{1} + k_{2}},"
+    r"\qquad u_{2} = \frac{F_{2}}{k_{1} + k_{2}}.$",
+    r"With a prime for the derivative by $\bar{\omega} t$, and $V$ in these units, this is",
+    r"$x_{1}'' + x_{1} - \chi x_{2} = u_{1},\qquad"
+    r" x_{2}'' + \chi \eta \left(x_{2} - x_{1}\right) = \eta u_{2}.$",
+    "Friction follows Coulomb's law with a slipping force $u_{si}$ and a greater static one"
+    " $u_{ri}$. A mass that is slower or faster than the belt slips,",
+    r"$u_{i} = u_{si} \text{ for } x_{i}' < V,\qquad u_{i} = - u_{si} \text{ for } x_{i}' > V.$",
+    r"At the velocity of the belt it sticks, $u_{i} = \varphi_{i}$, while the force"
+    r" $\varphi_{i}$ that keeps it there is smaller than $u_{ri}$ in magnitude,",
+    r"$\varphi_{1} = x_{1} - \chi x_{2},\qquad"
+    r" \varphi_{2} = \chi \left(x_{2} - x_{1}\right);$",
+    r"where it is greater, friction is $u_{si}$ in its direction, and the mass slips.",
+)
+
+
 def _declare() -> System:
     pairs: tuple[tuple[str, str], ...] = tuple(product(REGIMES, REGIMES))
     return System(
         name="dry-friction",
+        model=_MODEL,
         description="two coupled oscillators on a driving belt with dry friction (Sec. 3)",
         states=states,
         parameters=_PARAMETERS,
@@ -169,6 +196,40 @@ shifted = Presentation(
     substitution={ur1: us1 + _E1.symbol, ur2: us2 + _E2.symbol},
 )
 
+_PAPER = "Pascal (2011)"
+_TIME = r"which prints $t = \omega_{3} t'$ for $t' = \omega_{3} t$"
+_WITH_GLOBAL_STICK = Source(
+    _PAPER,
+    equations={
+        "configuration slip-slip": "(6)",
+        "configuration slip-stick": "(7)",
+        "configuration stick-slip": "(8)",
+        "configuration stick-stick": "(9)",
+        "model": "Sec. 3",
+        "flow stick-stick": "(10)",
+        "start": "(11)",
+        "phase 1": "(12)",
+        "end 1": "(12)",
+        "phase 2": "(13)",
+        "end 2": "(14)",
+        "phase 3": "(15)",
+        "end 3": "(16)",
+        "phase 4": "(17)",
+        "end 4": "(18)",
+        "closure": "(18)",
+        "map": "Sec. 5",
+        "trace": "Sec. 5",
+    },
+    flows={"stick-stick": "D", "slip-stick": r"\Gamma", "slip-slip": "h", "stick-slip": "C"},
+    states=("Z_{0}", "Z_{a}", "Z_{c}", "Z_{d}"),
+    section=r"\Sigma_{0}",
+    misprints={
+        "(10)": "which prints the upper right block as $V t I$",
+        "(15)": "which prints $H$ for the flow $h$",
+        "Sec. 3": _TIME,
+    },
+)
+
 global_stick = Itinerary(
     name="global-stick",
     system=system,
@@ -188,6 +249,14 @@ global_stick = Itinerary(
             "tau": "2",
             "tau1": "1.568",
             "tau2": "3.28",
+        },
+    ),
+    source=replace(
+        _WITH_GLOBAL_STICK,
+        equations={**_WITH_GLOBAL_STICK.equations, "reference": "the data of Sec. 3.3"},
+        misprints={
+            **_WITH_GLOBAL_STICK.misprints,
+            "the data of Sec. 3.3": "whose numbers belong to no single orbit",
         },
     ),
 )
@@ -213,6 +282,22 @@ symmetric = Itinerary(
             "tau1": "2.245",
         },
     ),
+    source=Source(
+        _PAPER,
+        equations={
+            "configuration slip-slip": "(6)",
+            "configuration slip-stick": "(7)",
+            "model": "Sec. 3",
+            "symmetry": "Sec. 3.2",
+            "reference": "the data of Sec. 3.2",
+        },
+        flows={"slip-slip": "h", "slip-stick": r"\Gamma"},
+        states=("Z_{0}",),
+        misprints={
+            "Sec. 3": _TIME,
+            "the data of Sec. 3.2": r"of which $\tau_{1}$ is not right to its digits",
+        },
+    ),
 )
 
 # the limit of the global stick orbit at ta = 0: the second mass reaches the belt at the
@@ -234,6 +319,7 @@ solution_ii = replace(
             "e1": "3.5",
         },
     ),
+    source=_WITH_GLOBAL_STICK,
 )
 
 orbits = (symmetric, global_stick, solution_ii)

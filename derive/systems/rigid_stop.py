@@ -5,9 +5,9 @@ strikes a rigid stop at the clearance x1 = 1, the unit of length, by Newton's la
 
     x1'+ = -r x1'-
 
-with the coefficient of restitution r, which is 1 in the paper. (Its Eq. (2) is misprinted:
-it reverses x1 instead of the velocity.) With r < 1 the impacts can accumulate; then, and in
-the plastic case r = 0, the mass stays in contact until the stop would have to pull it.
+with the coefficient of restitution r, which is 1 in the paper. With r < 1 the impacts can
+accumulate; then, and in the plastic case r = 0, the mass stays in contact until the stop would
+have to pull it.
 """
 
 from __future__ import annotations
@@ -18,12 +18,14 @@ from nonsmooth.derive.declaration.configuration import Boundary, Configuration, 
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 
 __all__ = [
     "CHAIN",
     "MASS",
+    "MODEL",
     "PERIOD",
     "STIFFNESS",
     "free",
@@ -39,6 +41,10 @@ CHAIN = (
     Parameter("m2", "second mass"),
     Parameter("k1", "stiffness of the spring between the masses"),
     Parameter("k2", "stiffness of the spring between the second mass and the ground"),
+)
+MODEL = (
+    "Lengths are in units of the clearance, which puts the stop at $x_{1} = 1$; masses,"
+    " stiffnesses and time are in any consistent units.",
 )
 PERIOD = Parameter("T", "period of the orbit")
 _RESTITUTION = Parameter(
@@ -71,6 +77,7 @@ _REACHED = frozenset({"first-reaches-stop"})
 
 system = System(
     name="rigid-stop",
+    model=MODEL,
     description="two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)",
     states=states,
     parameters=(*CHAIN, _RESTITUTION),
@@ -95,6 +102,18 @@ one_impact = Itinerary(
     reference=Reference(
         parameters={"m1": "1", "m2": "2", "k1": "1", "k2": "5", "T": "2*pi"},
         guess={"y": "0.162", "u": "-0.372"},
+    ),
+    source=Source(
+        "Pascal (2011)",
+        equations={
+            "configuration free": "(1)",
+            "reset 1": "(2)",
+            "flow free": "(3)",
+            "start": "Sec. 2.3",
+        },
+        flows={"free": "H"},
+        states=("X_{0}",),
+        misprints={"(2)": "which prints $x_{1}$ without the dot of the velocity"},
     ),
 )
 

@@ -25,30 +25,41 @@ __all__ = [
 ]
 
 
-def document_maker(name: str) -> Callable[[], Any]:
-    """A function that derives and gives the document of a system or an orbit.
+def document_maker(name: str, part: str | None = None) -> Callable[[], Any]:
+    """A function that derives and gives the document of a system or an orbit, or a part of it.
 
     The name is ``SYSTEM`` or ``SYSTEM/ORBIT`` of a built-in system, ``FILE.py`` or
-    ``FILE.py:ORBIT``; InputError refuses at once an unknown one and a file that fails.
+    ``FILE.py:ORBIT``; InputError refuses at once an unknown one, a file that fails, and a
+    part that a system does not have.
     """
     system, orbits, label = _declaration(name)
     if label is not None and label not in orbits:
         known = [name.removesuffix(label) + orbit for orbit in orbits]
         raise unknown_name("orbit", name, known)
+    if label is None and part not in (None, "flows"):
+        raise InputError(
+            f"{name} is a system: its orbits have a part '{part}' ({', '.join(orbits)})"
+        )
 
     def make() -> Any:
-        from nonsmooth.derive.document.describe import describe_orbit, describe_system
-        from nonsmooth.derive.equations.derivation import derive_equations
-        from nonsmooth.derive.errors import DerivationError
-
-        if label is None:
-            return describe_system(system)
-        try:
-            return describe_orbit(derive_equations(orbits[label]))
-        except DerivationError:  # no closed form: the switching conditions over exponentials
-            return describe_orbit(orbits[label])
+        whole = _whole(system, None if label is None else orbits[label])
+        return whole if part is None else whole.part(part)
 
     return make
+
+
+def _whole(system: Any, orbit: Any) -> Any:
+    """The document of a system, or that of an orbit of it."""
+    from nonsmooth.derive.document.describe import describe_orbit, describe_system
+    from nonsmooth.derive.equations.derivation import derive_equations
+    from nonsmooth.derive.errors import DerivationError
+
+    if orbit is None:
+        return describe_system(system)
+    try:
+        return describe_orbit(derive_equations(orbit))
+    except DerivationError:  # no closed form: the switching conditions over exponentials
+        return describe_orbit(orbit)
 
 
 def _declaration(name: str) -> tuple[Any, dict[str, Any], str | None]:

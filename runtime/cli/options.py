@@ -65,6 +65,15 @@ class Format(StrEnum):
     PDF = "pdf"
 
 
+class DocumentPart(StrEnum):
+    """The parts of a document that `equations` writes alone."""
+
+    FLOWS = "flows"
+    EQUATIONS = "equations"
+    MAP = "map"
+    TRACE = "trace"
+
+
 # What `plot` draws. Typer wants an enumeration; mypy wants its names written out, which are
 # those of `present.pictures.kinds`, where a new kind is added.
 Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]  # as above

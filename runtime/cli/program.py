@@ -44,6 +44,7 @@ from nonsmooth.runtime.cli.options import (
     Assignments,
     Derivatives,
     Digits,
+    DocumentPart,
     Format,
     Frequency,
     FrequencyIn,
@@ -134,6 +135,7 @@ def list_orbits(
     epilog="Examples:\n\n"
     "nonsmooth equations dry-friction/global-stick --format markdown\n\n"
     "nonsmooth equations dry-friction --out dry-friction.tex\n\n"
+    "nonsmooth equations dry-friction/global-stick --section trace --format markdown\n\n"
     "nonsmooth equations dry-friction/global-stick --format pdf"
 )
 @answering
@@ -147,6 +149,9 @@ def equations(
         ),
     ],
     form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
+    section: Annotated[
+        DocumentPart | None, typer.Option(help="Write this part alone; a system has its flows.")
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Write this file; a PDF is SYSTEM-ORBIT.pdf by default."),
@@ -161,7 +166,7 @@ def equations(
     if out is None and form is Format.PDF:
         stem = Path(name).name if ".py" in name else name.replace("/", "-")
         out = Path(f"{stem.replace('.py', '').replace(':', '-')}.pdf")
-    document = deriving.document_maker(name)
+    document = deriving.document_maker(name, section)
     if out is not None:
         check_target(out)
     with steps(f"deriving {name}") as begin:

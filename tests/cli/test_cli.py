@@ -748,6 +748,30 @@ def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None
     assert target.read_text(encoding="utf-8") == printed["text"]
 
 
+def test_equations_print_one_section() -> None:
+    text = told("equations", "rigid-stop/one-impact", "--section", "map", "--format", "markdown")
+    headings = re.findall(r"^## (.*)", text["text"], re.MULTILINE)
+    (heading,) = headings
+    assert re.fullmatch(r"\d+\. Derivatives and the Poincaré map", heading)
+    code, latex, _ = run("equations", "rigid-stop/one-impact", "--section", "trace")
+    assert code == 0
+    assert latex.count(r"\section{") == 1
+    # LaTeX counts on from there
+    assert re.search(
+        r"\\setcounter\{section\}\{\d+\}\s+\\needroom.*\s\\section\{The trace\}", latex
+    )
+
+
+@pytest.mark.usefixtures("described")
+def test_equations_of_a_system_have_one_section() -> None:
+    code, text, _ = run("equations", "dry-friction", "--section", "flows", "--format", "markdown")
+    assert code == 0
+    assert re.findall(r"^## \d+\. (.*)", text, re.MULTILINE) == ["Modal analysis"]
+    code, out, error = run("equations", "dry-friction", "--section", "trace")
+    assert (code, out) == (2, "")
+    assert "dry-friction is a system: its orbits have a part 'trace' (symmetric, " in error
+
+
 @pytest.mark.usefixtures("described")
 def test_equations_as_json_name_the_file(tmp_path: Path) -> None:
     target = tmp_path / "equations.tex"

@@ -24,7 +24,14 @@ from nonsmooth.derive import (
     Transition,
     derive_equations,
 )
-from nonsmooth.derive.document.blocks import Document, Formula, Line, Paragraph, Table
+from nonsmooth.derive.document.blocks import (
+    Document,
+    Formula,
+    Heading,
+    Line,
+    Paragraph,
+    Table,
+)
 from nonsmooth.derive.document.describe import (
     describe_itinerary,
     describe_orbit,
@@ -302,6 +309,14 @@ def test_lines_fit_the_page(document: Document) -> None:
     for formula in document.formulas:
         for row in formula.latex.splitlines()[1:-1]:
             assert width(row.replace("&", "")) < 46
+
+
+def test_a_page_begins_in_front_of_two_headings_and_not_between_them() -> None:
+    blocks = (Paragraph("text"), Heading("One"), Heading("Two", 2), Paragraph("text"))
+    before, _, behind = to_latex(Document("title", blocks)).rpartition(r"\needroom{")
+    assert "text" in before.partition(r"\begin{document}")[2]
+    assert r"\section{One}" in behind
+    assert r"\subsection{Two}" in behind
 
 
 class Page(HTMLParser):

@@ -173,7 +173,7 @@ def law_of(name: str) -> CycleLaw:
     naming, centres = naming_of(itinerary, spectrum, flows)
     notation = naming.notation
     taken = (*notation.constants, *notation.states, *notation.unknowns)
-    cycle = Cycle(itinerary, naming, letters_of(naming, taken), {})
+    cycle = Cycle(itinerary, naming, letters_of(naming, taken), {}, {})
     known = {p.name: p.symbol for p in system.parameters}
     given = drawn(system, 1)
     given |= {known[n]: float(v) for n, v in solved.parameters.items()}

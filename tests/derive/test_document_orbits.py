@@ -16,7 +16,7 @@ from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.section import section_of, start_of
 from nonsmooth.derive.equations.symmetry import end_conditions
 from nonsmooth.derive.flows.modal import TIME
-from tests.documents import derived, marked
+from tests.documents import derived, labels_by_section, marked
 from tests.latex_reader import (
     ORBITS,
     REVERSIBLE,
@@ -182,7 +182,7 @@ def test_the_equations_are_all_there(written: Written) -> None:
     left = [e for _, e in equations.reduction.equations]
     assert [f.lines[0].shows for f in reduced] == ([] if left == equations.residual else left)
     labels = [f.label for f in document.formulas if f.label]
-    assert labels == [str(i + 1) for i in range(len(labels))]
+    assert labels == labels_by_section(document)
 
 
 def test_everything_is_named(written: Written) -> None:
@@ -195,7 +195,7 @@ def test_everything_is_named(written: Written) -> None:
     (table,) = (b for b in written.document.section("The system") if isinstance(b, Table))
     assert {row[0] for row in table.rows} == {f"${notation.symbol(p.symbol)}$" for p in parameters}
     (introduced,) = re.findall(
-        r"with \w+ coordinates?, (.*)", "\n".join(text.split("## The itinerary")[1].splitlines())
+        r"with \w+ coordinates?, (.*)", "\n".join(text.split(". The itinerary\n")[1].splitlines())
     )[:1]
     for unknown in (*equations.unknowns, *equations.vanishing):
         assert f"${notation.symbol(unknown)}$" in introduced
@@ -298,7 +298,7 @@ def test_the_start_of_the_rigid_stop_is_explicit() -> None:
 
 
 def test_elimination_tells_each_unknown(written: Written) -> None:
-    text = to_markdown(written.document).split("## The reduction")[1].split("\n## ")[0]
+    text = to_markdown(written.document).split(". The reduction\n")[1].split("\n## ")[0]
     for elimination in written.equations.reduction.eliminations:
         assert written.notation.symbol(elimination.unknown) in text
     for unknown in written.equations.reduction.unknowns:

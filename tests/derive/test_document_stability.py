@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.document.blocks import Formula
+from nonsmooth.derive.document.blocks import Formula, Paragraph
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.energy import energy_of
 from nonsmooth.derive.flows.modal import TIME
@@ -14,6 +14,7 @@ from tests.latex_reader import (
     CONSERVATIVE,
     ORBITS,
     REVERSIBLE,
+    Reader,
     Written,
     solved_of,
     text_of,
@@ -196,3 +197,44 @@ def test_energies_are_those_of_the_declaration(name: str) -> None:
 @pytest.mark.parametrize("name", sorted(set(ORBITS) - set(CONSERVATIVE)))
 def test_only_conservative_orbits_have_an_energy(name: str) -> None:
     assert not written_of(name).document.section("The energy")
+
+
+def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(
+    name: str, written: Written
+) -> None:
+    """Their values are in the last section, and the lines from which they are computed as well."""
+    orbit = solved_of(name)
+    kernel = np.array(orbit.evaluate("poincare_jacobian"), dtype=float)
+    size = len(written.equations.chain.coordinates)
+    assert kernel.shape == (size, size)
+    numbers = written.run(written.at(orbit), written.equations.map_program.stages)
+    read = written.reader(numbers)
+    entries = {
+        (i, j): read(text_of(written.line(f"J_{{{i}{j}}}")))
+        for i in range(1, size + 1)
+        for j in range(1, size + 1)
+    }
+    found = np.array([[entries[i + 1, j + 1] for j in range(size)] for i in range(size)])
+    assert found == pytest.approx(kernel, abs=1e-9)
+    last = [b for b in written.document.section("The reference orbit") if isinstance(b, Formula)]
+    (matrix,) = (line for formula in last for line in formula.relations if line.left == "J")
+    assert read.matrix(text_of(matrix)) == pytest.approx(kernel, abs=1e-9)
+
+
+def test_the_reference_orbit_is_the_one_that_is_solved(name: str, written: Written) -> None:
+    orbit = solved_of(name)
+    section = written.document.section("The reference orbit")
+    formulas = [b for b in section if isinstance(b, Formula)]
+    shown = {line.left: " ".join(line.pieces) for f in formulas for line in f.relations}
+    for unknown in written.equations.unknowns:
+        value = float(shown[written.notation.symbol(unknown)])
+        assert value == pytest.approx(float(orbit.values[str(unknown)]), abs=1e-10)
+    assert float(shown[r"\text{period}"]) == pytest.approx(float(orbit.period), abs=1e-10)
+    assert float(shown[r"\operatorname{tr} J"]) == pytest.approx(float(orbit.trace), abs=1e-9)
+    told = " ".join(b.text for b in section if isinstance(b, Paragraph)).rpartition("multiplier")[2]
+    reader = Reader({r"\mathrm{i}": 1j})
+    multipliers = [complex(reader(text)) for text in re.findall(r"\$([^$]+)\$", told)]
+    theirs = [complex(m) for m in orbit.multipliers]
+    assert len(multipliers) == len(theirs)
+    for multiplier in theirs:
+        assert min(abs(multiplier - m) for m in multipliers) < 1e-8

@@ -21,7 +21,7 @@ __all__ = ["inline", "on_pages", "texts_of"]
 _INLINE = re.compile(r"\$([^$]+)\$")
 _MATRIX = re.compile(r"\\begin\{matrix\}.*?\\end\{matrix\}", re.DOTALL)
 _BREAK = re.compile(r" \\\\\*?\n")
-_ENDS = re.compile(r"\s*(?:&& \\text\{.*\}\s*)?(?:\\tag\{\d+\})?\s*$", re.DOTALL)
+_ENDS = re.compile(r"\s*(?:&& \\text\{.*\}\s*)?(?:\\tag\{[\d.]+\})?\s*$", re.DOTALL)
 
 
 def inline(text: str) -> list[str]:

@@ -5,7 +5,8 @@ One general rule, no table per orbit:
 * a name is letters and digits: Greek names become Greek letters, digits an index, the second
   of two letters joins the index (``us1`` is u_{s1}, ``ta`` is t_a, ``z10`` is z_{10});
 * ``z1_3`` is a state behind phase 3, z_1^{(3)}, and ``z1_3_reset`` behind its transition;
-* ``z1_3_by_tau`` is its partial derivative;
+* ``z1_3_by_tau`` is its partial derivative, ``carried_z1_3_by_z10`` that by the start which the
+  flow carries along, ``z1_3_on_boundary_by_z10`` and ``delay_tau_by_z10`` those on the boundary;
 * what is affine in q has the coefficient ``right1_times_q`` of it, with q as an index, and
   ``x0_constant`` where q is zero, with a bar; of a state behind a phase these are
   ``part2_of_q_tau`` and ``part2_of_1_tau``, its place first, and last the phase's dwell time;
@@ -42,15 +43,16 @@ _WORDS = {
     "spread": r"\delta",
     "equation": "F",
 }
-# of linear equations, and of characteristic factors: the first that the declaration leaves free
+# of linear equations, characteristic factors and rates: the first that the declaration leaves free
 _LINEAR = {
     "coefficient": ("a", r"\alpha", r"\mathsf{a}"),
     "right": ("b", r"\beta", r"\mathsf{b}"),
     "determinant": ("D", r"\Delta", r"\mathsf{D}"),
     "numerator": ("N", r"\mathsf{N}"),
     "factor": (r"\gamma", r"\varrho", r"\mathsf{c}"),
+    "rate": ("s", "g", r"\mathsf{s}"),
 }
-_PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
+_PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
 _TURNED = re.compile(r"(cos|sin)_(\w+)_return")
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[^{}]*\})?")
@@ -100,6 +102,10 @@ class Notation:
         passing = text.removesuffix("_on_boundary")
         if passing != text:
             return rf"{self.symbol(passing)}|_{{\Sigma}}"
+        if text.startswith("carried_"):
+            return rf"{self.symbol(text.removeprefix('carried_'))}|_{{\Phi}}"
+        if text.startswith("delay_"):
+            return self.symbol(text.removeprefix("delay_"))
         reduced = _REDUCED.fullmatch(text)
         if reduced:
             return f"{self.symbol(reduced[1])}^{{[{reduced[2]}]}}"
@@ -122,7 +128,7 @@ class Notation:
         turned = _TURNED.fullmatch(text)
         if turned:
             return rf"\{turned[1]} \theta_{{{_identifier(turned[2])}}}"
-        for part, letter in _PARTS.items():
+        for part, letter in (*_PARTS.items(), ("rate", self._linear["rate"])):
             if text.startswith(f"{part}_"):
                 return f"{letter}_{{{_identifier(text.removeprefix(f'{part}_'))}}}"
         linear = _NAME.fullmatch(text)
@@ -198,14 +204,14 @@ class Notation:
 
     def is_state(self, symbol: sp.Symbol) -> bool:
         """Whether a symbol is a state, also at the start or behind a phase, or its derivative."""
-        name = str(symbol).partition("_by_")[0]
+        name = _moving(symbol)
         return symbol in (*self.states, *self.start) or self._state_at(name) is not None
 
     def place(self, symbol: sp.Symbol) -> int:
         """Index of the state to which a symbol belongs."""
         if symbol in self.start:
             return self.start[symbol]
-        name = str(symbol).partition("_by_")[0]
+        name = _moving(symbol)
         state = self._state_at(name)
         return self._state_names.index(state[0] if state else name)
 
@@ -261,7 +267,7 @@ class Notation:
 
     @cached_property
     def _linear(self) -> dict[str, str]:
-        """Letters for linear equations and characteristic factors, by the stem of a name."""
+        """Letters for linear equations, characteristic factors and rates, by a name's stem."""
         taken = {_identifier(name).partition("_")[0] for name in self._known}
         return {
             role: next((c for c in choices if c not in taken), choices[-1])
@@ -271,6 +277,12 @@ class Notation:
     @cached_property
     def _printer(self) -> Printer:
         return Printer(self)
+
+
+def _moving(symbol: sp.Symbol) -> str:
+    """Name of the state of which a symbol is a derivative, or of the symbol itself."""
+    name = str(symbol).partition("_by_")[0]
+    return name.removeprefix("carried_").removesuffix("_on_boundary")
 
 
 def _indexed(latex: str, index: str) -> str:
@@ -288,6 +300,8 @@ def _barred(latex: str) -> str:
 def _identifier(name: str) -> str:
     """LaTeX of a plain name."""
     match = _NAME.fullmatch(name)
+    if name.isdigit():
+        return name
     if match is None:
         return rf"\mathrm{{{name}}}".replace("_", r"\_")
     stem, digits, rest = match.groups()

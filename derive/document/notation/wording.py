@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Formula, Line
 from nonsmooth.derive.document.notation.arrange import by_function, signed
@@ -23,10 +24,20 @@ _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
 
 @dataclass(frozen=True)
 class Naming:
-    """The notation of a document, and the system whose words and letters it uses."""
+    """The notation of a document, the system whose words it uses, and the source it cites."""
 
     notation: Notation
     system: System
+    source: Source | None = None
+
+    def cited(self, *keys: str) -> str:
+        """Text ``, = (14) of Pascal (2011)`` on what the keys stand for; empty without a source."""
+        return self.source.cited(*keys) if self.source else ""
+
+    def flow_of(self, names: Sequence[str]) -> str:
+        """Text on the configurations that share a flow."""
+        cited = self.cited(*(f"flow {name}" for name in names))
+        return f"of {', '.join(f'*{name}*' for name in names)}{cited}"
 
     @property
     def second_order(self) -> bool:
@@ -117,10 +128,12 @@ def numbered(
     equations: Sequence[tuple[str, sp.Expr]],
     labels: Sequence[str],
     written: Sequence[sp.Expr] | None = None,
+    ends: Mapping[str, Sequence[int]] | None = None,
 ) -> list[Formula]:
-    """Equations as numbered formulas with their meanings.
+    """Equations as numbered formulas with their meanings, and their places in the source.
 
-    Those in which functions of time occur are arranged by these functions.
+    Those in which functions of time occur are arranged by these functions. `ends` has the
+    phases of which each meaning is the condition that ends them.
     """
     found = []
     for (meaning, expression), label, shown in zip(
@@ -132,7 +145,10 @@ def numbered(
         else:
             pieces = notation.pieces(notation.tidy(shown))
         line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
-        found.append(Formula((line,), label=label, note=_meaning(naming, meaning)))
+        others = ("halfway" if "halfway" in meaning else "closure",)
+        keys = [f"end {k}" for k in (ends or {}).get(meaning, ())] or others
+        note = f"{_meaning(naming, meaning)}{naming.cited(*keys)}"
+        found.append(Formula((line,), label=label, note=note))
     return found
 
 

@@ -49,7 +49,7 @@ def admissibility_section(cycle: Cycle) -> list[Block]:
                     ),
                 ),
             ),
-            label="7",
+            label=cycle.label("Admissibility"),
         ),
         Paragraph(
             f"{dwelling}Where a maximum of $g$ inside a phase is zero the orbit grazes, and its"

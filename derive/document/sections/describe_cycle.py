@@ -11,6 +11,7 @@ from nonsmooth.derive.document.sections.describe_itinerary import (
     boundary_at,
     phase_sentence,
     phase_table,
+    source_letters,
     transposed,
 )
 from nonsmooth.derive.document.views.cycle import Cycle
@@ -22,8 +23,8 @@ __all__ = ["elimination_section", "equation_section", "phase_section"]
 def phase_section(cycle: Cycle) -> list[Block]:
     """Blocks on the phases, the start and the unknowns of an itinerary."""
     return [
-        *_phases(cycle), *_symmetry(cycle), *_start(cycle), *_translations(cycle),
-        *_unknowns(cycle),
+        *_phases(cycle), *source_letters(cycle.naming, cycle.numbers), *_symmetry(cycle),
+        *_start(cycle), *_translations(cycle), *_unknowns(cycle),
     ]  # fmt: skip
 
 
@@ -188,12 +189,14 @@ def equation_section(cycle: Cycle) -> list[Block]:
     switching = Line("", "", (rf"{n}_{{{k}}} {end} + {c}_{{{k}}} = 0",))
     blocks: list[Block] = [
         Paragraph(text),
-        Formula((line,), label="1"),
+        Formula((line,), label=cycle.label("The equations")),
         Paragraph(
             f"Each phase ends on its boundary, the function of which is ${n}_{{{k}}} {state} +"
             f" {c}_{{{k}}}$:"
         ),
-        Formula((switching,), label="2", note=_all_phases(p).strip() or None),
+        Formula(
+            (switching,), label=cycle.label("The equations", 1), note=_all_phases(p).strip() or None
+        ),
     ]
     if not unknown:
         blocks.append(Paragraph("The end of the last phase closes the orbit of itself."))
@@ -208,7 +211,7 @@ def equation_section(cycle: Cycle) -> list[Block]:
             f" ${inverse}$, which takes the coordinates"
             f" ${letters.coordinates}$ of a state on the section,"
         ),
-        Formula((closure,), label="3"),
+        Formula((closure,), label=cycle.label("The equations", 2)),
         Paragraph(
             f"These are {total}. The other coordinates return with these, by what the last phase"
             " enforces."
@@ -273,10 +276,10 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         ),
         Formula(
             (Line(rf"\left(I - {inverse} {n} {e}\right) {q}", "=", (f"{inverse} {right}.",)),),
-            label="4",
+            label=cycle.label("The reduction"),
         ),
         Paragraph(
-            "What is left are the switching conditions (2)"
+            f"What is left are the switching conditions ({cycle.label('The equations', 1)})"
             + (", as many as dwell times;" if cycle.itinerary.period is None else ";")
             + " Newton's method solves them from a guess, the start following the dwell times."
         ),
@@ -292,16 +295,16 @@ def _forcing(cycle: Cycle) -> list[Block]:
     names = cycle.naming.list(s for h in cycle.harmonics for s in (h.first, h.second))
     kept = enumeration([f"${notation.latex(h.invariant)}$" for h in cycle.harmonics])
     periods = enumeration([f"${notation.latex(2 * sp.pi / h.frequency)}$" for h in cycle.harmonics])
-    one = len(cycle.harmonics) == 1
+    one, label = len(cycle.harmonics) == 1, cycle.label("The reduction")
     return [
         Paragraph(
             f"The forcing is an exception: {names} oscillate by themselves, and nothing acts on"
             f" them. They return after whole multiples of {periods} alone, which fixes the sum of"
-            " the dwell times, and then from every start: in (4) their rows vanish. Of their"
+            f" the dwell times, and then from every start: in ({label}) their rows vanish. Of their"
             f" start {kept} keep{'s' if one else ''} the value that is given,"
             f" the amplitude{'' if one else 's'} of the forcing, and the"
             f" phase{'' if one else 's'} of it at the start"
             f" {'is an unknown' if one else 'are unknowns'} in place of the sum. The other rows of"
-            " (4) determine the other coordinates from these."
+            f" ({label}) determine the other coordinates from these."
         )
     ]

@@ -33,9 +33,8 @@ def exponential_blocks(
     blocks = _exponential(naming, letters, chosen)
     for number, (matrix, sharing) in enumerate(alike.items(), start=known + 1):
         numbers |= {c.name: number for c in sharing}
-        listed = ", ".join(f"*{c.name}*" for c in sharing)
         pieces = characteristic_pieces(naming.notation, matrix, letters.eigenvalue)
-        flow = rf"$\Phi_{{{number}}}$, of {listed}"
+        flow = rf"$\Phi_{{{number}}}$, {naming.flow_of([c.name for c in sharing])}"
         unit = f"{letters.eigenvalue} I - {letters.matrix}"
         if pieces is None:
             blocks.append(

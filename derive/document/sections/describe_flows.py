@@ -9,7 +9,7 @@ import sympy as sp
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import enumeration
+from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, centre_of
 from nonsmooth.derive.flows.modal import Flow
 
@@ -22,16 +22,13 @@ _WIDE = 24.0
 
 
 def flow_blocks(
-    notation: Notation,
-    state: str,
-    flows: Sequence[Flow],
-    in_blocks: bool,
-    centres: Centres | None = None,
+    naming: Naming, flows: Sequence[Flow], centres: Centres | None = None
 ) -> tuple[list[Block], dict[str, int]]:
     """Blocks on flows in closed form, and the number of each configuration's flow.
 
     Flows with equal matrices share a number and are shown once.
     """
+    notation, state, in_blocks = naming.notation, naming.state, naming.second_order
     distinct: list[Flow] = []
     numbers: dict[str, int] = {}
     for flow in flows:
@@ -58,8 +55,8 @@ def flow_blocks(
         )
     names: dict[sp.Matrix, str] = {}
     for number, flow in enumerate(distinct, start=1):
-        sharing = [f"*{c}*" for c, n in numbers.items() if n == number]
-        blocks.append(Paragraph(rf"$\Phi_{{{number}}}$, of {', '.join(sharing)}:"))
+        sharing = [c for c, n in numbers.items() if n == number]
+        blocks.append(Paragraph(rf"$\Phi_{{{number}}}$, {naming.flow_of(sharing)}:"))
         blocks += _flow(notation, flow, number, in_blocks, names)
     return blocks, numbers
 

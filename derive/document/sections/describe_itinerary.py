@@ -11,13 +11,14 @@ from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Ta
 from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, number
 from nonsmooth.derive.document.views.view import View
 
-__all__ = ["itinerary_section", "start_line", "transposed"]
+__all__ = ["itinerary_section", "source_letters", "start_line", "transposed"]
 
 
 def itinerary_section(view: View) -> list[Block]:
     """Blocks on the phases, given dwell times, the section at the start and the unknowns."""
     return [
         *_phases(view),
+        *source_letters(view.naming, view.numbers),
         *_dwell_times(view),
         *_start(view),
         *_unknowns(view),
@@ -76,6 +77,17 @@ def phase_table(
             )
         )
     return Table(("Phase", "Configuration", "Dwell time", "Flow", "Left by", last), tuple(rows))
+
+
+def source_letters(naming: Naming, numbers: Mapping[str, int]) -> list[Block]:
+    """Paragraph on the letters of the source for flows, states and the section."""
+    source = naming.source
+    if source is None or not (source.flows or source.states or source.section):
+        return []
+    parts = [rf"$\Phi_{{{numbers[name]}}}$ is ${letter}$" for name, letter in source.flows.items()]
+    parts += [f"${naming.state}^{{({k})}}$ is ${name}$" for k, name in enumerate(source.states)]
+    parts += [f"the section is ${source.section}$"] if source.section else []
+    return [Paragraph(f"In {source.name} {enumeration(parts)}.")]
 
 
 def _phases(view: View) -> list[Block]:
@@ -153,7 +165,8 @@ def _start(view: View) -> list[Block]:
     _, _, start = view.undecided
     section = equations.chain.section
     if start.dimension == section.dimension:
-        text = f"{intro} It lies on the section that the end of the last phase enforces,"
+        cited = naming.cited("start")
+        text = f"{intro} It lies on the section that the end of the last phase enforces{cited},"
     else:
         text = (
             f"{intro} The end of the last phase enforces a section of dimension"

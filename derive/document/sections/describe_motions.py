@@ -37,7 +37,7 @@ def motion_blocks(
     Otherwise the states are written one by one. `number` is that of the flow, and `listed`
     names the configurations that have it.
     """
-    head = rf"$\Phi_{{{number}}}$, of {listed}:"
+    head = rf"$\Phi_{{{number}}}$, {listed}:"
     modes = modes_of(flow, displacements)
     written = _with_starts(naming, letters, displacements)
     lines = _motion(naming, written, flow, displacements)

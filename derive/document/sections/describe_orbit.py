@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.document.notation.wording import count, enumeration, numbered
+from nonsmooth.derive.document.notation.wording import count, enumeration
 from nonsmooth.derive.document.sections.describe_symmetry import REVERSOR
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.chain import Link
@@ -33,13 +33,15 @@ def chain_section(view: View) -> list[Block]:
         dwell = naming.notation.symbol(link.dwell)
         flow = rf"\Phi_{{{view.numbers[phase.configuration]}}}({dwell})"
         how = "for no time" if link.duration == 0 else f"for ${dwell}$ with ${flow}$"
-        blocks.append(Paragraph(f"Phase {index}, *{phase.configuration}* {how}:"))
+        cited = naming.cited(f"phase {index}")
+        blocks.append(Paragraph(f"Phase {index}, *{phase.configuration}* {how}{cited}:"))
         blocks.append(Formula(tuple(_lines(view, index, assigned))))
         transition = itinerary.transition_after(naming.system, index - 1)
         if transition.reset:
             rules = [_rule(view, s, e) for s, e in transition.reset.items()]
             target = f"The transition to *{transition.target}*"
-            blocks.append(Paragraph(f"{target} {enumeration(rules)}."))
+            cited = naming.cited(f"reset {index}")
+            blocks.append(Paragraph(f"{target} {enumeration(rules)}{cited}."))
     return blocks
 
 
@@ -110,8 +112,7 @@ def equation_section(view: View) -> list[Block]:
             "The switching condition of each phase and the closure of each of the start's own"
             f" coordinates{_except(view, dropped)} make{counted}:"
         )
-    labels = [str(i + 1) for i in range(len(equations.equations))]
-    formulas = numbered(view.naming, equations.equations, labels, view.conditions)
+    formulas = view.numbered("The equations", equations.equations, view.conditions)
     return [Paragraph(lead), *formulas]
 
 

@@ -46,7 +46,7 @@ def passing_section(cycle: Cycle) -> list[Block]:
                     (rf"{jump} + \left({f}_{{j}}^{{+}} - {carried}\right) {factor}.",),
                 ),
             ),
-            label="5",
+            label=cycle.label("The transitions"),
         ),
         Paragraph(
             "The boundary is crossed transversally, and the matrix is defined, only where the rate"
@@ -174,7 +174,7 @@ def stability_section(cycle: Cycle) -> list[Block]:
                 ),
                 Line(r"\mathcal{M}", "=", (f"{monodromy}.",)),
             ),
-            label="6",
+            label=cycle.label("Stability"),
         ),
         Paragraph(
             rf"$\mathcal{{M}}$ takes the vector field at the start, ${letters.matrix}"

@@ -17,6 +17,8 @@ from nonsmooth.derive.equations.chain import Link
 
 __all__ = ["derivative_section"]
 
+_LARGEST = 3  # map of which the entries are written out
+
 
 def derivative_section(view: View) -> list[Block]:
     """Blocks on the Jacobian, the local maps of the Poincaré map and saltation matrices."""
@@ -122,6 +124,7 @@ def _local_maps(view: View) -> list[Block]:
     naming, links, section = view.naming, view.links, view.equations.chain.section
     resets, period = _resets(view), view.equations.itinerary.period
     maps = "the product of the local maps" if len(links) > 1 else "that of the local map"
+    maps += naming.cited("map")
     unit = ", $R_{k}$ being $I$ where it is not given," if any(map(_is_unit, links)) else ""
     text = "On the boundaries the dwell times follow the perturbation"
     text += (
@@ -182,6 +185,7 @@ def _local_maps(view: View) -> list[Block]:
     elif resets:
         where += unit
     rates = [(link.normal * link.velocity)[0] for link in links]
+    speeds = [sp.Symbol(f"rate_{k}", real=True) for k in range(1, len(links) + 1)]
     pieces = [naming.notation.pieces(naming.notation.tidy(rate)) for rate in rates]
     return [
         *blocks,
@@ -193,11 +197,66 @@ def _local_maps(view: View) -> list[Block]:
         ),
         Formula(
             tuple(
-                Line(f"n_{{{k}}} f_{{{k}}}", "=", shown, None, rate)
-                for k, (shown, rate) in enumerate(zip(pieces, rates, strict=True), start=1)
+                Line(f"{naming.notation.symbol(s)} = n_{{{k}}} f_{{{k}}}", "=", shown, s, rate)
+                for k, (s, shown, rate) in enumerate(zip(speeds, pieces, rates, strict=True), 1)
             )
         ),
+        *_entries(view),
     ]
+
+
+def _entries(view: View) -> list[Block]:
+    """Blocks with the entries of a small map, in the order in which they are computed."""
+    equations, notation = view.equations, view.naming.notation
+    names = equations.chain.coordinates
+    if equations.chain.forcing or not 0 < len(names) <= _LARGEST:
+        return []
+    stages, matrix = equations.map_program
+    entries = [
+        Line(
+            f"J_{{{i + 1}{j + 1}}}" if len(names) > 1 else "J",
+            "=",
+            notation.pieces(matrix[i, j]),
+            None,
+            matrix[i, j],
+        )
+        for i in range(len(names))
+        for j in range(len(names))
+    ]
+    first, *others = names
+    columns = {q: [(s, e) for x in stages for s, e in x.assignments if _by(s) == q] for q in names}
+    shown = set(columns[first])
+    blocks: list[Block] = [
+        Paragraph(
+            r"Written out, $|_{\Phi}$ marking what the flow carries along, and $|_{\Sigma}$ what"
+            " arrives on the boundary and passes the transition, this is"
+        ),
+        Formula(tuple(entries)),
+        Paragraph(f"with, phase by phase, the derivatives by ${notation.symbol(first)}$"),
+        Formula(tuple(view.naming.equal(s, e) for s, e in columns[first])),
+    ]
+    for q in others:
+        new = [
+            (s, e)
+            for s, e in columns[q]
+            if (_turned(s, q, first), _turned(e, q, first)) not in shown
+        ]
+        text = f"Those by ${notation.symbol(q)}$ follow in the same way"
+        blocks.append(Paragraph(f"{text}, but for" if new else f"{text}."))
+        blocks += [Formula(tuple(view.naming.equal(s, e) for s, e in new))] if new else []
+    return blocks
+
+
+def _by(symbol: sp.Symbol) -> str:
+    """Coordinate by which a symbol is a derivative."""
+    return str(symbol).rpartition("_by_")[2]
+
+
+def _turned(expression: sp.Expr, coordinate: str, other: str) -> sp.Expr:
+    """The expression with derivatives by another coordinate in place of those by one."""
+    moving = (s for s in expression.free_symbols if str(s).endswith(f"_by_{coordinate}"))
+    names = {s: f"{str(s).removesuffix(coordinate)}{other}" for s in moving}
+    return expression.xreplace({s: sp.Symbol(name, real=True) for s, name in names.items()})
 
 
 def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:

@@ -7,7 +7,7 @@ from itertools import groupby
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, numbered
+from nonsmooth.derive.document.notation.wording import Naming, count
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
 from nonsmooth.derive.equations.reduction import Elimination
@@ -165,11 +165,9 @@ def _parts(view: View) -> list[Block]:
 
 
 def numbered_rest(view: View) -> list[Formula]:
-    """The equations of the reduced system as formulas, numbered onwards."""
-    reduction = view.equations.reduction
-    labels = [view.reduced_label(i) for i in range(len(reduction.equations))]
+    """The equations of the reduced system as numbered formulas."""
     written = [expression for _, expression in view.reduction.equations]
-    return numbered(view.naming, reduction.equations, labels, written)
+    return view.numbered("The reduction", view.equations.reduction.equations, written)
 
 
 def _stages(view: View) -> list[Block]:

@@ -45,7 +45,7 @@ def response_flows(
     numbers: dict[str, int] = {}
     for number, sharing in enumerate(alike.values(), start=1):
         numbers |= {f.configuration: number for f in sharing}
-        listed = ", ".join(f"*{f.configuration}*" for f in sharing)
+        listed = naming.flow_of([f.configuration for f in sharing])
         motions += motion_blocks(naming, letters, sharing[0], displacements, number, listed)
     shared = [
         (", ".join(f"*{f.configuration}*" for f in sharing), sharing[0])

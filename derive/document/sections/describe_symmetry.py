@@ -36,8 +36,9 @@ def _reversor(view: View) -> list[Block]:
         and all(e == -s for s, e in itinerary.reversor.items())
         else ""
     )
+    cited = naming.cited("symmetry")
     return [
-        Paragraph("The map"),
+        Paragraph(f"The map{cited}{',' if cited else ''}"),
         Formula((Line("", "", (rf"{REVERSOR}:\quad {images}",)),)),
         Paragraph(
             f"{keeps.strip()} is a reversor of every configuration of the orbit, its own inverse:"

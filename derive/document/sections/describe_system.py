@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.document.notation.symbols import Notation
@@ -29,6 +30,7 @@ __all__ = [
     "enumeration",
     "flow_section",
     "modal_section",
+    "model_section",
     "system_section",
 ]
 
@@ -111,6 +113,18 @@ def system_section(
     return blocks
 
 
+def model_section(naming: Naming, system: System) -> list[Block]:
+    """Blocks on what stands behind a system's equations, as it is declared."""
+    blocks: list[Block] = []
+    for text in system.model:
+        alone = text.startswith("$") and "$" not in text[1:-1]
+        # a line may break behind a wide space
+        pieces = tuple(re.split(r"(?<=\\qquad)", text[1:-1]))
+        blocks.append(Formula((Line("", "", pieces),)) if alone else Paragraph(text))
+    cited = naming.cited("model")
+    return [*blocks, Paragraph(f"This is the model{cited}.")] if cited else blocks
+
+
 def _forcing(naming: Naming, system: System) -> str:
     """Text on the two states of each harmonic forcing."""
     matrix, _ = system.configurations[0].dynamics.field(system.states)
@@ -184,6 +198,7 @@ def configuration_section(
             letters = {}
     for configuration in chosen:
         remark = remarks.get(configuration.name, "")
+        remark += naming.cited(f"configuration {configuration.name}")
         blocks.append(Paragraph(f"*{configuration.name}*{remark}:"))
         blocks += motion_of(configuration, naming, letters)
     blocks.append(
@@ -239,8 +254,7 @@ def modal_section(
     if any(map(is_response, used)):
         more, numbers = response_flows(naming, used, dict(spectrum.entries))
     else:
-        in_blocks = naming.second_order
-        more, numbers = flow_blocks(naming.notation, naming.state, used, in_blocks, centres)
+        more, numbers = flow_blocks(naming, used, centres)
     return blocks + more, numbers
 
 

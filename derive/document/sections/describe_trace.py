@@ -42,7 +42,7 @@ def trace_section(view: View) -> list[Block]:
 def _rank_one(view: View) -> Paragraph:
     return Paragraph(
         "The orbit is stable, for perturbations that keep its itinerary, if"
-        rf" $|{_TRACE}| < 1$.{_one_sided(view)}"
+        rf" $|{_TRACE}| < 1${view.naming.cited('trace')}.{_one_sided(view)}"
     )
 
 
@@ -180,7 +180,9 @@ def _written_out(view: View, found: MonodromyTrace) -> list[Block]:
     trace = sp.Add(*found.terms).xreplace({s: e for s, (_, e) in names.items()})
     blocks: list[Block] = [Paragraph("Written out, with the switching conditions inserted,")]
     blocks.append(
-        Formula((Line(_MONODROMY, "=", tuple(pieces), None, trace), *factors), view.trace_label)
+        Formula(
+            (Line(_MONODROMY, "=", tuple(pieces), None, trace), *factors), view.label("The trace")
+        )
     )
     return blocks
 
@@ -211,7 +213,7 @@ def _slope(view: View) -> list[Block]:
     ]
     if others:
         followers = "follows" if len(others) == 1 else "follow"
-        where = enumeration([f"({view.reduced_label(i)})" for i in range(len(others))])
+        where = enumeration([f"({view.label('The reduction', i)})" for i in range(len(others))])
         blocks.append(
             Paragraph(
                 f"Both are functions of ${x}$, since {naming.list(others)} {followers} from"
@@ -234,7 +236,7 @@ def _slope(view: View) -> list[Block]:
         *blocks,
         Formula((Line(head, "=", (f"{general}.",)),)),
         Paragraph("In the symbols of the stages this reads"),
-        Formula((Line(_TRACE, "=", shown, None, trace),), label=view.trace_label),
+        Formula((Line(_TRACE, "=", shown, None, trace),), label=view.label("The trace")),
         *_derivatives(naming, stages, base, [str(u) for u in reduction.unknowns]),
     ]
 

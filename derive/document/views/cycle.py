@@ -82,11 +82,16 @@ class Cycle:
     naming: Naming
     letters: Letters
     numbers: Mapping[str, int]  # by configuration: number of its flow
+    places: Mapping[str, int]  # by title: number of a section
 
     @property
     def system(self) -> System:
         """The system in the presentation of the itinerary."""
         return self.naming.system
+
+    def label(self, title: str, index: int = 0) -> str:
+        """Number of an equation: that of its section, and its place in it."""
+        return f"{self.places[title]}.{index + 1}"
 
     @property
     def count(self) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -10,8 +10,9 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
+from nonsmooth.derive.document.blocks import Formula
 from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.notation.wording import Naming, enumeration, numbered
 from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.equations.chain import PHASE, Link
 from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
@@ -32,6 +33,7 @@ class View:
     naming: Naming
     centres: Centres
     numbers: Mapping[str, int]  # by configuration: number of its flow
+    places: Mapping[str, int]  # by title: number of a section
 
     @property
     def reversible(self) -> bool:
@@ -110,21 +112,27 @@ class View:
         """Expressions of the reduction's symbols as written."""
         return dict(a for stage in self.reduction.stages for a in stage.assignments)
 
+    def label(self, title: str, index: int = 0) -> str:
+        """Number of an equation: that of its section, and its place in it."""
+        return f"{self.places[title]}.{index + 1}"
+
     def labels_of(self, meaning: str) -> list[str]:
         """Numbers, in brackets, of the equations with a meaning."""
-        known = enumerate(self.equations.equations, start=1)
-        return [f"({i})" for i, (found, _) in known if found == meaning]
+        known = enumerate(self.equations.equations)
+        return [f"({self.label('The equations', i)})" for i, (m, _) in known if m == meaning]
 
-    def reduced_label(self, index: int) -> str:
-        """Number of an equation of the reduced system, counted on from the full one."""
-        return str(len(self.equations.equations) + 1 + index)
-
-    @property
-    def trace_label(self) -> str:
-        """Number of the trace, counted on from the equations of both systems."""
-        reduction = self.equations.reduction
-        shown = reduction.equations if reduction.equations != self.equations.equations else ()
-        return self.reduced_label(len(shown))
+    def numbered(
+        self,
+        title: str,
+        equations: Sequence[tuple[str, sp.Expr]],
+        written: Sequence[sp.Expr],
+    ) -> list[Formula]:
+        """Equations of a section as numbered formulas."""
+        ends: dict[str, list[int]] = {}
+        for k, phase in enumerate(self.equations.itinerary.phases, start=1):
+            ends.setdefault(f"{phase.boundary} ends {phase.configuration}", []).append(k)
+        labels = [self.label(title, i) for i in range(len(equations))]
+        return numbered(self.naming, equations, labels, written, ends)
 
 
 def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
@@ -155,7 +163,7 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
         centres.names,
         behind=_marks(equations),
     ).with_responses(flows)
-    return Naming(notation, system), centres
+    return Naming(notation, system, itinerary.source), centres
 
 
 def _marks(equations: EquationSystem) -> dict[str, str]:

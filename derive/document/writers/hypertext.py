@@ -77,7 +77,7 @@ class _Page:
     def block(self, block: Heading | Paragraph | Table) -> str:
         """HTML of one block that is no formula."""
         if isinstance(block, Heading):
-            return f"<h{block.level + 1}>{self.text(block.text)}</h{block.level + 1}>"
+            return f"<h{block.level + 1}>{self.text(block.numbered)}</h{block.level + 1}>"
         if isinstance(block, Paragraph):
             return f"<p>{self.text(block.text)}</p>"
         return self.table(block)

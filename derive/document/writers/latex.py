@@ -73,21 +73,34 @@ def to_latex(document: Document) -> str:
         r"\begin{document}",
         rf"\begin{{center}}\Large\bfseries {title}\end{{center}}",
     ]
-    parts += [_group(group) for group in document.groups]
+    first = next((b.number for b in document.blocks if isinstance(b, Heading)), None) or 1
+    if first > 1:  # a part of the whole
+        parts.append(rf"\setcounter{{section}}{{{first - 1}}}")
+    groups = document.groups
+    first_blocks = (None, *(group[0] for group in groups), None)
+    for before, group, after in zip(first_blocks, groups, first_blocks[2:], strict=False):
+        heading = group[0] if isinstance(group[0], Heading) else None
+        parts.append(_heading(heading, before, after) if heading else _group(group))
     parts.append(r"\end{document}")
     return "\n".join(parts) + "\n"
 
 
+def _heading(heading: Heading, before: Block | None, after: Block | None) -> str:
+    """LaTeX of a heading, on one page with the heading that follows it at once."""
+    title = f"\\{'sub' * (heading.level - 1)}section{{{_text(heading.text)}}}"
+    if isinstance(before, Heading):
+        return f"\n{title}\n"
+    room = 2 * _ROOM if isinstance(after, Heading) else _ROOM
+    return f"\n\\needroom{{{room}\\baselineskip}}\n{title}\n"
+
+
 def _group(group: Sequence[Block]) -> str:
-    block, *others = group
-    if isinstance(block, Heading):
-        heading = f"\\{'sub' * (block.level - 1)}section{{{_text(block.text)}}}"
-        return f"\n\\needroom{{{_ROOM}\\baselineskip}}\n{heading}\n"
+    block = group[0]
     if isinstance(block, Paragraph):
         return f"\n{_text(block.text)}"
     if isinstance(block, Table):
         return _table(block)
-    formulas = [block, *(b for b in others if isinstance(b, Formula))]
+    formulas = [b for b in group if isinstance(b, Formula)]
     if notes_beside(formulas):
         # equations in a row are aligned with each other
         return _aligned(formulas)

@@ -16,7 +16,7 @@ def to_markdown(document: Document) -> str:
 
 def _block(block: Block) -> str:
     if isinstance(block, Heading):
-        return f"{'#' * (block.level + 1)} {block.text}"
+        return f"{'#' * (block.level + 1)} {block.numbered}"
     if isinstance(block, Paragraph):
         return block.text
     if isinstance(block, Formula):

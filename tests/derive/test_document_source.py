@@ -1,0 +1,130 @@
+"""Documents cite the publication of an orbit, and number their equations by sections."""
+
+import random
+import re
+from dataclasses import replace
+from itertools import chain
+
+import numpy as np
+import pytest
+
+from nonsmooth.derive import DeclarationError, Itinerary, Source
+from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
+from nonsmooth.derive.systems import declaration
+from tests.documents import document_of, labels_by_section
+from tests.latex_reader import ORBITS, Reader
+
+# all numbered equations of the source paper
+PAPER = (*(f"({number})" for number in range(1, 19)), "(A.1)", "(A.2)", "(A.3)")
+MISSING = ("(A.1)", "(A.2)", "(A.3)")
+MISPRINTED = {
+    "(2)": "which prints $x_{1}$ without the dot of the velocity",
+    "(4)": "which prints the last entry of the stiffness matrix as $k_{1} + k_{3}$",
+    "(10)": "which prints the upper right block as $V t I$",
+    "(15)": "which prints $H$ for the flow $h$",
+    "Sec. 2.4": "without the dot of the velocity",
+}
+
+
+def texts(document: Document) -> list[str]:
+    """All running text of a document, notes beside formulas and cells of tables included."""
+    found = [b.text for b in document.blocks if isinstance(b, Paragraph)]
+    found += [f.note for f in document.formulas if f.note]
+    return found + [
+        cell
+        for block in document.blocks
+        if isinstance(block, Table)
+        for cell in chain.from_iterable(block.rows)
+    ]
+
+
+def test_the_documents_have_every_equation_of_the_paper_but_the_missing_ones() -> None:
+    shown = " ".join(text for name in ORBITS for text in texts(document_of(name)[0]))
+    cited = set(re.findall(r"= (\(\S+\)) of Pascal \(2011\)", shown))
+    assert cited == set(PAPER) - set(MISSING)
+
+
+def test_misprints_are_told_where_they_are_cited() -> None:
+    told = [text for name in ORBITS for text in texts(document_of(name)[0])]
+    for place, sentence in MISPRINTED.items():
+        assert any(f"{place} of Pascal (2011), " in t and sentence in t for t in told), place
+
+
+@pytest.mark.parametrize("name", ORBITS)
+def test_equations_are_numbered_by_sections(name: str) -> None:
+    document, _ = document_of(name)
+    labels = [f.label for f in document.formulas if f.label]
+    headings = [b.number for b in document.blocks if isinstance(b, Heading) and b.level == 1]
+    assert headings == list(range(1, len(headings) + 1))
+    assert labels == labels_by_section(document)
+    cited = {m for t in texts(document) for m in re.findall(r"(?:^|\s)\((\d[\d.]*)\)(?! of)", t)}
+    assert labels
+    assert cited - {"2011"} <= set(labels)
+
+
+def sourced(**changes: object) -> Itinerary:
+    """The global stick orbit with another source."""
+    orbit = declaration("dry-friction").global_stick
+    return replace(orbit, source=replace(orbit.source, misprints={}, **changes))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"equations": {"phase 5": "(1)"}}, r"place of 'phase 5', which is unknown \(known: .*end"),
+        ({"equations": {"flow free": "(1)"}}, "place of 'flow free', which is unknown"),
+        ({"flows": {"free": "H"}}, "letter for the flow of 'free', which is unknown"),
+        ({"states": tuple("abcdef")}, "letters for 6 states, but the start and 4 phases have 5"),
+    ],
+)
+def test_a_source_with_what_the_orbit_does_not_have_is_refused(
+    changes: dict[str, object], message: str
+) -> None:
+    with pytest.raises(DeclarationError, match=message):
+        sourced(**changes)
+
+
+def test_a_misprint_belongs_to_a_place_that_is_named() -> None:
+    with pytest.raises(DeclarationError, match=r"a misprint at '\(3\)', which no equation names"):
+        Source("Pascal (2011)", {"start": "(2)"}, misprints={"(3)": "which prints nothing"})
+
+
+def test_a_rotated_orbit_has_no_source() -> None:
+    orbit = declaration("dry-friction").global_stick
+    assert orbit.rotated(0).source == orbit.source
+    assert orbit.rotated(1).source is None
+
+
+@pytest.mark.parametrize("name", ["dry-friction", *(n for n in ORBITS if "friction" in n)])
+def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
+    document, _ = document_of(name)
+    formulas = [b.latex for b in document.section("The model") if isinstance(b, Formula)]
+    relations = re.split(r",\s*\\qquad|[.,;]?\s*(?:\\\\\s|\\end\{aligned\})", " ".join(formulas))
+    texts = dict(
+        re.sub(r"\\begin\{aligned\}|&(?:\\qquad\{\})?", "", relation).strip().split(" = ", 1)
+        for relation in relations
+        if " = " in relation
+    )
+    draw = random.Random(4)
+    known = {f"{letter}_{{{i}}}": draw.uniform(0.3, 2.0) for letter in "mkFx" for i in (1, 2)}
+    read = Reader(known)
+    chi, eta, frequency = (read(texts[letter]) for letter in (r"\chi", r"\eta", r"\bar{\omega}"))
+    mass = np.diag([known["m_{1}"], known["m_{2}"]])
+    k1, k2 = known["k_{1}"], known["k_{2}"]
+    stiffness = np.array([[k1 + k2, -k2], [-k2, k2]])
+    forces = np.array([known["F_{1}"], known["F_{2}"]])
+    friction = [read(texts[f"u_{{{i}}}"]) for i in (1, 2)]
+
+    system = declaration("dry-friction").system
+    values = {"chi": chi, "eta": eta, "us1": friction[0], "us2": friction[1]}
+    numbers = {p.symbol: values.get(p.name, 1.0) for p in system.parameters}
+    numbers |= dict(zip(system.states, [known["x_{1}"], known["x_{2}"], 1.0, 1.0], strict=True))
+    dynamics = system.configuration("slip-slip").dynamics
+    declared = [np.array(m.subs(numbers), dtype=float) for m in (dynamics.stiffness, dynamics.load)]
+    scale = np.linalg.inv(mass) / frequency**2
+    assert scale @ stiffness == pytest.approx(declared[0])
+    assert scale @ forces == pytest.approx(declared[1].ravel())
+    holding = Reader({**known, r"\chi": chi})
+    for i, contact in enumerate(system.contacts, start=1):
+        force = contact.forces["stick-stick"].subs(numbers)
+        assert holding(texts[rf"\varphi_{{{i}}}"]) == pytest.approx(float(force))
