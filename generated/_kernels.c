@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 45d841dba31ca7c4 */
+ * SymPy 1.14.0, derivation 92f5ff9412646d07 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -3388,11 +3388,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "55586efa21b91602") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "f03cf19002c3a6c5") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "113e2b5e94516a32") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "bc8b907cd6e5cf02") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "09d7fc9637b7ada5") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "fdf4fff01cdd8c9f") < 0)
         return -1;
     return 0;
 }

@@ -1,15 +1,16 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 09d7fc9637b7ada5 */
+ * SymPy 1.14.0, derivation fdf4fff01cdd8c9f */
 #include "dry_friction.h"
 
 #include <math.h>
 
-#include "support.h"
+#include "nonsmooth_compiler.h"
+#include "nonsmooth_sums.h"
+#include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Takes parameters (2); gives spectrum (7), derivatives (7, 2), row by row.
  * Operations: 97. Intermediate terms: 45. */
 void dry_friction_spectrum(
     const double parameters[2], double spectrum[7], double derivatives[14])
@@ -88,10 +89,10 @@ void dry_friction_spectrum(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 138. Intermediate terms: 26. */
 void dry_friction_flow_slip_slip(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -140,10 +141,10 @@ void dry_friction_flow_slip_slip(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 28. Intermediate terms: 4. */
 void dry_friction_flow_slip_stick(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -165,10 +166,10 @@ void dry_friction_flow_slip_stick(
 }
 
 /* State after a time in slip-overshoot.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_slip_overshoot(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -217,10 +218,10 @@ void dry_friction_flow_slip_overshoot(
 }
 
 /* State after a time in stick-slip.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 29. Intermediate terms: 7. */
 void dry_friction_flow_stick_slip(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us2 = parameters[5];
@@ -245,10 +246,10 @@ void dry_friction_flow_stick_slip(
 }
 
 /* State after a time in stick-stick.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
 void dry_friction_flow_stick_stick(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     (void)spectrum;
@@ -264,10 +265,10 @@ void dry_friction_flow_stick_stick(
 }
 
 /* State after a time in stick-overshoot.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 29. Intermediate terms: 7. */
 void dry_friction_flow_stick_overshoot(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us2 = parameters[5];
@@ -292,10 +293,10 @@ void dry_friction_flow_stick_overshoot(
 }
 
 /* State after a time in overshoot-slip.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_overshoot_slip(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -344,10 +345,10 @@ void dry_friction_flow_overshoot_slip(
 }
 
 /* State after a time in overshoot-stick.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 28. Intermediate terms: 4. */
 void dry_friction_flow_overshoot_stick(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -369,10 +370,10 @@ void dry_friction_flow_overshoot_stick(
 }
 
 /* State after a time in overshoot-overshoot.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_overshoot_overshoot(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -421,7 +422,6 @@ void dry_friction_flow_overshoot_overshoot(
 }
 
 /* Vector fields of the configurations, one below the other, offsets last.
- * Takes parameters (7); gives fields (36, 5), row by row.
  * Operations: 20. Intermediate terms: 2. */
 void dry_friction_fields(
     const double parameters[7], double fields[180])
@@ -616,7 +616,6 @@ void dry_friction_fields(
 }
 
 /* Affine functions of the state: gradients, constants last.
- * Takes parameters (7); gives rows (17, 5), row by row.
  * Operations: 16. Intermediate terms: 0. */
 void dry_friction_rows(
     const double parameters[7], double rows[85])
@@ -715,7 +714,6 @@ void dry_friction_rows(
 }
 
 /* Affine resets of the state, one below the other, offsets last.
- * Takes parameters (7); gives resets (16, 5), row by row.
  * Operations: 0. Intermediate terms: 0. */
 void dry_friction_resets(
     const double parameters[7], double resets[80])
@@ -804,10 +802,10 @@ void dry_friction_resets(
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
- * Takes parameters (7), spectrum (7); gives exponents (21, 2), coefficients (152, 5), row by row.
  * Operations: 231. Intermediate terms: 45. */
 void dry_friction_modes(
-    const double parameters[7], const double spectrum[7], double exponents[42], double coefficients[760])
+    const double parameters[7], const double spectrum[7], double exponents[42],
+    double coefficients[760])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -1669,10 +1667,11 @@ void dry_friction_modes(
 }
 
 /* Switching and periodicity equations.
- * Takes parameters (4), spectrum (7), unknowns (5); gives residual (5), row by row.
  * Operations: 60. Intermediate terms: 19. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_residual(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double residual[5])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double residual[5])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -1719,10 +1718,11 @@ void dry_friction_symmetric_residual(
 }
 
 /* Derivatives of the equations by the unknowns.
- * Takes parameters (4), spectrum (7), unknowns (5); gives jacobian (5, 5), row by row.
  * Operations: 95. Intermediate terms: 30. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_jacobian(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double jacobian[25])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double jacobian[25])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -1801,10 +1801,11 @@ void dry_friction_symmetric_jacobian(
 }
 
 /* Equations and their derivatives by the unknowns, sharing all intermediate terms.
- * Takes parameters (4), spectrum (7), unknowns (5); gives residual (5), jacobian (5, 5), row by row.
  * Operations: 121. Intermediate terms: 40. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_residual_and_jacobian(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double residual[5], double jacobian[25])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double residual[5], double jacobian[25])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -1899,10 +1900,11 @@ void dry_friction_symmetric_residual_and_jacobian(
 }
 
 /* Total derivatives of the equations by the parameters, through the spectrum too.
- * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (5); gives parameter_jacobian (5, 4), row by row.
  * Operations: 155. Intermediate terms: 49. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_parameter_jacobian(
-    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[5], double parameter_jacobian[20])
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14],
+    const double unknowns[5], double parameter_jacobian[20])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -2005,10 +2007,11 @@ void dry_friction_symmetric_parameter_jacobian(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates.
- * Takes parameters (4), spectrum (7), unknowns (5); gives poincare_jacobian (2, 2), row by row.
  * Operations: 174. Intermediate terms: 66. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_poincare_jacobian(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double poincare_jacobian[4])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double poincare_jacobian[4])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2108,10 +2111,11 @@ void dry_friction_symmetric_poincare_jacobian(
 }
 
 /* Saltation matrices of the transitions, one below the other.
- * Takes parameters (4), spectrum (7), unknowns (5); gives saltations (8, 4), row by row.
  * Operations: 130. Intermediate terms: 40. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_saltations(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double saltations[32])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double saltations[32])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2208,10 +2212,11 @@ void dry_friction_symmetric_saltations(
 }
 
 /* Monodromy matrix: the product of flows and saltation matrices over a period.
- * Takes parameters (4), spectrum (7), unknowns (5); gives monodromy (4, 4), row by row.
  * Operations: 221. Intermediate terms: 91. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_monodromy(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double monodromy[16])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double monodromy[16])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2346,8 +2351,8 @@ void dry_friction_symmetric_monodromy(
 }
 
 /* Trace of the Poincare map's Jacobian.
- * Takes parameters (4), spectrum (7), unknowns (5); gives trace, row by row.
  * Operations: 166. Intermediate terms: 62. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_trace(
     const double parameters[4], const double spectrum[7], const double unknowns[5], double *trace)
 {
@@ -2442,10 +2447,11 @@ void dry_friction_symmetric_trace(
 }
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
- * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (5); gives trace_gradient (9), row by row.
  * Operations: 1300. Intermediate terms: 390. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_trace_gradient(
-    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[5], double trace_gradient[9])
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14],
+    const double unknowns[5], double trace_gradient[9])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2958,10 +2964,11 @@ void dry_friction_symmetric_trace_gradient(
 }
 
 /* State at the start and behind each transition, row by row.
- * Takes parameters (4), spectrum (7), unknowns (5); gives states (3, 4), row by row.
  * Operations: 90. Intermediate terms: 23. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_states(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double states[12])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double states[12])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3017,10 +3024,11 @@ void dry_friction_symmetric_states(
 }
 
 /* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
- * Takes parameters (4), spectrum (7), unknowns (5); gives coefficients (24), frequencies (3), row by row.
  * Operations: 118. Intermediate terms: 29. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_boundary_functions(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double coefficients[24], double frequencies[3])
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double coefficients[24], double frequencies[3])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3096,10 +3104,11 @@ void dry_friction_symmetric_boundary_functions(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_flow_slip_slip(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -3136,10 +3145,11 @@ void dry_friction_symmetric_flow_slip_slip(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 4. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_flow_slip_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     (void)spectrum;
@@ -3160,10 +3170,11 @@ void dry_friction_symmetric_flow_slip_stick(
 }
 
 /* Reduced equations and their derivatives by the reduced unknowns.
- * Takes parameters (4), spectrum (7), reduced (2); gives residual (2), jacobian (2, 2), row by row.
  * Operations: 188. Intermediate terms: 58. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_reduced(
-    const double parameters[4], const double spectrum[7], const double reduced[2], double residual[2], double jacobian[4])
+    const double parameters[4], const double spectrum[7], const double reduced[2],
+    double residual[2], double jacobian[4])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3258,10 +3269,11 @@ void dry_friction_symmetric_reduced(
 }
 
 /* All unknowns from the reduced ones, and how singular the linear equations for them are: 0 if they are.
- * Takes parameters (4), spectrum (7), reduced (2); gives unknowns (5), determinants (1), row by row.
  * Operations: 71. Intermediate terms: 22. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_expand(
-    const double parameters[4], const double spectrum[7], const double reduced[2], double unknowns[5], double determinants[1])
+    const double parameters[4], const double spectrum[7], const double reduced[2],
+    double unknowns[5], double determinants[1])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3313,10 +3325,11 @@ void dry_friction_symmetric_expand(
 }
 
 /* Switching and periodicity equations.
- * Takes parameters (5), spectrum (7), unknowns (6); gives residual (6), row by row.
  * Operations: 142. Intermediate terms: 39. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_residual(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double residual[6])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double residual[6])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3389,10 +3402,11 @@ void dry_friction_global_stick_residual(
 }
 
 /* Derivatives of the equations by the unknowns.
- * Takes parameters (5), spectrum (7), unknowns (6); gives jacobian (6, 6), row by row.
  * Operations: 266. Intermediate terms: 94. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_jacobian(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double jacobian[36])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double jacobian[36])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -3553,10 +3567,11 @@ void dry_friction_global_stick_jacobian(
 }
 
 /* Equations and their derivatives by the unknowns, sharing all intermediate terms.
- * Takes parameters (5), spectrum (7), unknowns (6); gives residual (6), jacobian (6, 6), row by row.
  * Operations: 277. Intermediate terms: 94. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_residual_and_jacobian(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double residual[6], double jacobian[36])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double residual[6], double jacobian[36])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -3725,10 +3740,11 @@ void dry_friction_global_stick_residual_and_jacobian(
 }
 
 /* Total derivatives of the equations by the parameters, through the spectrum too.
- * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 2), unknowns (6); gives parameter_jacobian (6, 5), row by row.
  * Operations: 514. Intermediate terms: 142. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_parameter_jacobian(
-    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[6], double parameter_jacobian[30])
+    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[14],
+    const double unknowns[6], double parameter_jacobian[30])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3949,10 +3965,11 @@ void dry_friction_global_stick_parameter_jacobian(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates.
- * Takes parameters (5), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), row by row.
  * Operations: 276. Intermediate terms: 103. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_poincare_jacobian(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double poincare_jacobian[4])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double poincare_jacobian[4])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -4101,10 +4118,11 @@ void dry_friction_global_stick_poincare_jacobian(
 }
 
 /* Saltation matrices of the transitions, one below the other.
- * Takes parameters (5), spectrum (7), unknowns (6); gives saltations (16, 4), row by row.
  * Operations: 167. Intermediate terms: 56. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_saltations(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double saltations[64])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double saltations[64])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -4256,10 +4274,11 @@ void dry_friction_global_stick_saltations(
 }
 
 /* Monodromy matrix: the product of flows and saltation matrices over a period.
- * Takes parameters (5), spectrum (7), unknowns (6); gives monodromy (4, 4), row by row.
  * Operations: 378. Intermediate terms: 130. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_monodromy(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double monodromy[16])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double monodromy[16])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -4443,8 +4462,8 @@ void dry_friction_global_stick_monodromy(
 }
 
 /* Trace of the Poincare map's Jacobian.
- * Takes parameters (5), spectrum (7), unknowns (6); gives trace, row by row.
  * Operations: 194. Intermediate terms: 64. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_trace(
     const double parameters[5], const double spectrum[7], const double unknowns[6], double *trace)
 {
@@ -4546,10 +4565,11 @@ void dry_friction_global_stick_trace(
 }
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
- * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 2), unknowns (6); gives trace_gradient (11), row by row.
  * Operations: 1293. Intermediate terms: 348. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_trace_gradient(
-    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[6], double trace_gradient[11])
+    const double parameters[5], const double spectrum[7], const double spectrum_derivatives[14],
+    const double unknowns[6], double trace_gradient[11])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -5031,10 +5051,11 @@ void dry_friction_global_stick_trace_gradient(
 }
 
 /* State at the start and behind each transition, row by row.
- * Takes parameters (5), spectrum (7), unknowns (6); gives states (5, 4), row by row.
  * Operations: 108. Intermediate terms: 32. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_states(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double states[20])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double states[20])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -5112,10 +5133,11 @@ void dry_friction_global_stick_states(
 }
 
 /* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
- * Takes parameters (5), spectrum (7), unknowns (6); gives coefficients (44), frequencies (4), row by row.
  * Operations: 175. Intermediate terms: 45. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_boundary_functions(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double coefficients[44], double frequencies[4])
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double coefficients[44], double frequencies[4])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -5234,10 +5256,11 @@ void dry_friction_global_stick_boundary_functions(
 }
 
 /* State after a time in stick-stick.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_stick_stick(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     (void)spectrum;
@@ -5253,10 +5276,11 @@ void dry_friction_global_stick_flow_stick_stick(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 4. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_slip_stick(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     (void)spectrum;
@@ -5277,10 +5301,11 @@ void dry_friction_global_stick_flow_slip_stick(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_slip_slip(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -5317,10 +5342,11 @@ void dry_friction_global_stick_flow_slip_slip(
 }
 
 /* State after a time in stick-slip.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 6. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_stick_slip(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega3 = spectrum[6];
@@ -5343,10 +5369,11 @@ void dry_friction_global_stick_flow_stick_slip(
 }
 
 /* Reduced equations and their derivatives by the reduced unknowns.
- * Takes parameters (5), spectrum (7), reduced (2); gives residual (2), jacobian (2, 2), row by row.
  * Operations: 197. Intermediate terms: 66. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_reduced(
-    const double parameters[5], const double spectrum[7], const double reduced[2], double residual[2], double jacobian[4])
+    const double parameters[5], const double spectrum[7], const double reduced[2],
+    double residual[2], double jacobian[4])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -5453,10 +5480,11 @@ void dry_friction_global_stick_reduced(
 }
 
 /* All unknowns from the reduced ones.
- * Takes parameters (5), spectrum (7), reduced (2); gives unknowns (6), row by row.
  * Operations: 138. Intermediate terms: 40. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_expand(
-    const double parameters[5], const double spectrum[7], const double reduced[2], double unknowns[6])
+    const double parameters[5], const double spectrum[7], const double reduced[2],
+    double unknowns[6])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -5530,10 +5558,11 @@ void dry_friction_global_stick_expand(
 }
 
 /* Switching and periodicity equations.
- * Takes parameters (4), spectrum (7), unknowns (6); gives residual (6), row by row.
  * Operations: 139. Intermediate terms: 36. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_residual(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[6])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double residual[6])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -5601,10 +5630,11 @@ void dry_friction_solution_ii_residual(
 }
 
 /* Derivatives of the equations by the unknowns.
- * Takes parameters (4), spectrum (7), unknowns (6); gives jacobian (6, 6), row by row.
  * Operations: 317. Intermediate terms: 94. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_jacobian(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double jacobian[36])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double jacobian[36])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -5772,10 +5802,11 @@ void dry_friction_solution_ii_jacobian(
 }
 
 /* Equations and their derivatives by the unknowns, sharing all intermediate terms.
- * Takes parameters (4), spectrum (7), unknowns (6); gives residual (6), jacobian (6, 6), row by row.
  * Operations: 350. Intermediate terms: 102. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_residual_and_jacobian(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[6], double jacobian[36])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double residual[6], double jacobian[36])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -5960,10 +5991,11 @@ void dry_friction_solution_ii_residual_and_jacobian(
 }
 
 /* Total derivatives of the equations by the parameters, through the spectrum too.
- * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (6); gives parameter_jacobian (6, 4), row by row.
  * Operations: 498. Intermediate terms: 139. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_parameter_jacobian(
-    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[6], double parameter_jacobian[24])
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14],
+    const double unknowns[6], double parameter_jacobian[24])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -6173,10 +6205,11 @@ void dry_friction_solution_ii_parameter_jacobian(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates.
- * Takes parameters (4), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), row by row.
  * Operations: 273. Intermediate terms: 100. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_poincare_jacobian(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double poincare_jacobian[4])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double poincare_jacobian[4])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -6320,10 +6353,11 @@ void dry_friction_solution_ii_poincare_jacobian(
 }
 
 /* Saltation matrices of the transitions, one below the other.
- * Takes parameters (4), spectrum (7), unknowns (6); gives saltations (16, 4), row by row.
  * Operations: 164. Intermediate terms: 53. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_saltations(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double saltations[64])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double saltations[64])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -6470,10 +6504,11 @@ void dry_friction_solution_ii_saltations(
 }
 
 /* Monodromy matrix: the product of flows and saltation matrices over a period.
- * Takes parameters (4), spectrum (7), unknowns (6); gives monodromy (4, 4), row by row.
  * Operations: 357. Intermediate terms: 125. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_monodromy(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double monodromy[16])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double monodromy[16])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -6650,8 +6685,8 @@ void dry_friction_solution_ii_monodromy(
 }
 
 /* Trace of the Poincare map's Jacobian.
- * Takes parameters (4), spectrum (7), unknowns (6); gives trace, row by row.
  * Operations: 265. Intermediate terms: 97. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_trace(
     const double parameters[4], const double spectrum[7], const double unknowns[6], double *trace)
 {
@@ -6791,10 +6826,11 @@ void dry_friction_solution_ii_trace(
 }
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
- * Takes parameters (4), spectrum (7), spectrum_derivatives (7, 2), unknowns (6); gives trace_gradient (10), row by row.
  * Operations: 2228. Intermediate terms: 634. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_trace_gradient(
-    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14], const double unknowns[6], double trace_gradient[10])
+    const double parameters[4], const double spectrum[7], const double spectrum_derivatives[14],
+    const double unknowns[6], double trace_gradient[10])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -7600,10 +7636,11 @@ void dry_friction_solution_ii_trace_gradient(
 }
 
 /* State at the start and behind each transition, row by row.
- * Takes parameters (4), spectrum (7), unknowns (6); gives states (5, 4), row by row.
  * Operations: 105. Intermediate terms: 29. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_states(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double states[20])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double states[20])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -7676,10 +7713,11 @@ void dry_friction_solution_ii_states(
 }
 
 /* Boundaries along the phases: constant, slope, cosine and sine amplitudes, one row after the other; and the frequencies of each phase.
- * Takes parameters (4), spectrum (7), unknowns (6); gives coefficients (44), frequencies (4), row by row.
  * Operations: 171. Intermediate terms: 43. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_boundary_functions(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double coefficients[44], double frequencies[4])
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double coefficients[44], double frequencies[4])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -7794,10 +7832,11 @@ void dry_friction_solution_ii_boundary_functions(
 }
 
 /* State after a time in stick-stick.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_stick_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     (void)spectrum;
@@ -7813,10 +7852,11 @@ void dry_friction_solution_ii_flow_stick_stick(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 4. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_slip_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     (void)spectrum;
@@ -7837,10 +7877,11 @@ void dry_friction_solution_ii_flow_slip_stick(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_slip_slip(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -7877,10 +7918,11 @@ void dry_friction_solution_ii_flow_slip_slip(
 }
 
 /* State after a time in stick-slip.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 6. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_stick_slip(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega3 = spectrum[6];
@@ -7903,10 +7945,11 @@ void dry_friction_solution_ii_flow_stick_slip(
 }
 
 /* Reduced equations and their derivatives by the reduced unknowns.
- * Takes parameters (4), spectrum (7), reduced (3); gives residual (3), jacobian (3, 3), row by row.
  * Operations: 303. Intermediate terms: 99. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_reduced(
-    const double parameters[4], const double spectrum[7], const double reduced[3], double residual[3], double jacobian[9])
+    const double parameters[4], const double spectrum[7], const double reduced[3],
+    double residual[3], double jacobian[9])
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -8068,10 +8111,11 @@ void dry_friction_solution_ii_reduced(
 }
 
 /* All unknowns from the reduced ones.
- * Takes parameters (4), spectrum (7), reduced (3); gives unknowns (6), row by row.
  * Operations: 124. Intermediate terms: 36. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_expand(
-    const double parameters[4], const double spectrum[7], const double reduced[3], double unknowns[6])
+    const double parameters[4], const double spectrum[7], const double reduced[3],
+    double unknowns[6])
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -8139,18 +8183,13 @@ void dry_friction_solution_ii_expand(
     unknowns[5] = e1;
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (4) and guess (2: tau, tau1) of the points; gives unknowns (5), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void dry_friction_symmetric_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -8167,7 +8206,7 @@ void dry_friction_symmetric_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -8267,7 +8306,7 @@ void dry_friction_symmetric_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double chi = parameter[0][lane];
                 const double V = parameter[2][lane];
@@ -8393,7 +8432,7 @@ void dry_friction_symmetric_solve(
         }
         double result[5][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -8564,10 +8603,10 @@ void dry_friction_symmetric_solve(
             largest = fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) > largest ? fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]);
-            int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
-            ending = ((fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12)) ? 5 : ending;
+            int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
+            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
+            ending = ((fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12)) ? DRY_FRICTION_SINGULAR : ending;
             ended[lane] = ending;
         }
         for (int i = 0; i < 5; ++i)
@@ -8583,11 +8622,7 @@ void dry_friction_symmetric_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (4) and unknowns (5) for each, row by row. Gives the least values of the
- * open parameters (us2) under which it is; the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void dry_friction_symmetric_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
@@ -8620,16 +8655,16 @@ void dry_friction_symmetric_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 1; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 2 && found == -1; ++phase) {
+        for (int phase = 0; phase < 2 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[3], floor[3], maximum[3], time[3];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -8642,9 +8677,9 @@ void dry_friction_symmetric_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = DRY_FRICTION_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -8665,10 +8700,8 @@ void dry_friction_symmetric_admissible(
     }
 }
 
-/* Derivatives of the unknowns (5) and the trace by the parameters (4), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_symmetric_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
@@ -8687,7 +8720,7 @@ void dry_friction_symmetric_directions(
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -8752,7 +8785,7 @@ void dry_friction_symmetric_directions(
             fixed[13][lane] = p3_by_chi;
             fixed[14][lane] = p3_by_eta;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -8897,7 +8930,7 @@ void dry_friction_symmetric_directions(
             matrix[4][7][lane] = 0;
             matrix[4][8][lane] = 1;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -9415,7 +9448,7 @@ void dry_friction_symmetric_directions(
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -9424,14 +9457,14 @@ void dry_friction_symmetric_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -9442,7 +9475,7 @@ void dry_friction_symmetric_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -9450,10 +9483,10 @@ void dry_friction_symmetric_directions(
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
@@ -9470,18 +9503,13 @@ void dry_friction_symmetric_directions(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (5) and guess (2: tau, tau1) of the points; gives unknowns (6), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -9498,7 +9526,7 @@ void dry_friction_global_stick_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -9579,7 +9607,7 @@ void dry_friction_global_stick_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double chi = parameter[0][lane];
                 const double V = parameter[2][lane];
@@ -9725,7 +9753,7 @@ void dry_friction_global_stick_solve(
         }
         double result[6][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -9867,9 +9895,9 @@ void dry_friction_global_stick_solve(
             largest = fabs(amplitude_tau2*t27*t3 - t4 - z2_1) > largest ? fabs(amplitude_tau2*t27*t3 - t4 - z2_1) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
-            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
+            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
+            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
             ended[lane] = ending;
         }
         for (int i = 0; i < 6; ++i)
@@ -9885,11 +9913,7 @@ void dry_friction_global_stick_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (5) and unknowns (6) for each, row by row. Gives the least values of the
- * open parameters (us1, us2) under which it is; the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void dry_friction_global_stick_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
@@ -9922,16 +9946,16 @@ void dry_friction_global_stick_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[2], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 2; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 4 && found == -1; ++phase) {
+        for (int phase = 0; phase < 4 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[4], floor[4], maximum[4], time[4];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -9944,9 +9968,9 @@ void dry_friction_global_stick_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = DRY_FRICTION_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -9967,10 +9991,8 @@ void dry_friction_global_stick_admissible(
     }
 }
 
-/* Derivatives of the unknowns (6) and the trace by the parameters (5), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
@@ -9989,7 +10011,7 @@ void dry_friction_global_stick_directions(
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -10060,7 +10082,7 @@ void dry_friction_global_stick_directions(
             fixed[16][lane] = omega3_by_chi;
             fixed[17][lane] = omega3_by_eta;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -10384,7 +10406,7 @@ void dry_friction_global_stick_directions(
             matrix[5][9][lane] = 0;
             matrix[5][10][lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -10871,7 +10893,7 @@ void dry_friction_global_stick_directions(
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -10880,14 +10902,14 @@ void dry_friction_global_stick_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -10898,7 +10920,7 @@ void dry_friction_global_stick_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -10906,10 +10928,10 @@ void dry_friction_global_stick_directions(
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
@@ -10926,18 +10948,13 @@ void dry_friction_global_stick_directions(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (4) and guess (3: tau, tau1, e1) of the points; gives unknowns (6), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void dry_friction_solution_ii_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -10954,7 +10971,7 @@ void dry_friction_solution_ii_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -11051,7 +11068,7 @@ void dry_friction_solution_ii_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double chi = parameter[0][lane];
                 const double V = parameter[2][lane];
@@ -11254,7 +11271,7 @@ void dry_friction_solution_ii_solve(
         }
         double result[6][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -11441,9 +11458,9 @@ void dry_friction_solution_ii_solve(
             largest = fabs(-z2_1 + z2_5) > largest ? fabs(-z2_1 + z2_5) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
-            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
+            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
+            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
             ended[lane] = ending;
         }
         for (int i = 0; i < 6; ++i)
@@ -11459,11 +11476,7 @@ void dry_friction_solution_ii_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (4) and unknowns (6) for each, row by row. Gives the least values of the
- * open parameters (us1, us2) under which it is; the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void dry_friction_solution_ii_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
@@ -11496,16 +11509,16 @@ void dry_friction_solution_ii_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[2], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 2; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 4 && found == -1; ++phase) {
+        for (int phase = 0; phase < 4 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[4], floor[4], maximum[4], time[4];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -11518,9 +11531,9 @@ void dry_friction_solution_ii_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = DRY_FRICTION_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {

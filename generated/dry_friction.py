@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 09d7fc9637b7ada5
+# SymPy 1.14.0, derivation fdf4fff01cdd8c9f
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "09d7fc9637b7ada5"
+DERIVATION = "fdf4fff01cdd8c9f"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 113e2b5e94516a32
+# SymPy 1.14.0, derivation bc8b907cd6e5cf02
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "113e2b5e94516a32"
+DERIVATION = "bc8b907cd6e5cf02"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',

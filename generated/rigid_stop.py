@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 55586efa21b91602
+# SymPy 1.14.0, derivation f03cf19002c3a6c5
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "55586efa21b91602"
+DERIVATION = "f03cf19002c3a6c5"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',

@@ -118,7 +118,6 @@ def wrapped_directions(orbit: EquationSystem) -> Wrapped:
 
 
 _MODULE = Template("""\
-$stamp
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -221,10 +220,8 @@ PyMODINIT_FUNC PyInit__kernels(void)
 """)
 
 
-def extension_source(
-    stamp: str, functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]
-) -> str:
-    """C source of the extension module for all systems."""
+def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]) -> str:
+    """C source of the extension module for all systems, without a stamp."""
     kinds = {"double": "NPY_DOUBLE", "int32_t": "NPY_INT32"}
     loops, table = [], []
     for function in functions:
@@ -242,7 +239,6 @@ def extension_source(
         for name, value in derivations
     ]
     return _MODULE.substitute(
-        stamp=stamp,
         includes="\n".join(f'#include "{module_file(name, ".h")}"' for name, _ in derivations),
         loops="\n\n".join(loops),
         table="\n".join(table),
