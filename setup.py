@@ -9,7 +9,8 @@ from setuptools import Extension, find_packages, setup
 from setuptools.command.build_ext import build_ext
 
 # No contraction into fused multiply-adds: every build gives the same bits.
-FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"]
+FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+FLAGS += ["-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]  # no macro says that the first is given
 FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
 FLAGS_OF_MSVC = ["/std:c11", "/O2", "/fp:precise"]  # C89 without the first: no `restrict`
 # One build serves Python 3.11 and all later ones; those without a lock know no such interface.
@@ -54,8 +55,8 @@ kernels = Extension(
 engine = Extension(
     "nonsmooth.runtime._engine",
     sources=sorted(glob("runtime/engine/*.c")),
-    depends=sorted([*glob("runtime/engine/*.h"), *glob("generated/*.h")]),
-    include_dirs=["generated", "runtime/engine"],
+    depends=sorted([*glob("runtime/engine/*.h"), *glob("derive/codegen/support/*.h")]),
+    include_dirs=["derive/codegen/support", "runtime/engine"],
     define_macros=MACROS,
     py_limited_api=LIMITED,
     optional=not needed,

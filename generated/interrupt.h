@@ -1,5 +1,5 @@
 /* Generated; do not edit.
- * Source: nonsmooth.derive.codegen/interrupt.h
+ * Source: nonsmooth.derive.codegen/support/interrupt.h
  * Again: python scripts/regenerate.py
  * SymPy 1.14.0, derivation c5eb6d426d38b158 */
 /* Loops that work without Python's lock, and end when Python wants them to: at a signal such as

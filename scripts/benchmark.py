@@ -249,7 +249,8 @@ def kernel(quick: bool) -> Iterator[Row]:
         file, library = Path(folder) / "plain.c", Path(folder) / "plain.so"
         file.write_text("\n".join(source) + "\n")
         built = [str(file), str(generated / "dry_friction.c"), "-o", str(library), "-lm"]
-        flags = [*FLAGS, "-fopenmp-simd", "-shared", "-fPIC", f"-I{generated}"]
+        flags = [*FLAGS, "-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD", "-shared", "-fPIC"]
+        flags += [f"-I{generated}"]
         subprocess.run(["cc", *flags, *built], check=True)
         loaded = ctypes.CDLL(str(library))
         buffers = [parameters, spectrum, np.array(GUESS), np.zeros(6), np.zeros(36)]

@@ -7,20 +7,30 @@ from string import Template
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.c import print_c
-from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.codegen.c import c_declaration, print_c
+from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["admissible_prototype", "admissible_source"]
+__all__ = ["ADMISSIBLE", "VERDICTS", "admissible_prototype", "admissible_source"]
 
-MOST_STATES = 16  # NONSMOOTH_STATES of support.h
+MOST_STATES = 16  # NONSMOOTH_STATES of nonsmooth_motions.h
+
+# what stands in place of the row of a boundary, by name
+VERDICTS = {
+    "admissible": (-1, "none is crossed inside a phase: a motion"),
+    "no_duration": (-2, "a duration is not positive"),
+    "undecided": (-3, "data not finite, or too large for a guarantee"),
+}
+ADMISSIBLE = (
+    "Is each of `count` orbits a motion of the real system? Takes parameters and unknowns point by"
+    " point; gives the row of the boundary that is crossed inside a phase, or a verdict, by how"
+    " much the boundary's function exceeds zero, and how long after the start of the phase."
+)
+OPEN = " `bounds` are the least values of the open parameters under which it is a motion."
 
 _ADMISSIBLE = Template("""\
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters ($p) and unknowns ($n) for each, row by row. Gives$bounds_text the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 $prototype
 {
     static const int sums[] = {$sums}, ${terms}at_once[] = {$at_once};
@@ -50,16 +60,16 @@ $prepared        /* the $data are differences of the data and carry their roundi
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[$least_count], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = $admissible, row = 0;
         $cursors;
         for (int i = 0; i < $least_count; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < $phases && found == -1; ++phase) {
+        for (int phase = 0; phase < $phases && found == $admissible; ++phase) {
             const double duration = durations[phase];
             $length;
             double usual[$most_sums], floor[$most_sums], maximum[$most_sums], time[$most_sums];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? $no_duration : $undecided;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -72,9 +82,9 @@ $prepared        /* the $data are differences of the data and carry their roundi
             }
             $maxima
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == $admissible; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = $undecided;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -137,11 +147,10 @@ _MOTIONS = {
 def admissible_prototype(orbit: EquationSystem) -> str:
     """C declaration of the admissibility test of an orbit, without the semicolon."""
     name = c_function(orbit.system.name, "admissible", orbit.itinerary.name)
-    bounds = " double *bounds," if orbit.open_parameters else ""
-    return (
-        f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *unknowns,"
-        f"{bounds}\n    int32_t *boundary, double *excess, double *instant)"
-    )
+    bounds = ["double *bounds"] if orbit.open_parameters else []
+    given = ("ptrdiff_t count", "const double *parameters", "const double *unknowns")
+    results = ("int32_t *boundary", "double *excess", "double *instant")
+    return c_declaration(name, [*given, *bounds, *results])
 
 
 def admissible_source(orbit: EquationSystem) -> str:
@@ -163,7 +172,6 @@ def admissible_source(orbit: EquationSystem) -> str:
         -1 if b.open_parameter is None else orbit.open_parameters.index(b.open_parameter)
         for b in functions
     ]
-    names = ", ".join(map(str, orbit.open_parameters))
     many = len(orbit.open_parameters)
     widths = [len(b.coefficients) if orbit.trigonometric else states + 1 for b in functions]
     rows = [*accumulate(widths, initial=0)]
@@ -193,14 +201,10 @@ def admissible_source(orbit: EquationSystem) -> str:
         "nf": max(sum(terms), 1),
     }
     return _ADMISSIBLE.substitute(
-        {name: Template(text).substitute(numbers) for name, text in kind.items()},
+        {name: Template(text).substitute(numbers) for name, text in kind.items()}
+        | {name: constant(orbit.system.name, name) for name in VERDICTS},
         p=len(orbit.parameters),
         n=len(orbit.unknowns),
-        bounds_text=(
-            f" the least values of the\n * open parameters ({names}) under which it is;"
-            if many
-            else ""
-        ),
         bounds=(
             f"        for (int i = 0; i < {many}; ++i)\n"
             f"            bounds[{many} * point + i] = least[i];\n"

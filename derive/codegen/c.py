@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
+from textwrap import fill
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from nonsmooth.derive.codegen.any_arithmetic import Ordered, shape_text
+from nonsmooth.derive.codegen.any_arithmetic import Ordered
 from nonsmooth.derive.codegen.body import Constant, Line, body_of
 from nonsmooth.derive.codegen.naming import C_TAKEN, C_TAKEN_BEGINNINGS, c_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 
-__all__ = ["Scope", "c_kernel", "c_prototype", "line_sources", "print_c"]
+__all__ = ["Scope", "c_declaration", "c_kernel", "c_prototype", "line_sources", "print_c"]
 
 
 _LARGE = 40  # entries of an output, from which on a table may be shorter
@@ -153,12 +154,19 @@ def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
     return sources
 
 
+def c_declaration(name: str, parameters: Iterable[str]) -> str:
+    """C declaration of a function without a result, without the semicolon."""
+    joined = ", ".join(parameter.replace(" ", "\0") for parameter in parameters)
+    lines = fill(joined, 100, initial_indent="    ", subsequent_indent="    ")
+    return f"void {name}(\n{lines})".replace("\0", " ")
+
+
 def c_prototype(kernel: Kernel, system: str, orbit: str | None) -> str:
     """C declaration of one kernel, without the semicolon."""
     some = len(kernel.outputs) > 1
     parameters = [_declare(a, constant=True, optional=a.since > 0) for a in kernel.arguments]
     parameters += [_declare(o, constant=False, optional=some) for o in kernel.outputs]
-    return f"void {c_function(system, kernel.name, orbit)}(\n    {', '.join(parameters)})"
+    return c_declaration(c_function(system, kernel.name, orbit), parameters)
 
 
 def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
@@ -166,10 +174,9 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
     body, some = body_of(kernel), len(kernel.outputs) > 1
     lines = [
         f"/* {kernel.title}",
-        f" * Takes {', '.join(shape_text(a) for a in kernel.arguments)};"
-        f" gives {', '.join(shape_text(o) for o in kernel.outputs)}, row by row.",
-        *([" * An output that is NULL is not wanted."] if some else []),
         f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */",
+        # orbits with other parameters may have the same body
+        *(["NONSMOOTH_UNMERGED"] if orbit is not None else []),
         c_prototype(kernel, system, orbit),
         "{",
     ]

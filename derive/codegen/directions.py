@@ -13,25 +13,29 @@ from string import Template
 import sympy as sp
 
 from nonsmooth.derive.codegen.body import Line, body_of, needed
-from nonsmooth.derive.codegen.c import Scope, print_c
+from nonsmooth.derive.codegen.c import Scope, c_declaration, print_c
 from nonsmooth.derive.codegen.kernels import direction_kernels
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.codegen.solver import inputs_of, lane_sources
 from nonsmooth.derive.equations.equation_system import EquationSystem, spectral_derivative
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["directions_prototype", "directions_source"]
+__all__ = ["DIRECTIONS", "directions_prototype", "directions_source"]
 
 LEAST = "1e-10"  # of a pivot, in units of the matrix: that of nonsmooth.runtime.shooting.newton
+
+DIRECTIONS = (
+    "Derivatives of the unknowns and the trace by the parameters, at solutions, for `count` points."
+    " Arrays hold columns: entry i of a point stands at [i*count + point]. NaN where the equations"
+    " are singular."
+)
 
 # names where symbols stand, which hide symbols of the same name
 _OWN = {"fixed", "lane", "matrix", "parameter", "slope", "unknown"}
 
 _DIRECTIONS = Template("""\
-/* Derivatives of the unknowns ($n) and the trace by the parameters ($p), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below $least times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below $least times the matrix. */
 NONSMOOTH_MULTIVERSION
 $prototype
 {
@@ -49,21 +53,21 @@ $prototype
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
 $spectrum
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
 $equations
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
 $trace
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -72,14 +76,14 @@ $trace
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -90,7 +94,7 @@ $trace
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -98,10 +102,10 @@ $trace
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
@@ -122,10 +126,8 @@ $trace
 def directions_prototype(orbit: EquationSystem) -> str:
     """C declaration of the derivatives of an orbit, without the semicolon."""
     name = c_function(orbit.system.name, "directions", orbit.itinerary.name)
-    return (
-        f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *unknowns,"
-        " double *directions)"
-    )
+    given = ("ptrdiff_t count", "const double *parameters", "const double *unknowns")
+    return c_declaration(name, [*given, "double *directions"])
 
 
 def directions_source(orbit: EquationSystem) -> str:

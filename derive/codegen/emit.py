@@ -5,16 +5,24 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
-from importlib.resources import files
+from functools import partial
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.admissibility import admissible_prototype, admissible_source
+from nonsmooth.derive.codegen.admissibility import (
+    ADMISSIBLE,
+    OPEN,
+    admissible_prototype,
+    admissible_source,
+)
 from nonsmooth.derive.codegen.c import c_kernel, c_prototype
 from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
-from nonsmooth.derive.codegen.directions import directions_prototype, directions_source
+from nonsmooth.derive.codegen.directions import (
+    DIRECTIONS,
+    directions_prototype,
+    directions_source,
+)
 from nonsmooth.derive.codegen.gufunc import (
     Wrapped,
     extension_source,
@@ -22,9 +30,11 @@ from nonsmooth.derive.codegen.gufunc import (
     wrapped_functions,
     wrapped_solvers,
 )
-from nonsmooth.derive.codegen.naming import constant, module_file
+from nonsmooth.derive.codegen.header import Declared, Missing, header_file
+from nonsmooth.derive.codegen.naming import module_file
 from nonsmooth.derive.codegen.python_file import GENERATE, Stamp, python_file, text_hash
-from nonsmooth.derive.codegen.solver import solve_prototype, solve_source
+from nonsmooth.derive.codegen.solver import SOLVE, solve_prototype, solve_source
+from nonsmooth.derive.codegen.support_files import included, including
 from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
@@ -35,8 +45,6 @@ from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["EmittedSystem", "emit_library", "emit_many_points", "emit_package", "emit_system"]
 
-SUPPORT = "support.h"
-HEADERS = (SUPPORT, "interrupt.h")  # as they are in this folder
 EXTENSION = "_kernels.c"
 PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"
@@ -61,9 +69,9 @@ class EmittedSystem:
 
 @dataclass(frozen=True)
 class _Function:
-    """A C function: prototype, definition, and its wrapper."""
+    """A C function: declaration, definition, and its wrapper."""
 
-    prototype: str
+    declared: Declared
     definition: str
     wrapped: tuple[Wrapped, ...]
 
@@ -89,12 +97,12 @@ def emit_many_points(system: System, orbits: Sequence[Itinerary], source: str) -
 def _emit_compiled(derived: DerivedSystem, source: str) -> dict[str, str]:
     """The files of an extension and of the Python that it compiles, without documents."""
     name, tables = derived.system.name, system_tables(derived)
-    functions = _c_functions(derived)
+    functions, missing = _c_functions(derived)
     derivation = text_hash(tables, *derived.functions)
     stamp = Stamp(source, derivation, GENERATE)
     files = {
         module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
-        **_c_files(stamp, name, functions),
+        **_c_files(stamp, derived, functions, missing),
     }
     emitted = EmittedSystem(name, source, derivation, files, _wrapped(functions), {})
     return emit_package([emitted], GENERATE)
@@ -118,13 +126,13 @@ def emit_system(
     progress(f"{name}: Python")
     tables = system_tables(derived)
     progress(f"{name}: C")
-    functions = _c_functions(derived)
+    functions, missing = _c_functions(derived)
     definitions = [f.definition for f in functions]
     derivation = text_hash(tables, *derived.functions, *definitions)
     stamp = Stamp(source, derivation, command)
     emitted = {
         module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
-        **_c_files(stamp, name, functions),
+        **_c_files(stamp, derived, functions, missing),
     }
     progress(f"{name}: equations in LaTeX")
     emitted[module_file(name, ".md")] = _markdown_file(stamp, derived)
@@ -138,27 +146,47 @@ def emit_system(
     )
 
 
-def _c_functions(derived: DerivedSystem) -> list[_Function]:
-    """All functions that C can hold: kernels, solvers, admissibility tests and derivatives."""
-    name = derived.system.name
-    found = []
+def _c_functions(derived: DerivedSystem) -> tuple[list[_Function], list[Missing]]:
+    """Kernels, solvers, admissibility tests and derivatives in C, and those that it cannot hold."""
+    system = derived.system.name
+    functions: list[_Function] = []
+    missing: list[Missing] = []
+
+    def add(
+        orbit: str | None,
+        title: str,
+        prototype: str,
+        wrapped: Sequence[Wrapped],
+        define: Callable[[], str],
+    ) -> None:
+        try:
+            definition = define()
+        except _NOT_IN_C as problem:
+            missing.append(Missing(orbit, wrapped[0].function, " ".join(str(problem).split())))
+        else:
+            declared = Declared(orbit, title, prototype, wrapped[0].many)
+            functions.append(_Function(declared, definition, tuple(wrapped)))
+
     for kernel, orbit in derived.kernels:
-        with suppress(*_NOT_IN_C):
-            definition = c_kernel(kernel, name, orbit)
-            wrapped = tuple(wrapped_functions(name, kernel, orbit))
-            found.append(_Function(c_prototype(kernel, name, orbit), definition, wrapped))
+        prototype = c_prototype(kernel, system, orbit)
+        title = kernel.title
+        if kernel.name == "spectrum":
+            names = ", ".join(map(str, derived.form.spectrum.parameters))
+            title += f" Its `parameters` are {names}, in this order." if names else ""
+        wrapped = wrapped_functions(system, kernel, orbit)
+        add(orbit, title, prototype, wrapped, partial(c_kernel, kernel, system, orbit))
     for equations in derived.derived:
         solver, test = wrapped_solvers(equations)
-        with suppress(*_NOT_IN_C):
-            definition = solve_source(equations)
-            found.append(_Function(solve_prototype(equations), definition, (solver,)))
-        with suppress(*_NOT_IN_C):
-            definition = admissible_source(equations)
-            found.append(_Function(admissible_prototype(equations), definition, (test,)))
-        with suppress(*_NOT_IN_C):
-            definition, moved = directions_source(equations), wrapped_directions(equations)
-            found.append(_Function(directions_prototype(equations), definition, (moved,)))
-    return found
+        moved = wrapped_directions(equations)
+        verdict = ADMISSIBLE + (OPEN if equations.open_parameters else "")
+        for title, declare, wrapper, define in (
+            (SOLVE, solve_prototype, solver, solve_source),
+            (verdict, admissible_prototype, test, admissible_source),
+            (DIRECTIONS, directions_prototype, moved, directions_source),
+        ):
+            prototype = declare(equations)
+            add(equations.itinerary.name, title, prototype, [wrapper], partial(define, equations))
+    return functions, missing
 
 
 def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
@@ -181,25 +209,24 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
     Shared are the extension module, the headers and PROVENANCE.json, which records that
     `command` makes the files.
     """
-    package = "nonsmooth.derive.codegen"
-    headers = {name: files(package).joinpath(name).read_text(encoding="utf-8") for name in HEADERS}
-    overall = text_hash(*headers.values(), *(s.derivation for s in systems))
     emitted: dict[str, str] = {}
     origins: dict[str, tuple[str, str]] = {}
     for system in systems:
         emitted |= system.files
         origins |= {file: (system.source, system.derivation) for file in system.files}
-    stamp = Stamp(", ".join(s.source for s in systems), overall, command)
-    emitted[EXTENSION] = extension_source(
-        stamp.c(),
+    extension = extension_source(
         [function for system in systems for function in system.wrapped],
         [(s.name, s.derivation) for s in systems],
     )
+    headers = included([*emitted.values(), extension])
+    overall = text_hash(*headers.values(), *(s.derivation for s in systems))
+    stamp = Stamp(", ".join(s.source for s in systems), overall, command)
+    emitted[EXTENSION] = stamp.c() + "\n" + extension
     origins[EXTENSION] = (stamp.source, overall)
     for name, text in headers.items():
-        shared = Stamp(f"{package}/{name}", text_hash(text), command)
+        shared = Stamp(f"nonsmooth.derive.codegen/support/{name}", text_hash(text), command)
         emitted[name] = shared.c() + "\n" + text
-        origins[name] = (package, text_hash(text))
+        origins[name] = (shared.source, shared.derivation)
     record = {
         "command": command,
         "sympy": sp.__version__,
@@ -217,31 +244,21 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
     return emitted
 
 
-def _c_files(stamp: Stamp, name: str, functions: Sequence[_Function]) -> dict[str, str]:
+def _c_files(
+    stamp: Stamp,
+    derived: DerivedSystem,
+    functions: Sequence[_Function],
+    missing: Sequence[Missing],
+) -> dict[str, str]:
     """Header and source of a system in C, by file name."""
+    header, source = (module_file(derived.system.name, suffix) for suffix in (".h", ".c"))
+    body = "\n\n".join(f.definition for f in functions)
+    support = "\n".join(f'#include "{name}"' for name in including(body))
+    head = [f'{stamp.c()}\n#include "{header}"', "#include <math.h>", *filter(None, [support])]
     return {
-        module_file(name, ".h"): _header_file(stamp, name, [f.prototype for f in functions]),
-        module_file(name, ".c"): _c_file(stamp, name, [f.definition for f in functions]),
+        header: header_file(stamp, derived, [f.declared for f in functions], missing),
+        source: "\n\n".join([*head, f"{body}\n"]),
     }
-
-
-def _header_file(stamp: Stamp, name: str, prototypes: Sequence[str]) -> str:
-    guard = constant(name, "h")
-    body = "\n".join(f"{p};" for p in prototypes)
-    return (
-        f"{stamp.c()}\n#ifndef {guard}\n#define {guard}\n\n"
-        "#include <stddef.h>\n#include <stdint.h>\n\n"
-        '#ifdef __cplusplus\nextern "C" {\n#endif\n\n'
-        f"{body}\n\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
-    )
-
-
-def _c_file(stamp: Stamp, name: str, definitions: Sequence[str]) -> str:
-    body = "\n\n".join(definitions)
-    return (
-        f'{stamp.c()}\n#include "{module_file(name, ".h")}"\n\n'
-        f'#include <math.h>\n\n#include "{SUPPORT}"\n\n{body}\n'
-    )
 
 
 def _markdown_file(stamp: Stamp, derived: DerivedSystem) -> str:

@@ -131,7 +131,6 @@ def wrapped_directions(orbit: EquationSystem) -> Wrapped:
 
 
 _MODULE = Template("""\
-$stamp
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -312,10 +311,8 @@ PyMODINIT_FUNC PyInit__kernels(void)
 """)
 
 
-def extension_source(
-    stamp: str, functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]
-) -> str:
-    """C source of the extension module for all systems."""
+def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]) -> str:
+    """C source of the extension module for all systems, without a stamp."""
     kinds = {"double": "NPY_DOUBLE", "int32_t": "NPY_INT32"}
     calls, table = [], []
     for function in functions:
@@ -337,7 +334,6 @@ def extension_source(
         for name, value in derivations
     ]
     return _MODULE.substitute(
-        stamp=stamp,
         includes="\n".join(f'#include "{module_file(name, ".h")}"' for name, _ in derivations),
         most=max((len(f.taken) + len(f.given) for f in functions), default=1),
         calls="\n\n".join(calls),

@@ -13,17 +13,41 @@ from string import Template
 import sympy as sp
 
 from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
-from nonsmooth.derive.codegen.c import Scope, line_sources, print_c
+from nonsmooth.derive.codegen.c import Scope, c_declaration, line_sources, print_c
 from nonsmooth.derive.codegen.kernels import reduced_equations
-from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["MOST_REDUCED", "inputs_of", "lane_sources", "solve_prototype", "solve_source"]
+__all__ = [
+    "MOST_REDUCED",
+    "SOLVE",
+    "STATUSES",
+    "inputs_of",
+    "lane_sources",
+    "solve_prototype",
+    "solve_source",
+]
 
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
 TOLERANCE = "1e-9"  # of the last step: Newton's method squares it
 SINGULAR = "1e-12"  # a determinant in units of its bound
+MOST_STEPS = 32
+
+# codes of nonsmooth.runtime.shooting.newton by name, and what to do
+STATUSES = {
+    "converged": (0, "a solution: ask ..._admissible whether it is a motion"),
+    "not_converged": (1, f"{MOST_STEPS} steps were not enough: guess nearer"),
+    "not_finite": (2, "no numbers: mind the domains, guess nearer"),
+    "not_positive": (3, "a duration is not positive: no orbit, guess another"),
+    "singular": (5, "the start is not determined: move a parameter"),
+}
+SOLVE = (
+    "Newton's method on the reduced equations for `count` points, each from its guess: unknowns,"
+    " trace of poincare_jacobian, largest reduced residual, steps and a status of each. Arrays hold"
+    " columns: entry i of a point stands at [i*count + point]. Where the equations have several"
+    " solutions the guess decides."
+)
 
 # names of the solver's own, which hide symbols of the same name
 _OWN = """
@@ -33,18 +57,13 @@ taken trace unknowns x
 """
 
 _SOLVE = Template("""\
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters ($p)$guess_text of the points; gives unknowns ($n), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below $tolerance max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * $tolerance max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 $prototype
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = 16, most = $most };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
         double parameter[$p][lanes], ${x}fixed[$fixed][lanes];
@@ -57,13 +76,13 @@ $prototype
 $begin
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
 $prelude
         }
 $newton        double result[$n][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
 $finish
         }
@@ -84,7 +103,7 @@ $finish
 _NEWTON = Template("""\
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
 $step
             }
@@ -99,11 +118,18 @@ $step
 def solve_prototype(orbit: EquationSystem) -> str:
     """C declaration of the solver of an orbit, without the semicolon."""
     name = c_function(orbit.system.name, "solve", orbit.itinerary.name)
-    guess = " const double *guess," if orbit.reduction.unknowns else ""
-    return (
-        f"void {name}(\n    ptrdiff_t count, const double *parameters,{guess}"
-        " double *unknowns,\n    double *trace, double *residual, int32_t *iterations,"
-        " int32_t *status)"
+    guess = ["const double *guess"] if orbit.reduction.unknowns else []
+    results = ("unknowns", "trace", "residual")
+    return c_declaration(
+        name,
+        [
+            "ptrdiff_t count",
+            "const double *parameters",
+            *guess,
+            *(f"double *{result}" for result in results),
+            "int32_t *iterations",
+            "int32_t *status",
+        ],
     )
 
 
@@ -152,7 +178,6 @@ def solve_source(orbit: EquationSystem) -> str:
         *_newton(orbit, residual, jacobian, scope),
     ]
     last = Scope(outer)
-    names = ", ".join(map(str, unknowns))
     begin = [f"{outer}open[lane] = {float(count > 0)};"]
     if count:
         begin += [
@@ -163,7 +188,7 @@ def solve_source(orbit: EquationSystem) -> str:
         p=len(orbit.parameters),
         n=len(orbit.unknowns),
         x=f"x[{count}][lanes], " if count else "",
-        guess_text=f" and guess ({count}: {names})" if count else "",
+        most=MOST_STEPS,
         begin="\n".join(begin),
         tolerance=TOLERANCE,
         prototype=solve_prototype(orbit),
@@ -207,14 +232,15 @@ def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str)
     places |= {s: sp.Symbol(f"parameter[{i}][lane]") for i, s in enumerate(orbit.parameters)}
     times = [link.duration.xreplace(places) for link in orbit.chain.links if link.duration != 0]
     negative = " | ".join(f"({print_c(time)} <= 0.0)" for time in times)
+    codes = {name: constant(orbit.system.name, name) for name in STATUSES}
     # a determinant that is no number tells nothing
     singular = " | ".join(f"(fabs({print_c(d)}) <= {SINGULAR})" for d in determinants)
     lines = [
         f"const double finite = {finite};",
-        f"int32_t ending = ({negative}) ? 3 : 0;",
-        "ending = open[lane] != 0.0 ? 1 : ending;",
-        "ending = finite == 0.0 ? ending : 2;",
-        *([f"ending = ({singular}) ? 5 : ending;"] if singular else []),
+        f"int32_t ending = ({negative}) ? {codes['not_positive']} : {codes['converged']};",
+        f"ending = open[lane] != 0.0 ? {codes['not_converged']} : ending;",
+        f"ending = finite == 0.0 ? ending : {codes['not_finite']};",
+        *([f"ending = ({singular}) ? {codes['singular']} : ending;"] if singular else []),
         "ended[lane] = ending;",
     ]
     return [indent + line for line in lines]

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "support.h"
+#include "nonsmooth_differences.h"
 
 /* Bound on the absolute value of a difference beside the growth of the fastest pole. */
 static double bound(const nonsmooth_differences *d, unsigned set, double time)

@@ -6,7 +6,7 @@
 
 #include "chain.h"
 #include "least_squares.h"
-#include "support.h"
+#include "nonsmooth_trigonometry.h"
 
 /* The numbers of nonsmooth.runtime.shooting.table_newton. */
 static const double TOLERANCE = 1e-9; /* of the last step, which Newton's method squares */

@@ -9,7 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "support.h"
 #include "tables.h"
 
 enum {

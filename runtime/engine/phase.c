@@ -5,7 +5,7 @@
 
 #include "factored.h"
 #include "sums.h"
-#include "support.h"
+#include "nonsmooth_trigonometry.h"
 
 /* Impacts that accumulate leave the state where rounding puts it: each adds to what a function that
  * was located is off zero. In 120,000 impacts of up to six masses none was off by more than one

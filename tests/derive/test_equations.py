@@ -35,8 +35,8 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
-from nonsmooth.derive.codegen.naming import c_function
-from nonsmooth.derive.codegen.solver import solve_source
+from nonsmooth.derive.codegen.naming import c_function, constant
+from nonsmooth.derive.codegen.solver import STATUSES, solve_source
 from nonsmooth.derive.equations.equation_system import spectral_derivative
 from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
@@ -592,8 +592,11 @@ def in_c(equations: EquationSystem, folder: Path) -> Callable[..., tuple[int, li
     """The emitted solver, compiled: status and unknowns from parameters and a guess."""
     source, library = folder / "solver.c", folder / "solver.so"
     head = "".join(f"#include <{name}.h>\n" for name in ("math", "stddef", "stdint"))
-    source.write_text(f'{head}#include "support.h"\n{solve_source(equations)}')
-    support = CHECKOUT / "derive" / "codegen"
+    head += "".join(f'#include "nonsmooth_{n}.h"\n' for n in ("compiler", "differences"))
+    system = equations.system.name
+    codes = ", ".join(f"{constant(system, name)} = {n}" for name, (n, _) in STATUSES.items())
+    source.write_text(f"{head}enum {{{codes}}};\n{solve_source(equations)}")
+    support = CHECKOUT / "derive" / "codegen" / "support"
     command = [COMPILER, "-shared", "-fPIC", "-O1", f"-I{support}", source, "-o", library, "-lm"]
     subprocess.run(command, check=True)
     name = c_function(equations.system.name, "solve", equations.itinerary.name)

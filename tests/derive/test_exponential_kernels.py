@@ -77,10 +77,10 @@ Call = Callable[[str, float, Sequence[float]], list[float]]
 def compiled(tmp_path_factory: pytest.TempPathFactory) -> Call:
     folder: Path = tmp_path_factory.mktemp("exponentials")
     sources = [c_kernel(kernel_of(shape), "probe", None) for shape in SHAPES]
-    (folder / "probe.c").write_text("\n".join(['#include "support.h"', *sources]))
+    (folder / "probe.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
     assert compiler is not None
     subprocess.run(
-        [compiler, *FLAGS, "-fPIC", "-shared", f"-I{CHECKOUT / 'derive' / 'codegen'}",
+        [compiler, *FLAGS, "-fPIC", "-shared", f"-I{CHECKOUT / 'derive/codegen/support'}",
          str(folder / "probe.c"), "-o", str(folder / "probe.so"), "-lm"],
         check=True,
     )  # fmt: skip

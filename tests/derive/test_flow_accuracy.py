@@ -153,10 +153,10 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL | None:
         for name in SYSTEMS
         for kernel in case(name).kernels
     ]
-    (folder / "flows.c").write_text("\n".join(['#include "support.h"', *sources]))
+    (folder / "flows.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
     subprocess.run(
         [compiler, "-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared",
-         f"-I{CHECKOUT / 'derive' / 'codegen'}", str(folder / "flows.c"),
+         f"-I{CHECKOUT / 'derive/codegen/support'}", str(folder / "flows.c"),
          "-o", str(folder / "flows.so"), "-lm"],
         check=True,
     )  # fmt: skip

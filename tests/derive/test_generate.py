@@ -26,7 +26,10 @@ FILES = [
     "kicked.h",
     "kicked.md",
     "kicked.py",
-    "support.h",
+    "nonsmooth_compiler.h",
+    "nonsmooth_search.h",
+    "nonsmooth_sums.h",
+    "nonsmooth_trigonometry.h",
 ]
 
 
@@ -96,7 +99,8 @@ def test_what_a_renamed_system_leaves_behind_goes(place: Path) -> None:
     generated("mine.py", "--out", "kernels")
     declare(place, KICKED.replace('"kicked",\n', '"pushed",\n'))
     generated("mine.py", "--out", "kernels")
-    assert names(place / "kernels") == [name.replace("kicked", "pushed") for name in FILES]
+    renamed = sorted(name.replace("kicked", "pushed") for name in FILES)
+    assert names(place / "kernels") == renamed
 
 
 def test_a_damped_system_is_emitted_and_its_orbit_told(place: Path) -> None:

@@ -27,11 +27,12 @@ FLAGS = [
     "-fPIC",
     "-lm",
 ]
+VECTORS = ["-O3", "-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]
 BUILDS = {
     "plain": ["-O1", "-fno-tree-vectorize"],
-    "baseline": ["-O3", "-fopenmp-simd"],
-    "avx2": ["-O3", "-fopenmp-simd", "-mavx2"],
-    "avx512f": ["-O3", "-fopenmp-simd", "-mavx512f"],
+    "baseline": VECTORS,
+    "avx2": [*VECTORS, "-mavx2"],
+    "avx512f": [*VECTORS, "-mavx512f"],
 }
 COUNT = 203  # no multiple of any number of lanes
 compiler = shutil.which("gcc")
@@ -52,7 +53,8 @@ def source(tmp_path_factory):
     parts = text.split("NONSMOOTH_MULTIVERSION\n")
     definition = next(part for part in parts if part.startswith(f"void {FUNCTION}("))
     file = tmp_path_factory.mktemp("solver") / "solver.c"
-    includes = '#include <math.h>\n#include "dry_friction.h"\n#include "support.h"\n'
+    names = ("dry_friction", "nonsmooth_compiler", "nonsmooth_trigonometry")
+    includes = "#include <math.h>\n" + "".join(f'#include "{name}.h"\n' for name in names)
     file.write_text(includes + definition[: definition.index("\n}\n") + 3], encoding="utf-8")
     return file
 

@@ -15,15 +15,12 @@ from tests.places import CHECKOUT
 compiler = shutil.which("gcc") or shutil.which("cc")
 pytestmark = pytest.mark.skipif(compiler is None, reason="there is no C compiler")
 
-HEADER = CHECKOUT / "derive/codegen/support.h"
+SUPPORT = CHECKOUT / "derive/codegen/support"
 FLAGS = "-std=c99 -Wall -Wextra -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math"
+VECTORS = ("-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD")
 DRIVER = """
-#include "support.h"
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
-#define CLONED __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define CLONED
-#endif
+#include "nonsmooth_sums.h"
+#define CLONED NONSMOOTH_MULTIVERSION
 #define SINCOS                                                                                  \\
     (int count, const double *restrict x, double *restrict sine, double *restrict cosine)
 #define MAXIMA                                                                                  \\
@@ -31,13 +28,13 @@ DRIVER = """
      const double *floor, double *maximum, double *time)
 void sincos_plain SINCOS
 {
-#pragma omp simd
+    NONSMOOTH_SIMD
     for (int i = 0; i < count; ++i)
         nonsmooth_sincos(x[i], &sine[i], &cosine[i]);
 }
 CLONED void sincos_cloned SINCOS
 {
-#pragma omp simd
+    NONSMOOTH_SIMD
     for (int i = 0; i < count; ++i)
         nonsmooth_sincos(x[i], &sine[i], &cosine[i]);
 }
@@ -59,7 +56,7 @@ double rounding(int terms, const double *frequency, const double *row, double du
 def build(folder, name, *options):
     source, library = folder / "driver.c", folder / f"{name}.so"
     source.write_text(DRIVER)
-    command = [compiler, *FLAGS.split(), *options, "-I", HEADER.parent, "-shared", "-fPIC"]
+    command = [compiler, *FLAGS.split(), *options, "-I", SUPPORT, "-shared", "-fPIC"]
     run = subprocess.run(
         [*command, source, "-o", library, "-lm"], capture_output=True, text=True, check=False
     )
@@ -74,12 +71,12 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def vector(folder):
-    return build(folder, "vector", "-O3", "-fopenmp-simd")[0]
+    return build(folder, "vector", "-O3", *VECTORS)[0]
 
 
 @pytest.fixture(scope="module")
 def scalar(folder):
-    return build(folder, "scalar", "-O1", "-Wno-unknown-pragmas")[0]
+    return build(folder, "scalar", "-O1")[0]
 
 
 def pointer(array):
@@ -206,7 +203,7 @@ def test_loops_over_sincos_vectorise(folder):
     machine = subprocess.run([compiler, "-dumpmachine"], capture_output=True, text=True, check=True)
     if "Free Software Foundation" not in version.stdout or "x86_64-linux" not in machine.stdout:
         pytest.skip("the report is that of GCC on x86-64 Linux")
-    report = build(folder, "report", "-O3", "-fopenmp-simd", "-fopt-info-vec")[1]
+    report = build(folder, "report", "-O3", *VECTORS, "-fopt-info-vec")[1]
     loops = [line for line in report.splitlines() if "driver.c" in line and "loop vect" in line]
     assert sum("16 byte" in line for line in loops) >= 2
     assert any("32 byte" in line for line in loops)

@@ -17,10 +17,10 @@ from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
 from tests.places import CHECKOUT
 
 compiler = shutil.which("gcc") or shutil.which("cc")
-HEADER = CHECKOUT / "derive/codegen/support.h"
-FLAGS = "-std=c99 -Wall -Wextra -pedantic -Werror -O2 -ffp-contract=off -Wno-unknown-pragmas"
+SUPPORT = CHECKOUT / "derive/codegen/support"
+FLAGS = "-std=c99 -Wall -Wextra -pedantic -Werror -O2 -ffp-contract=off"
 DRIVER = """
-#include "support.h"
+#include "nonsmooth_motions.h"
 void search(int sums, int states, const double *field, const double *start, const double *rows,
             double duration, const double *floor, double noise, double *maximum, double *time,
             double *rounding, int *rises)
@@ -43,7 +43,7 @@ def search(tmp_path_factory):
         pytest.skip("there is no C compiler")
     folder = tmp_path_factory.mktemp("motions")
     (folder / "driver.c").write_text(DRIVER)
-    command = [compiler, *FLAGS.split(), "-I", HEADER.parent, "-shared", "-fPIC"]
+    command = [compiler, *FLAGS.split(), "-I", SUPPORT, "-shared", "-fPIC"]
     run = subprocess.run(
         [*command, folder / "driver.c", "-o", folder / "driver.so", "-lm"],
         capture_output=True,

@@ -1,0 +1,213 @@
+"""C programs: the headers' examples and the page's, compiled without one warning, and run."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sysconfig
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    Itinerary,
+    Parameter,
+    Reference,
+    SecondOrder,
+    System,
+    Transition,
+)
+from nonsmooth.derive.codegen.emit import emit_library
+from nonsmooth.derive.systems import SYSTEMS
+from tests.places import CHECKOUT
+
+GENERATED = CHECKOUT / "generated"
+PAGE = (CHECKOUT / "docs/how_to/c_kernels.md").read_text(encoding="utf-8")
+STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2"]
+VECTORS = ["-O3", "-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
+
+pytestmark = pytest.mark.skipif(not COMPILERS, reason="there is no C compiler")
+each_compiler = pytest.mark.parametrize("compiler", COMPILERS)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("c")
+
+
+@cache
+def compiled(compiler: str, source: Path, folder: Path, *flags: str) -> Path:
+    """The object of a source, compiled without one warning."""
+    target = folder / f"{source.stem}-{compiler}{len(flags)}.o"
+    command = [compiler, *STRICT, *flags, f"-I{GENERATED}", "-c", source, "-o", target]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return target
+
+
+def ran(compiler: str, text: str, other: Path, folder: Path, include: Path = GENERATED) -> str:
+    """What a program writes that is linked with another object."""
+    source, program = folder / f"main-{compiler}.c", folder / f"main-{compiler}"
+    source.write_text(f"{text}\n")
+    command = [compiler, *STRICT, f"-I{include}", source, other, "-o", program, "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return subprocess.run([program], capture_output=True, text=True, check=True).stdout
+
+
+def example_of(header: str) -> str:
+    """The program in the head comment of a header."""
+    _, _, after = header.partition("\n * Example:\n *\n")
+    return re.sub(r"^ \*(?: {5})?", "", after.partition("\n */\n")[0], flags=re.MULTILINE)
+
+
+@pytest.mark.slow
+@each_compiler
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_the_example_of_a_header_solves_an_orbit(compiler: str, name: str, folder: Path) -> None:
+    stem = SYSTEMS[name]
+    program = example_of((GENERATED / f"{stem}.h").read_text(encoding="utf-8"))
+    solver = re.findall(rf"\b{stem}_(\w+)_solve\(", program)[0].replace("_", "-")
+    written = ran(compiler, program, compiled(compiler, GENERATED / f"{stem}.c", folder), folder)
+    first, *unknowns = written.splitlines()
+    orbit = ns.solve(f"{name}/{solver}")
+    assert first.startswith("status 0, trace ")
+    assert float(first.split()[-1]) == pytest.approx(orbit.trace, rel=1e-9)
+    assert [float(u) for u in unknowns] == pytest.approx([*orbit.unknowns.values()], rel=1e-9)
+
+
+@pytest.mark.slow
+@each_compiler
+def test_loops_with_vectors_and_the_extension_give_no_warning(compiler: str, folder: Path) -> None:
+    compiled(compiler, GENERATED / "rigid_stop.c", folder, *VECTORS)
+    python = [sysconfig.get_path("include"), np.get_include()]
+    flags = [word for path in python for word in ("-isystem", path)]
+    compiled(compiler, GENERATED / "_kernels.c", folder, "-O0", *flags)
+
+
+@pytest.mark.slow
+def test_every_loop_over_lanes_has_its_directive() -> None:
+    """The preprocessor gives as many directives as the source asks for, and none unasked."""
+    source = GENERATED / "dry_friction.c"
+    wanted = source.read_text(encoding="utf-8").count("NONSMOOTH_SIMD\n")
+    for flags, count in (((), 0), (VECTORS, wanted), (("-fopenmp",), wanted)):
+        command = [COMPILERS[0], "-E", *flags, f"-I{GENERATED}", source]
+        text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        body = text.partition("dry_friction_spectrum")[2]
+        assert body.count("#pragma omp simd\n") >= count > 0 if count else "#pragma omp" not in text
+
+
+CELLS = dict(re.findall(r"^%%writefile (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL))
+
+
+@pytest.mark.slow
+@each_compiler
+def test_the_program_of_the_page_solves_the_six_equations(compiler: str, folder: Path) -> None:
+    dry = compiled(compiler, GENERATED / "dry_friction.c", folder)
+    check_global_stick(ran(compiler, CELLS["main.c"], dry, folder))
+
+
+def check_global_stick(written: str) -> None:
+    """Assert that what the page's program writes is the orbit of the paper."""
+    lines = written.splitlines()
+    orbit = ns.solve("dry-friction/global-stick")
+    found = [re.fullmatch(r"unknown (\S+), equation (\S+)", line) for line in lines[:6]]
+    assert [float(m[1]) for m in found if m] == pytest.approx([*orbit.unknowns.values()], rel=1e-9)
+    assert max(abs(float(m[2])) for m in found if m) < 1e-12
+    trace, multipliers = float(lines[6].split()[1]), [float(w) for w in lines[7].split()[1:]]
+    assert trace == pytest.approx(orbit.trace, rel=1e-9)
+    assert multipliers == pytest.approx([trace, 0], abs=1e-9)
+    assert lines[8:] == ["admissible 1"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("tool", [t for t in ("cc", "cmake") if shutil.which(t)])
+def test_the_commands_of_the_page_build_its_program(tool: str, tmp_path: Path) -> None:
+    for name in ("main.c", "CMakeLists.txt"):
+        (tmp_path / name).write_text(CELLS[name])
+    kernels = tmp_path / "kernels"
+    kernels.mkdir()
+    for file in [*GENERATED.glob("dry_friction.[ch]"), *GENERATED.glob("nonsmooth_*.h")]:
+        shutil.copy(file, kernels)
+    (command,) = re.findall(rf"^!?({tool} .*orbit)$", PAGE, re.MULTILINE)
+    done = subprocess.run(
+        command, shell=True, cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    check_global_stick("\n".join(done.stdout.splitlines()[-9:]))
+
+
+def test_a_header_names_what_c_has_not_and_why() -> None:
+    header = " ".join((GENERATED / "dry_friction.h").read_text(encoding="utf-8").split())
+    assert "There is no dry_friction_solution_ii_directions: orbit 'solution-ii' is" in header
+    assert header.count("There is no") == 1
+
+
+h, k, K = (
+    Parameter(name, text)
+    for name, text in (("h", "drag */ and /* more"), ("k", "stiffness"), ("K", "another"))
+)
+x, v = sp.symbols("x v", real=True)
+
+
+def awkward(damped: bool) -> System:
+    """A system whose names differ by case alone, or are those of the header itself."""
+    drag = [[h.symbol]] if damped else [[0]]
+    return System(
+        "awkward",
+        "a mass between two springs",
+        (x, v),
+        (k, K, h),
+        (
+            Configuration(
+                "right",
+                SecondOrder([[1]], [[k.symbol]], damping=drag),
+                (Boundary("falls", -x),),
+            ),
+            Configuration("left", SecondOrder([[1]], [[K.symbol]]), (Boundary("rises", x),)),
+        ),
+        (
+            Transition("right", {"falls"}, "left"),
+            Transition("left", {"rises"}, "right", (), {v: v / 2 + h.symbol}),
+        ),
+    )
+
+
+def library(damped: bool) -> dict[str, str]:
+    system = awkward(damped)
+    phases = (("right", "falls", "V0"), ("left", "rises", "tb"))
+    reference = Reference({"k": "1", "K": "4", "h": "1"}, {"v0": "2", "V0": "3", "tb": "1.5"})
+    loop = Itinerary("loop", system, phases, reference=reference)
+    return emit_library(system, [loop], "test")
+
+
+@each_compiler
+def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_path: Path) -> None:
+    files = library(damped=False)
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    header = files["awkward.h"]
+    constants = re.findall(r"^    (AWKWARD_\w+) = ", header, re.MULTILINE)
+    assert len(constants) == len({*constants}) > 10
+    assert "AWKWARD_H" not in constants
+    source = compiled(compiler, tmp_path / "awkward.c", tmp_path)
+    status, *unknowns = ran(compiler, example_of(header), source, tmp_path, tmp_path).splitlines()
+    assert status.startswith("status 0")
+    # v = v/2 + 1 at each start, half periods pi and pi/2
+    assert [float(u) for u in unknowns] == pytest.approx([2, np.pi, np.pi / 2], rel=1e-12)
+
+
+def test_only_the_support_that_is_used_is_written() -> None:
+    """An undamped orbit is solved and searched in sines, damped flows alone are exponentials."""
+    solved, flows = ("compiler", "search", "sums", "trigonometry"), ("exponentials", "trigonometry")
+    for damped, names in ((False, solved), (True, flows)):
+        written = {name for name in library(damped) if name.startswith("nonsmooth_")}
+        assert written == {f"nonsmooth_{name}.h" for name in names}
