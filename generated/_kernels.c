@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 45d841dba31ca7c4 */
+ * SymPy 1.14.0, derivation 3092e81478b20181 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -2459,6 +2459,35 @@ static void loop_dry_friction_global_stick_expand(
     }
 }
 
+static const char types_dry_friction_global_stick_period_map[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_global_stick_period_map(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
+        double a0[points * 5];
+        double a1[points * 7];
+        double a2[points * 6];
+        double a3[points * 4];
+        double a4[points * 2];
+        double a5[points * 20];
+        GATHER(double, a0, args[0], steps[0], steps + 6, 5, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 7, 7, 0);
+        GATHER(double, a2, args[2], steps[2], steps + 8, 6, 0);
+        for (npy_intp point = 0; point < here; ++point) {
+            dry_friction_global_stick_period_map((a0 + 5 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 4 * point), (a4 + 2 * point), (a5 + 20 * point));
+        }
+        SCATTER(double, a3, args[3], steps[3], steps + 9, 4, 0);
+        SCATTER(double, a4, args[4], steps[4], steps + 10, 2, 0);
+        SCATTER(double, a5, args[5], steps[5], steps + 11, 20, 5);
+    }
+}
+
 static const char types_dry_friction_solution_ii_residual[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
 static void loop_dry_friction_solution_ii_residual(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
@@ -2902,6 +2931,35 @@ static void loop_dry_friction_solution_ii_expand(
     }
 }
 
+static const char types_dry_friction_solution_ii_period_map[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_solution_ii_period_map(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
+        double a0[points * 4];
+        double a1[points * 7];
+        double a2[points * 6];
+        double a3[points * 4];
+        double a4[points * 2];
+        double a5[points * 20];
+        GATHER(double, a0, args[0], steps[0], steps + 6, 4, 0);
+        GATHER(double, a1, args[1], steps[1], steps + 7, 7, 0);
+        GATHER(double, a2, args[2], steps[2], steps + 8, 6, 0);
+        for (npy_intp point = 0; point < here; ++point) {
+            dry_friction_solution_ii_period_map((a0 + 4 * point), (a1 + 7 * point), (a2 + 6 * point), (a3 + 4 * point), (a4 + 2 * point), (a5 + 20 * point));
+        }
+        SCATTER(double, a3, args[3], steps[3], steps + 9, 4, 0);
+        SCATTER(double, a4, args[4], steps[4], steps + 10, 2, 0);
+        SCATTER(double, a5, args[5], steps[5], steps + 11, 20, 5);
+    }
+}
+
 static const char types_dry_friction_symmetric_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
 static void loop_dry_friction_symmetric_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
@@ -3320,6 +3378,8 @@ static const wrapped functions[] = {
      types_dry_friction_global_stick_reduced, 3, 2},
     {"dry_friction_global_stick_expand", "(5),(7),(2)->(6)", loop_dry_friction_global_stick_expand,
      types_dry_friction_global_stick_expand, 3, 1},
+    {"dry_friction_global_stick_period_map", "(5),(7),(6)->(4),(2),(4,5)", loop_dry_friction_global_stick_period_map,
+     types_dry_friction_global_stick_period_map, 3, 3},
     {"dry_friction_solution_ii_residual", "(4),(7),(6)->(6)", loop_dry_friction_solution_ii_residual,
      types_dry_friction_solution_ii_residual, 3, 1},
     {"dry_friction_solution_ii_jacobian", "(4),(7),(6)->(6,6)", loop_dry_friction_solution_ii_jacobian,
@@ -3354,6 +3414,8 @@ static const wrapped functions[] = {
      types_dry_friction_solution_ii_reduced, 3, 2},
     {"dry_friction_solution_ii_expand", "(4),(7),(3)->(6)", loop_dry_friction_solution_ii_expand,
      types_dry_friction_solution_ii_expand, 3, 1},
+    {"dry_friction_solution_ii_period_map", "(4),(7),(6)->(4),(2),(4,5)", loop_dry_friction_solution_ii_period_map,
+     types_dry_friction_solution_ii_period_map, 3, 3},
     {"dry_friction_symmetric_solve", "(4),(2)->(5),(),(),(),()", loop_dry_friction_symmetric_solve,
      types_dry_friction_symmetric_solve, 2, 5},
     {"dry_friction_symmetric_admissible", "(4),(5)->(1),(),(),()", loop_dry_friction_symmetric_admissible,
@@ -3392,7 +3454,7 @@ static int add_all(PyObject *module)
         return -1;
     if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "113e2b5e94516a32") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "09d7fc9637b7ada5") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "1438dbb9032bd9e6") < 0)
         return -1;
     return 0;
 }

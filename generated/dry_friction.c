@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 09d7fc9637b7ada5 */
+ * SymPy 1.14.0, derivation 1438dbb9032bd9e6 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -5529,6 +5529,151 @@ void dry_friction_global_stick_expand(
     unknowns[5] = tau2;
 }
 
+/* Compatibility and switching conditions, the start, and the map [N, c] of a turn, all from the unknowns but the start.
+ * Takes parameters (5), spectrum (7), unknowns (6); gives residual (4), start (2), map (4, 5), row by row.
+ * Operations: 266. Intermediate terms: 84. */
+void dry_friction_global_stick_period_map(
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double residual[4], double start[2], double map[20])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e1 = parameters[3];
+    const double e2 = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double ta = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    const double tau2 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick after tau, by the start */
+    const double t0 = chi*cos_tau;
+    const double z1_2_by_z20 = chi - t0;
+    const double z1_2_by_v10 = cos_tau*ta + sin_tau;
+    const double t2 = chi*sin_tau;
+    const double z1_2_by_v20 = chi*tau - t2 + ta*z1_2_by_z20;
+    const double z2_2_by_v20 = ta + tau;
+    const double v1_2_by_z10 = -sin_tau;
+    const double v1_2_by_z20 = t2;
+    const double v1_2_by_v10 = cos_tau - sin_tau*ta;
+    const double v1_2_by_v20 = chi - t0 + t2*ta;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
+    /* slip-slip after tau1, by the start */
+    const double t5 = 1 - p1;
+    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
+    const double t7 = (1.0/(omega1));
+    const double t8 = sin_omega1_tau1*t7;
+    const double t9 = sin_omega2_tau1/omega2;
+    const double t10 = p1*t8 + t5*t9;
+    const double z1_3_by_z10 = cos_tau*t6 + t10*v1_2_by_z10;
+    const double t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t10*v1_2_by_z20 + t11 + t6*z1_2_by_z20;
+    const double z1_3_by_v10 = t10*v1_2_by_v10 + t6*z1_2_by_v10;
+    const double z1_3_by_v20 = p2*t8 - p2*t9 + t10*v1_2_by_v20 + t11*z2_2_by_v20 + t6*z1_2_by_v20;
+    const double t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t13 = p3*sin_omega1_tau1*t7 - p3*t9;
+    const double z2_3_by_z10 = cos_tau*t12 + t13*v1_2_by_z10;
+    const double t14 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t12*z1_2_by_z20 + t13*v1_2_by_z20 + t14;
+    const double z2_3_by_v10 = t12*z1_2_by_v10 + t13*v1_2_by_v10;
+    const double z2_3_by_v20 = p1*t9 + t12*z1_2_by_v20 + t13*v1_2_by_v20 + t14*z2_2_by_v20 + t5*t8;
+    const double t15 = omega2*sin_omega2_tau1;
+    const double t16 = omega1*sin_omega1_tau1;
+    const double t17 = -p1*t16 - t15*t5;
+    const double v1_3_by_z10 = cos_tau*t17 + t6*v1_2_by_z10;
+    const double t18 = p2*t16;
+    const double v1_3_by_z20 = p2*t15 + t17*z1_2_by_z20 - t18 + t6*v1_2_by_z20;
+    const double v1_3_by_v10 = t17*z1_2_by_v10 + t6*v1_2_by_v10;
+    const double v1_3_by_v20 = t11 + t17*z1_2_by_v20 + t6*v1_2_by_v20 + z2_2_by_v20*(omega2*p2*sin_omega2_tau1 - t18);
+    const double t19 = omega2*p3*sin_omega2_tau1 - p3*t16;
+    const double v2_3_by_z10 = cos_tau*t19 + t12*v1_2_by_z10;
+    const double t20 = p1*t15 + t16*t5;
+    const double v2_3_by_z20 = t12*v1_2_by_z20 + t19*z1_2_by_z20 - t20;
+    const double v2_3_by_v10 = t12*v1_2_by_v10 + t19*z1_2_by_v10;
+    const double v2_3_by_v20 = t12*v1_2_by_v20 + t14 + t19*z1_2_by_v20 - t20*z2_2_by_v20;
+    /* functions of tau2 in stick-slip */
+    const double t21 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t21);
+    const double sin_omega3_tau2 = sin(t21);
+    /* stick-slip after tau2, by the start */
+    const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
+    const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
+    const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
+    const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
+    const double t22 = sin_omega3_tau2/omega3;
+    const double t23 = -t22 + tau2;
+    const double t24 = 1 - cos_omega3_tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10 + t24*z1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20 + t24*z1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10 + t24*z1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20 + t24*z1_3_by_v20;
+    const double t25 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t24*v1_3_by_z10 + t25*z1_3_by_z10 - t25*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t24*v1_3_by_z20 + t25*z1_3_by_z20 - t25*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t24*v1_3_by_v10 + t25*z1_3_by_v10 - t25*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t24*v1_3_by_v20 + t25*z1_3_by_v20 - t25*z2_3_by_v20;
+    /* coefficients of the linear equations */
+    const double coefficient11 = z1_4_by_z10 - 1;
+    const double coefficient22 = z2_4_by_z20 - 1;
+    /* right-hand sides of the linear equations */
+    const double right1 = -V*z1_4_by_v10 - V*z1_4_by_v20;
+    const double right2 = -V*z2_4_by_v10 - V*z2_4_by_v20;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11*coefficient22 - z1_4_by_z20*z2_4_by_z10;
+    /* numerators of Cramer's rule */
+    const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
+    const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
+    /* z10, z20 by Cramer's rule */
+    const double t26 = (1.0/(determinant));
+    const double z1_0 = numerator1*t26;
+    const double z2_0 = numerator2*t26;
+    /* stick-stick for ta, until first-breaks-forward */
+    const double t27 = V*ta;
+    const double z1_1 = t27 + z1_0;
+    const double z2_1 = t27 + z2_0;
+    /* slip-stick for tau, until second-breaks-forward */
+    const double z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + z1_2_by_z20*z2_1;
+    const double z2_2 = V*tau + z2_1;
+    residual[0] = V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0;
+    residual[1] = V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0;
+    residual[2] = -chi*z2_1 - e1 + z1_1;
+    residual[3] = -chi*z1_2 + chi*z2_2 - e2;
+    start[0] = z1_0;
+    start[1] = z2_0;
+    map[0] = z1_4_by_z10;
+    map[1] = z1_4_by_z20;
+    map[2] = z1_4_by_v10;
+    map[3] = z1_4_by_v20;
+    map[4] = 0;
+    map[5] = z2_4_by_z10;
+    map[6] = z2_4_by_z20;
+    map[7] = z2_4_by_v10;
+    map[8] = z2_4_by_v20;
+    map[9] = 0;
+    map[10] = v1_3_by_z10;
+    map[11] = v1_3_by_z20;
+    map[12] = v1_3_by_v10;
+    map[13] = v1_3_by_v20;
+    map[14] = 0;
+    map[15] = v2_4_by_z10;
+    map[16] = v2_4_by_z20;
+    map[17] = v2_4_by_v10;
+    map[18] = v2_4_by_v20;
+    map[19] = 0;
+}
+
 /* Switching and periodicity equations.
  * Takes parameters (4), spectrum (7), unknowns (6); gives residual (6), row by row.
  * Operations: 139. Intermediate terms: 36. */
@@ -8137,6 +8282,144 @@ void dry_friction_solution_ii_expand(
     unknowns[3] = tau1;
     unknowns[4] = tau2;
     unknowns[5] = e1;
+}
+
+/* Compatibility and switching conditions, the start, and the map [N, c] of a turn, all from the unknowns but the start.
+ * Takes parameters (4), spectrum (7), unknowns (6); gives residual (4), start (2), map (4, 5), row by row.
+ * Operations: 249. Intermediate terms: 79. */
+void dry_friction_solution_ii_period_map(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[4], double start[2], double map[20])
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    const double e1 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick after tau, by the start */
+    const double z1_2_by_z20 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2_by_v20 = chi*tau - t1;
+    const double v1_2_by_z10 = -sin_tau;
+    const double v1_2_by_z20 = t1;
+    const double v1_2_by_v20 = z1_2_by_z20;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
+    /* slip-slip after tau1, by the start */
+    const double t5 = 1 - p1;
+    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
+    const double t7 = cos_tau*t6;
+    const double t8 = (1.0/(omega1));
+    const double t9 = sin_omega1_tau1*t8;
+    const double t10 = sin_omega2_tau1/omega2;
+    const double t11 = p1*t9 + t10*t5;
+    const double z1_3_by_z10 = t11*v1_2_by_z10 + t7;
+    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t11*v1_2_by_z20 + t12 + t6*z1_2_by_z20;
+    const double z1_3_by_v10 = cos_tau*t11 + sin_tau*t6;
+    const double z1_3_by_v20 = -p2*t10 + p2*t9 + t11*v1_2_by_v20 + t12*tau + t6*z1_2_by_v20;
+    const double t13 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t14 = cos_tau*t13;
+    const double t15 = p3*sin_omega1_tau1*t8 - p3*t10;
+    const double z2_3_by_z10 = t14 + t15*v1_2_by_z10;
+    const double t16 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t13*z1_2_by_z20 + t15*v1_2_by_z20 + t16;
+    const double z2_3_by_v10 = cos_tau*t15 + sin_tau*t13;
+    const double z2_3_by_v20 = p1*t10 + t13*z1_2_by_v20 + t15*v1_2_by_v20 + t16*tau + t5*t9;
+    const double t17 = omega2*sin_omega2_tau1;
+    const double t18 = omega1*sin_omega1_tau1;
+    const double t19 = -p1*t18 - t17*t5;
+    const double v1_3_by_z10 = cos_tau*t19 + t6*v1_2_by_z10;
+    const double t20 = p2*t18;
+    const double v1_3_by_z20 = p2*t17 + t19*z1_2_by_z20 - t20 + t6*v1_2_by_z20;
+    const double v1_3_by_v10 = sin_tau*t19 + t7;
+    const double v1_3_by_v20 = t12 + t19*z1_2_by_v20 + t6*v1_2_by_v20 + tau*(omega2*p2*sin_omega2_tau1 - t20);
+    const double t21 = omega2*p3*sin_omega2_tau1 - p3*t18;
+    const double v2_3_by_z10 = cos_tau*t21 + t13*v1_2_by_z10;
+    const double t22 = p1*t17 + t18*t5;
+    const double v2_3_by_z20 = t13*v1_2_by_z20 + t21*z1_2_by_z20 - t22;
+    const double v2_3_by_v10 = sin_tau*t21 + t14;
+    const double v2_3_by_v20 = t13*v1_2_by_v20 + t16 + t21*z1_2_by_v20 - t22*tau;
+    /* functions of tau2 in stick-slip */
+    const double t23 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t23);
+    const double sin_omega3_tau2 = sin(t23);
+    /* stick-slip after tau2, by the start */
+    const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
+    const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
+    const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
+    const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
+    const double t24 = sin_omega3_tau2/omega3;
+    const double t25 = -t24 + tau2;
+    const double t26 = 1 - cos_omega3_tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t24*v2_3_by_z10 + t25*v1_3_by_z10 + t26*z1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t24*v2_3_by_z20 + t25*v1_3_by_z20 + t26*z1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t24*v2_3_by_v10 + t25*v1_3_by_v10 + t26*z1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t24*v2_3_by_v20 + t25*v1_3_by_v20 + t26*z1_3_by_v20;
+    const double t27 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t26*v1_3_by_z10 + t27*z1_3_by_z10 - t27*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t26*v1_3_by_z20 + t27*z1_3_by_z20 - t27*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t26*v1_3_by_v10 + t27*z1_3_by_v10 - t27*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t26*v1_3_by_v20 + t27*z1_3_by_v20 - t27*z2_3_by_v20;
+    /* coefficients of the linear equations */
+    const double coefficient11 = z1_4_by_z10 - 1;
+    const double coefficient22 = z2_4_by_z20 - 1;
+    /* right-hand sides of the linear equations */
+    const double right1 = -V*z1_4_by_v10 - V*z1_4_by_v20;
+    const double right2 = -V*z2_4_by_v10 - V*z2_4_by_v20;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11*coefficient22 - z1_4_by_z20*z2_4_by_z10;
+    /* numerators of Cramer's rule */
+    const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
+    const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
+    /* z10, z20 by Cramer's rule */
+    const double t28 = (1.0/(determinant));
+    const double z1_0 = numerator1*t28;
+    const double z2_0 = numerator2*t28;
+    /* slip-stick for tau, until second-breaks-forward */
+    const double z1_2 = V*sin_tau + V*z1_2_by_v20 + cos_tau*z1_0 + z1_2_by_z20*z2_0;
+    const double z2_2 = V*tau + z2_0;
+    residual[0] = V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0;
+    residual[1] = V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0;
+    residual[2] = -chi*z2_0 - e1 + z1_0;
+    residual[3] = -chi*z1_2 + chi*z2_2 - e2;
+    start[0] = z1_0;
+    start[1] = z2_0;
+    map[0] = z1_4_by_z10;
+    map[1] = z1_4_by_z20;
+    map[2] = z1_4_by_v10;
+    map[3] = z1_4_by_v20;
+    map[4] = 0;
+    map[5] = z2_4_by_z10;
+    map[6] = z2_4_by_z20;
+    map[7] = z2_4_by_v10;
+    map[8] = z2_4_by_v20;
+    map[9] = 0;
+    map[10] = v1_3_by_z10;
+    map[11] = v1_3_by_z20;
+    map[12] = v1_3_by_v10;
+    map[13] = v1_3_by_v20;
+    map[14] = 0;
+    map[15] = v2_4_by_z10;
+    map[16] = v2_4_by_z20;
+    map[17] = v2_4_by_v10;
+    map[18] = v2_4_by_v20;
+    map[19] = 0;
 }
 
 /* Newton's method on the reduced equations for `count` points.

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 09d7fc9637b7ada5 */
+ * SymPy 1.14.0, derivation 1438dbb9032bd9e6 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -104,6 +104,8 @@ void dry_friction_global_stick_reduced(
     const double parameters[5], const double spectrum[7], const double reduced[2], double residual[2], double jacobian[4]);
 void dry_friction_global_stick_expand(
     const double parameters[5], const double spectrum[7], const double reduced[2], double unknowns[6]);
+void dry_friction_global_stick_period_map(
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double residual[4], double start[2], double map[20]);
 void dry_friction_solution_ii_residual(
     const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[6]);
 void dry_friction_solution_ii_jacobian(
@@ -138,6 +140,8 @@ void dry_friction_solution_ii_reduced(
     const double parameters[4], const double spectrum[7], const double reduced[3], double residual[3], double jacobian[9]);
 void dry_friction_solution_ii_expand(
     const double parameters[4], const double spectrum[7], const double reduced[3], double unknowns[6]);
+void dry_friction_solution_ii_period_map(
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double residual[4], double start[2], double map[20]);
 void dry_friction_symmetric_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status);

@@ -10,6 +10,7 @@ from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import (
     flow_kernels,
     orbit_kernels,
+    period_map_kernel,
     spectrum_kernel,
     start_kernel,
 )
@@ -132,13 +133,21 @@ def derive_system(
                 raise
             found.append(Underived(orbit, " ".join(str(problem).split())))
             continue
-        if use is Use.MANY_POINTS:
-            start = start_kernel(equations)
-            own, sources = [*own, (start, orbit.name)], [*sources, python_kernel(start, orbit.name)]
+        special = _special_kernels(equations, use)
+        own += [(kernel, orbit.name) for kernel in special]
+        sources += [python_kernel(kernel, orbit.name) for kernel in special]
         found.append(equations)
         kernels += own
         functions += sources
     return DerivedSystem(form, tuple(found), tuple(kernels), tuple(functions))
+
+
+def _special_kernels(equations: EquationSystem, use: Use) -> list[Kernel]:
+    """Kernels of an orbit that only one use needs."""
+    if use is Use.MANY_POINTS:
+        return [start_kernel(equations)]
+    turn = period_map_kernel(equations) if use is Use.ANYTHING else None
+    return [] if turn is None else [turn]
 
 
 def _too_long(orbit: Itinerary) -> str | None:

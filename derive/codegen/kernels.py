@@ -19,12 +19,14 @@ from nonsmooth.derive.equations.program import (
 )
 from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 
 __all__ = [
     "direction_kernels",
     "flow_kernels",
     "orbit_kernels",
+    "period_map_kernel",
     "reduced_equations",
     "spectrum_kernel",
     "start_kernel",
@@ -79,8 +81,8 @@ def flow_kernels(
 
 def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     """All kernels of one orbit."""
-    parameters = _vector("parameters", orbit.parameters)
-    spectrum = _vector("spectrum", orbit.spectrum.symbols)
+    point = _point(orbit)
+    parameters, spectrum, unknowns = point
     derivatives = Argument(
         "spectrum_derivatives",
         (len(orbit.spectrum.symbols), len(orbit.spectrum.parameters)),
@@ -90,8 +92,6 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
             for p in orbit.spectrum.parameters
         ),
     )
-    unknowns = _vector("unknowns", orbit.unknowns)
-    point = (parameters, spectrum, unknowns)
     moved = (parameters, spectrum, derivatives, unknowns)
     stages, chain = orbit.stages, orbit.chain.stages
 
@@ -224,14 +224,41 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
 
 def start_kernel(orbit: EquationSystem) -> Kernel:
     """Kernel of the state at an orbit's start, including what the section fixes."""
-    point = (
-        _vector("parameters", orbit.parameters),
-        _vector("spectrum", orbit.spectrum.symbols),
-        _vector("unknowns", orbit.unknowns),
-    )
     start = list(orbit.chain.links[0].before)
     stages = prune(orbit.chain.stages, start)
-    return Kernel("start", "State at the start.", point, (_flat("start", start),), stages)
+    return Kernel("start", "State at the start.", _point(orbit), (_flat("start", start),), stages)
+
+
+def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
+    """Kernel of the map of a whole turn, and of the equations and the start that follow from it.
+
+    None for an orbit without them.
+    """
+    try:
+        turn = orbit.period_map
+    except DerivationError:
+        return None
+    # the start is a result, and among the unknowns an argument: it takes other names
+    states = orbit.system.states
+    starts = {turn.start[i]: sp.Symbol(f"{states[i]}_0", real=True) for i in turn.sought}
+    stages = [
+        Stage(s.title, tuple((starts.get(x, x), e.xreplace(starts)) for x, e in s.assignments))
+        for s in merged((*turn.map_stages, *turn.start_stages), orbit.chain.stages)
+    ]
+    residual = [e.xreplace(starts) for _, e in (*turn.compatibility, *turn.switching)]
+    outputs = (
+        _flat("residual", residual),
+        _flat("start", list(starts.values())),
+        _table("map", sp.Matrix.hstack(turn.matrix, turn.offset)),
+    )
+    return Kernel(
+        "period_map",
+        "Compatibility and switching conditions, the start, and the map [N, c] of a turn, all from"
+        " the unknowns but the start.",
+        _point(orbit),
+        outputs,
+        prune(stages, [e for output in outputs for e in output.expressions]),
+    )
 
 
 def _reduced_kernels(
@@ -332,6 +359,15 @@ def direction_kernels(orbit: EquationSystem) -> tuple[Kernel, Kernel, Kernel]:
             prune(stages, [*jacobian, *parameter_jacobian]),
         ),
         Kernel("slopes", "Derivatives of the trace.", (), (slopes,), prune(trace_stages, gradient)),
+    )
+
+
+def _point(orbit: EquationSystem) -> tuple[Argument, Argument, Argument]:
+    """Arguments of a kernel that is evaluated at an orbit."""
+    return (
+        _vector("parameters", orbit.parameters),
+        _vector("spectrum", orbit.spectrum.symbols),
+        _vector("unknowns", orbit.unknowns),
     )
 
 

@@ -8,6 +8,7 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
@@ -37,6 +38,7 @@ from nonsmooth.derive.document.sections.describe_itinerary import itinerary_sect
 from nonsmooth.derive.document.sections.describe_law import law_section
 from nonsmooth.derive.document.sections.describe_orbit import chain_section, equation_section
 from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
+from nonsmooth.derive.document.sections.describe_period_map import period_map_section
 from nonsmooth.derive.document.sections.describe_poincare import derivative_section
 from nonsmooth.derive.document.sections.describe_reduction import reduction_section
 from nonsmooth.derive.document.sections.describe_solution import solution_section
@@ -55,6 +57,7 @@ from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.section import section_of, start_of
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
 __all__ = [
@@ -146,6 +149,9 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     if equations.conservative:
         sections.append(("The energy", energy_section(view)))
     sections.append(("The trace", trace_section(view)))
+    labelled = [b for _, blocks in sections for b in blocks if isinstance(b, Formula) and b.label]
+    with suppress(DerivationError):  # an orbit may have no such map
+        sections.append(("The map of a period", period_map_section(view, len(labelled) + 1)))
     blocks = [b for title, found in sections for b in (Heading(title), *found)]
     title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
     return Document(title, tuple(blocks))
