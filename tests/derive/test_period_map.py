@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -42,20 +43,28 @@ def test_both_routes_give_one_orbit_to_50_digits(name: str, parameters: dict[str
         assert abs(sum(a * b for a, b in zip(row, [*state, 1], strict=True)) - expected) < 1e-50
 
 
-def test_compatibility_from_a_rough_guess_leads_to_the_orbit() -> None:
-    orbit = refined()
-    kernels, lib = orbit.kernels, orbit.arithmetic
-    parameters = [orbit.values[name] for name in kernels.parameter_names]
-    spectrum, _ = kernels.spectrum(parameters, lib)
+def solved(
+    orbit: ns.Orbit, equations: EquationSystem, kernel: Callable[..., Any], guess: list[Any]
+) -> tuple[list[Any], list[Any]]:
+    """Dwell times and start by Newton's method on the conditions in the dwell times alone."""
+    lib, size = orbit.arithmetic, len(equations.unknowns) - len(guess)
+    parameters = [orbit.values[str(s)] for s in equations.parameters]
+    spectrum, _ = orbit.kernels.spectrum(parameters, lib)
 
     def values(*times: Any) -> list[Any]:
         # what stands in the place of the start is not read
-        unknowns = [lib.mp.nan, lib.mp.nan, *times]
-        return kernels.source("period_map")(parameters, spectrum, unknowns, lib=lib)
+        return kernel(parameters, spectrum, [*[lib.mp.nan] * size, *times], lib=lib)
 
-    times = lib.mp.findroot(lambda *t: values(*t)[0], (1.1, 1.9, 1.6, 3.2), tol=1e-100)
-    found = [*values(*times)[1], *times]
-    assert all(abs(a - b) < 1e-50 for a, b in zip(found, orbit.unknowns.values(), strict=True))
+    times = list(lib.mp.findroot(lambda *t: values(*t)[0], guess, tol=1e-100))
+    return times, values(*times)[1]
+
+
+def test_compatibility_from_a_rough_guess_leads_to_the_orbit() -> None:
+    orbit = refined()
+    kernel = orbit.kernels.source("period_map")
+    times, start = solved(orbit, equations_of(), kernel, [1.1, 1.9, 1.6, 3.2])
+    expected = orbit.unknowns.values()
+    assert all(abs(a - b) < 1e-50 for a, b in zip([*start, *times], expected, strict=True))
 
 
 @pytest.mark.parametrize("by", [1, 2, 3])
@@ -65,15 +74,12 @@ def test_other_starts_have_maps_of_their_own(by: int) -> None:
     equations = derive_equations(dry_friction.global_stick.rotated(by))
     namespace: dict[str, Any] = {}
     exec(python_kernel(period_map_kernel(equations), None), namespace)
-    parameters = [orbit.values[str(s)] for s in equations.parameters]
-    spectrum, _ = orbit.kernels.spectrum(parameters, orbit.arithmetic)
-    unknowns = [orbit.values.get(str(s)) for s in equations.unknowns]
-    residual, start, _ = namespace["period_map"](
-        parameters, spectrum, unknowns, lib=orbit.arithmetic
-    )
-    assert max(map(abs, residual)) < 1e-50
-    expected = [orbit.states[by][place] for place in equations.period_map.sought]
-    assert all(abs(a - b) < 1e-50 for a, b in zip(start, expected, strict=True))
+    turn = equations.period_map
+    expected = [orbit.values[str(t)] for t in turn.unknowns]
+    expected += [orbit.states[by][place] for place in turn.sought]
+    guess = [orbit.arithmetic.mp.mpf("1.001") * t for t in expected[: len(turn.unknowns)]]
+    times, start = solved(orbit, equations, namespace["period_map"], guess)
+    assert all(abs(a - b) < 1e-50 for a, b in zip([*times, *start], expected, strict=True))
 
 
 def numbers_of(
