@@ -266,9 +266,9 @@ def _turn(
             names = [f"{s}_by_{q}" for s in behind for q in entries]
             step, values = assign(title, names, product * matrix)
             matrix = sp.Matrix(size, size, values)
-            constants, values = assign(
-                title, [f"{s}_constant" for s in behind], product * offset + shift
-            )
+            # the bars of other affine states mean other starts
+            names = [f"c_{i}_{number}{mark}" for i in range(1, size + 1)]
+            constants, values = assign(title, names, product * offset + shift)
             offset = sp.Matrix(values)
             stages += [step, constants]
     return prune(stages, [*matrix, *offset]), matrix, offset

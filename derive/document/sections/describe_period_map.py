@@ -35,9 +35,9 @@ def _map(view: View, turn: PeriodMap) -> list[Block]:
     first, second = _vectors(naming)
     shift = "" if turn.offset.is_zero_matrix else " + c"
     kind = "an affine" if shift else "a linear"
-    groups = [sp.ImmutableMatrix([turn.start[i] for i in p]) for p in (turn.sought, turn.known)]
+    groups = [sp.Matrix([turn.start[i] for i in p]) for p in (turn.sought, turn.known)]
     start = tuple(
-        Line(vector, "=", (f"{transposed(naming, group)}",), None, group)
+        Line(vector, "=", (transposed(naming, group),), None, _shown(group))
         for vector, group in zip((first, second), groups, strict=True)
     )
     one, two = (f" + c_{{{i}}}" if shift else "" for i in (1, 2))
@@ -94,7 +94,7 @@ def _entries(view: View, turn: PeriodMap) -> list[Block]:
             for i, places in enumerate((turn.sought, turn.known), start=1)
         }
     shown = [
-        Line(name, "=", (naming.notation.latex(block),), None, sp.ImmutableMatrix(block))
+        Line(name, "=", (naming.notation.latex(block),), None, _shown(block))
         for name, block in named.items()
     ]
     blocks: list[Block] = [
@@ -183,6 +183,11 @@ def _rest(view: View, turn: PeriodMap, number: int) -> list[Block]:
     together = count(len(labels) + len(left), "equation")
     with_left = f"With {enumeration(left)}, for the same start, there" if left else "There"
     return [*blocks, Paragraph(f"{with_left} are {together} for {unknowns}.")]
+
+
+def _shown(block: sp.Matrix) -> sp.Basic:
+    """A matrix as a line shows it: a single entry is written alone."""
+    return block[0] if len(block) == 1 else sp.ImmutableMatrix(block)
 
 
 def _separate(turn: PeriodMap) -> bool:
