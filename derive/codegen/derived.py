@@ -10,6 +10,7 @@ from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import (
     flow_kernels,
     orbit_kernels,
+    period_map_kernel,
     spectrum_kernel,
 )
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
@@ -131,6 +132,9 @@ def derive_system(
                 raise
             found.append(Underived(orbit, " ".join(str(problem).split())))
             continue
+        turn = period_map_kernel(equations) if use is Use.ANYTHING else None
+        if turn is not None:
+            own, sources = [*own, (turn, orbit.name)], [*sources, python_kernel(turn, orbit.name)]
         found.append(equations)
         kernels += own
         functions += sources

@@ -20,12 +20,14 @@ from nonsmooth.derive.equations.program import (
 )
 from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 
 __all__ = [
     "direction_kernels",
     "flow_kernels",
     "orbit_kernels",
+    "period_map_kernel",
     "reduced_equations",
     "spectrum_kernel",
 ]
@@ -180,6 +182,41 @@ def _linearisation_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) 
             _table("monodromy", full),
         ),
         merged(merged(merged(chain.stages, poincare_stages), saltation_stages), monodromy_stages),
+    )
+
+
+def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
+    """Kernel of the map of a whole turn, and of the equations and the start that follow from it.
+
+    None for an orbit without them.
+    """
+    try:
+        turn = orbit.period_map
+    except DerivationError:
+        return None
+    # the start is a result, and among the unknowns an argument: it takes other names
+    states = orbit.system.states
+    starts = {turn.start[i]: sp.Symbol(f"{states[i]}_0", real=True) for i in turn.sought}
+    stages = [
+        Stage(s.title, tuple((starts.get(x, x), e.xreplace(starts)) for x, e in s.assignments))
+        for s in merged((*turn.map_stages, *turn.start_stages), orbit.chain.stages)
+    ]
+    conditions = [e.xreplace(starts) for _, e in (*turn.compatibility, *turn.switching)]
+    return _kernel(
+        "period_map",
+        "Map [N, c] of a turn; the start that follows from the dwell times; compatibility and"
+        " switching conditions. The start among the unknowns is not read.",
+        (
+            _vector("parameters", orbit.parameters),
+            _vector("spectrum", orbit.spectrum.symbols),
+            _vector("unknowns", orbit.unknowns),
+        ),
+        (
+            _table("period_map", sp.Matrix.hstack(turn.matrix, turn.offset)),
+            _flat("linear_start", list(starts.values())),
+            _flat("compatibility", conditions),
+        ),
+        stages,
     )
 
 

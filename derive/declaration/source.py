@@ -9,7 +9,19 @@ from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Source"]
 
-_PARTS = ("model", "start", "symmetry", "halfway", "closure", "map", "trace", "reference")
+_PARTS = (
+    "model",
+    "start",
+    "symmetry",
+    "halfway",
+    "closure",
+    "map",
+    "trace",
+    "turn",
+    "linear start",
+    "compatibility",
+    "reference",
+)
 
 
 @dataclass(frozen=True)
@@ -25,7 +37,9 @@ class Source:
         a section. The keys are ``configuration NAME`` (equations of motion), ``flow NAME``,
         ``phase K`` (the state at the end of phase K, counted from 1), ``end K`` (the condition
         that ends it), ``reset K`` (the transition behind it), ``model`` (units and laws),
-        ``start``, ``symmetry``, ``halfway``, ``closure``, ``map``, ``trace`` and ``reference``.
+        ``start``, ``symmetry``, ``halfway``, ``closure``, ``map``, ``trace``, ``turn`` (periodicity
+        by the map of a period), ``linear start`` and ``compatibility`` (what follows from it) and
+        ``reference``.
     flows : mapping of configuration to str
         LaTeX of the source's letters for the flows.
     states : tuple of str

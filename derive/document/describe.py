@@ -8,6 +8,7 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from typing import Any
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
@@ -38,6 +39,8 @@ from nonsmooth.derive.document.sections.describe_itinerary import itinerary_sect
 from nonsmooth.derive.document.sections.describe_law import law_section
 from nonsmooth.derive.document.sections.describe_orbit import chain_section, equation_section
 from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
+from nonsmooth.derive.document.sections.describe_period_map import TITLE as PERIOD_MAP
+from nonsmooth.derive.document.sections.describe_period_map import period_map_section
 from nonsmooth.derive.document.sections.describe_poincare import derivative_section
 from nonsmooth.derive.document.sections.describe_reduction import reduction_section
 from nonsmooth.derive.document.sections.describe_reference import reference_section
@@ -59,6 +62,7 @@ from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.reference_orbit import reference_orbit
 from nonsmooth.derive.equations.section import section_of, start_of
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
 __all__ = [
@@ -143,6 +147,9 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     if equations.conservative:
         sections.append(("The energy", energy_section))
     sections.append(("The trace", trace_section))
+    with suppress(DerivationError):  # an orbit may have no such map
+        _ = equations.period_map
+        sections.append((PERIOD_MAP, period_map_section))
     known = reference_orbit(equations)
     if known is not None:
         sections.append(("The reference orbit", lambda view: reference_section(view, known)))

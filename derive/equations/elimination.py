@@ -23,7 +23,7 @@ from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import Spectrum
 
-__all__ = ["eliminate_coordinates", "reference_values"]
+__all__ = ["LinearSolution", "eliminate_coordinates", "reference_values", "solve_linear"]
 
 _Equation = tuple[str, sp.Expr]
 
@@ -68,15 +68,14 @@ def eliminate_coordinates(
         rule = f"linear in: {meaning}"
         eliminations.append(Elimination(coordinate, rule))
         solved.append(Stage(f"{coordinate}: {rule}", ((coordinate, solution),)))
-    block = _Block((), {}, sp.Integer(1), ())
+    block = LinearSolution((), {}, sp.Integer(1), ())
     kept: tuple[sp.Symbol, ...] = tuple(open_ones[: len(polynomials)])
     if len(open_ones) > len(polynomials):
         rows, kept = _part(left, open_ones, len(polynomials), stages, choose)
         open_ones = [q for q in open_ones if q not in kept]
         together = [left[i] for i in rows]
         left = [e for i, e in enumerate(left) if i not in rows]
-        solve = _cramer if len(open_ones) <= MOST_BY_CRAMER else _successively
-        block = solve(together, open_ones, kept, stages, choose)
+        block = solve_linear(together, open_ones, kept, stages, choose)
         solved += reversed(block.stages)
         rule = "linear in: " + "; ".join(meaning for meaning, _ in together)
         eliminations += [Elimination(q, rule) for q in open_ones]
@@ -176,7 +175,7 @@ def _part(
 
 
 def _cleared(
-    equation: _Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: _Block
+    equation: _Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: LinearSolution
 ) -> _Equation:
     """The only remaining equation, cleared of its pole.
 
@@ -240,13 +239,29 @@ def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> 
 
 
 @dataclass(frozen=True)
-class _Block:
+class LinearSolution:
     """Linear equations, solved in terms of the unknowns that are kept."""
 
     stages: tuple[Stage, ...]
     numerators: Mapping[sp.Symbol, sp.Expr]  # of each coordinate, affine in what is kept
     determinant: sp.Expr  # what the numerators are divided by
     determinants: tuple[tuple[sp.Expr, sp.Expr], ...]  # (determinant, bound)
+
+
+def solve_linear(
+    equations: Sequence[_Equation],
+    coordinates: Sequence[sp.Symbol],
+    kept: Sequence[sp.Symbol],
+    stages: Sequence[Stage],
+    choose: Mapping[sp.Symbol, sp.Expr],
+) -> LinearSolution:
+    """As many equations as coordinates, affine in these and in what is kept, solved for them.
+
+    `stages` compute the coefficients. `choose` has numbers of a known point: there the pivots of
+    an elimination are the best, where the coordinates are too many for Cramer's rule.
+    """
+    solve = _cramer if len(coordinates) <= MOST_BY_CRAMER else _successively
+    return solve(equations, coordinates, kept, stages, choose)
 
 
 def _bound(
@@ -297,7 +312,7 @@ def _cramer(
     kept: Sequence[sp.Symbol],
     stages: Sequence[Stage],
     choose: Mapping[sp.Symbol, sp.Expr],
-) -> _Block:
+) -> LinearSolution:
     """Linear equations solved by Cramer's rule."""
     naming, matrix, columns = _tables(equations, coordinates, kept)
     determinant = sp.Symbol("determinant", real=True)
@@ -322,7 +337,7 @@ def _cramer(
     naming.append(Stage(title, tuple((q, numerators[q] / determinant) for q in coordinates)))
     found = tuple(s for s in naming if s.assignments)
     bound = _bound(equations, coordinates, stages)
-    return _Block(found, numerators, determinant, ((determinant, bound),))
+    return LinearSolution(found, numerators, determinant, ((determinant, bound),))
 
 
 def _successively(
@@ -331,7 +346,7 @@ def _successively(
     kept: Sequence[sp.Symbol],
     stages: Sequence[Stage],
     choose: Mapping[sp.Symbol, sp.Expr],
-) -> _Block:
+) -> LinearSolution:
     """Linear equations solved by elimination, with the pivots that are best at a known point."""
     naming, matrix, columns = _tables(equations, coordinates, kept)
     size, width = len(coordinates), len(coordinates) + len(columns)
@@ -385,4 +400,4 @@ def _successively(
     naming.append(Stage("determinant of the linear equations", ((determinant, sp.Mul(*pivots)),)))
     found_stages = tuple(s for s in naming if s.assignments)
     bound = _bound(equations, coordinates, stages)
-    return _Block(found_stages, numerators, sp.Integer(1), ((determinant, bound),))
+    return LinearSolution(found_stages, numerators, sp.Integer(1), ((determinant, bound),))

@@ -13,6 +13,8 @@ from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import Chain, poincare_jacobian, sensitivities
+from nonsmooth.derive.equations.elimination import reference_values
+from nonsmooth.derive.equations.period_map import PeriodMap, derive_period_map
 from nonsmooth.derive.equations.program import (
     Stage,
     derivative_of,
@@ -304,6 +306,24 @@ class EquationSystem:
             for moving in self.parameter_seeds.values()
         ]
         return Program((*stages, *back), [*(partial[u] for u in self.unknowns), *totals])
+
+    @cached_property
+    def period_map(self) -> PeriodMap:
+        """The affine map of a whole turn, given the dwell times, and the start that follows.
+
+        This is the route of the Appendix of Pascal (2011): equations in the dwell times alone. It
+        exists where the equations are those of a free turn from the section, and the section knows
+        the entries of the start that are not sought by switching conditions, which no later phase
+        changes.
+
+        Raises
+        ------
+        DerivationError
+            If the orbit is given by half phases, by its period or by a forcing, if its section
+            leaves nothing to be sought, or knows an entry otherwise.
+        """
+        known = reference_values(self.itinerary.reference, self.spectrum, self.parameters)
+        return derive_period_map(self.itinerary, self.system, self.chain, self.equations, known)
 
     @cached_property
     def trigonometric(self) -> bool:

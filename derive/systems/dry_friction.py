@@ -219,6 +219,9 @@ _WITH_GLOBAL_STICK = Source(
         "closure": "(18)",
         "map": "Sec. 5",
         "trace": "Sec. 5",
+        "turn": "(A.1)",
+        "compatibility": "(A.2)",
+        "linear start": "(A.3)",
     },
     flows={"stick-stick": "D", "slip-stick": r"\Gamma", "slip-slip": "h", "stick-slip": "C"},
     states=("Z_{0}", "Z_{a}", "Z_{c}", "Z_{d}"),
@@ -226,6 +229,7 @@ _WITH_GLOBAL_STICK = Source(
     misprints={
         "(10)": "which prints the upper right block as $V t I$",
         "(15)": "which prints $H$ for the flow $h$",
+        "(A.1)": r"which prints $\tilde N_{2}$ in the place of $\tilde N_{3}$",
         "Sec. 3": _TIME,
     },
 )

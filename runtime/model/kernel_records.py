@@ -20,7 +20,8 @@ from nonsmooth.runtime.model.loading.growing import JoinedKernel
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 
 
-_KINDS = ("equations", "trace", "passage", "linearisation", "reduced")  # kernels of an orbit
+# kernels of an orbit, the last of which some have not
+_KINDS = ("equations", "trace", "passage", "linearisation", "reduced", "period_map")
 
 
 @dataclass(frozen=True)
@@ -368,6 +369,7 @@ class OrbitKernels:
         poincare_jacobian, saltations, monodromy  of the orbit
         unknowns, determinants                    all unknowns from the reduced ones
         reduced_residual, reduced_jacobian        of the reduced equations
+        period_map, linear_start, compatibility   the map of a turn, and what follows from it
         ========================================  ===========================================
         """
         asked = self._asked.get(quantities) or self._ask(quantities)
@@ -391,6 +393,7 @@ class OrbitKernels:
         return {
             quantity: (name, place)
             for name in names
+            if name in kernels
             for place, (quantity, _) in enumerate(kernels[name][1])
         }
 

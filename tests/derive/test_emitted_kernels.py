@@ -22,7 +22,7 @@ import sympy as sp
 from sympy.printing.pycode import MpmathPrinter
 
 from nonsmooth.derive import Itinerary
-from nonsmooth.derive.codegen.kernels import orbit_kernels
+from nonsmooth.derive.codegen.kernels import orbit_kernels, period_map_kernel
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
@@ -181,7 +181,9 @@ def test_kernels_are_the_stages_written_out(name: str) -> None:
     known["Angle"] = lib.angle
     printer = MpmathPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
     system, _, orbit = name.partition("/")
-    kernels = orbit_kernels(written_of(name).equations)
+    equations = written_of(name).equations
+    turn = period_map_kernel(equations)
+    kernels = [*orbit_kernels(equations), *([] if turn is None else [turn])]
     for kernel in kernels:
         emitted = python_function(kernel.name, orbit)
         arguments = point(system, emitted, 5)

@@ -129,6 +129,17 @@ def test_misprints_are_shown_and_not_asserted(results: dict[str, Any]) -> None:
         assert (rows == results["misprints"][place]["table"]["rows"]) == same
 
 
+def test_the_appendix_gives_the_orbit_of_the_six_equations(results: dict[str, Any]) -> None:
+    conditions, starts = results["tables"][-2:]
+    assert len(conditions["rows"]) == 6
+    assert all(abs(float(side)) < 1e-30 for _, side in conditions["rows"])
+    unknowns = results["orbits"]["dry-friction/global-stick"]["unknowns"]
+    for (_, ours, theirs, difference), name in zip(starts["rows"], ("z10", "z20"), strict=True):
+        assert theirs == unknowns[name]
+        assert abs(Decimal(ours) - Decimal(theirs)) <= Decimal("1e-29")
+        assert abs(float(difference)) < 1e-30
+
+
 def test_contact_orbits_are_there_with_the_corrected_stiffness_alone(
     results: dict[str, Any],
 ) -> None:

@@ -9,6 +9,7 @@ from nonsmooth.runtime.model.naming import symbol
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import refine
 from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.present.paper.appendix import appendix_tables
 from nonsmooth.runtime.present.paper.claims import (
     admissible_periods,
     rigid_limit,
@@ -85,6 +86,7 @@ def paper_report(
     wrong = misprints(rigid, elastic, symmetric, stick)
     claims = (rigid_limit(rigid), symmetric_portraits(symmetric), trace_criterion(stick))
     periods = (singular_periods(rigid), admissible_periods(rigid))
+    route = appendix_tables(stick)
     chapters = (
         Chapter(
             "rigid-stop",
@@ -151,6 +153,12 @@ def paper_report(
                 Comparisons("Given $e_1$ and $e_2$: the dwell times and the start", numbers[1]),
                 Comparisons("Given $t_a$ and $\\tau$: the friction excesses", numbers[2]),
                 *_orbit_blocks(stick, pictures),
+                Text(
+                    "The Appendix takes the equations in another order: given the dwell times, the"
+                    " first line of (A.1) gives the start (A.3), and the second one two conditions"
+                    " on the dwell times, in the matrix $\\tilde M$ (A.2), beside (12) and (14)."
+                ),
+                *route,
                 pictures["figure-09"],
                 pictures["figure-10"],
                 claims[2],
@@ -203,7 +211,7 @@ def paper_report(
             "comparisons": [asdict(number) for number in compared_numbers],
             "claims": [asdict(claim) for claim in claims],
             "misprints": [asdict(finding) for finding in wrong],
-            "tables": [asdict(table) for table in periods],
+            "tables": [asdict(table) for table in (*periods, *route)],
         },
     )
 

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.paper.contact import contact_orbits
@@ -142,10 +141,11 @@ def _global_stick_flow() -> Finding:
     rows: list[tuple[str, str, float]] = []
     for velocity in ("1", "1.1"):
         orbit = solve("dry-friction/global-stick", {"V": velocity})
-        turn = _turn(orbit)
+        turn, time = _period_map(orbit), float(orbit.unknowns["ta"])
         for label, factor in (("$V t I$, as printed", float(velocity)), ("$t I$", 1.0)):
-            stick = _stick_matrix(orbit.unknowns["ta"], factor)
-            rows.append((velocity, label, _defect(turn @ stick, orbit.states[0])))
+            # N D for the D of the label: a turn, with the time of D's own block taken back
+            around = turn @ _stick_matrix((factor - 1) * time)
+            rows.append((velocity, label, _defect(around, orbit.states[0])))
     return Finding(
         "Eq. (10): the flow of the global stick phase",
         "the upper right block of $D$ is $V t I$",
@@ -162,7 +162,7 @@ def _global_stick_flow() -> Finding:
 
 
 def _appendix_block(stick: Orbit) -> Finding:
-    around = _turn(stick) @ _stick_matrix(float(stick.unknowns["ta"]), 1.0)
+    around = _period_map(stick)
     start = np.array([float(x) for x in stick.states[0]])
     z, rate = start[:2], start[2:]
     identity = np.eye(2)
@@ -185,13 +185,12 @@ def _appendix_block(stick: Orbit) -> Finding:
 
 
 def _appendix_time(stick: Orbit) -> Finding:
-    head = _stick_matrix(float(stick.unknowns["ta"]), 1.0)
     rows: list[tuple[str, float]] = []
     for label, time in (
         ("the period, $T$ of Sec. 2", float(stick.period)),
         (r"$\tau_2$", float(stick.unknowns["tau2"])),
     ):
-        rows.append((label, _defect(_turn(stick, last=time) @ head, stick.states[0])))
+        rows.append((label, _defect(_period_map(stick, tau2=time), stick.states[0])))
     return Finding(
         "Eq. (A.1): the time $T$",
         r"$\tilde N = C(T) H(\tau_1) \Gamma(\tau) D(t_a)$",
@@ -243,25 +242,20 @@ def _digits_of_symmetric(symmetric: Orbit) -> Finding:
     )
 
 
-def _turn(orbit: Orbit, last: float | None = None) -> np.ndarray:
-    """The matrix N of the Appendix: the product of the flows behind the global stick phase."""
-    kernels: OrbitKernels = orbit.kernels
-    parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
+def _period_map(orbit: Orbit, **changed: float) -> np.ndarray:
+    """The matrix of the Appendix at an orbit, some of whose unknowns are changed."""
+    kernels, values = orbit.kernels, {**orbit.values, **changed}
+    parameters = [float(values[name]) for name in kernels.parameter_names]
     spectrum, _ = kernels.spectrum(parameters)
-    times = orbit.dwell_times.astype(float).tolist()
-    if last is not None:
-        times[-1] = last
-    product = np.eye(4)
-    for (configuration, _, _), time in list(zip(kernels.table["phases"], times, strict=True))[1:]:
-        columns = kernels.flow(configuration, parameters, spectrum, time, product.T)
-        product = np.asarray(columns).T
-    return product
+    unknowns = [float(values[name]) for name in kernels.unknowns]
+    table = kernels.evaluate("period_map", at=(parameters, spectrum, unknowns))
+    return np.asarray(table)[:, :-1]
 
 
-def _stick_matrix(time: float, factor: float) -> np.ndarray:
-    """The matrix D of Eq. (10), with its upper right block multiplied by a factor."""
+def _stick_matrix(time: float) -> np.ndarray:
+    """The matrix D of Eq. (10), with the block t I."""
     matrix = np.eye(4)
-    matrix[:2, 2:] = factor * float(time) * np.eye(2)
+    matrix[:2, 2:] = time * np.eye(2)
     return matrix
 
 

@@ -1,0 +1,124 @@
+"""The Appendix's route by the map of a turn: the same orbit, and two misprints shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import DerivationError, EquationSystem, derive_equations
+from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.codegen.kernels import period_map_kernel
+from nonsmooth.derive.equations.program import evaluate
+from nonsmooth.derive.systems import dry_friction
+from tests.latex_reader import REVERSIBLE, written_of
+
+NAME = "dry-friction/global-stick"
+DATA = [{}, {"V": "0.9", "eta": "1.05", "chi": "0.48"}]
+
+
+def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> ns.Orbit:
+    return ns.refine(ns.solve(name, parameters or {}), 50)
+
+
+def equations_of(name: str = NAME) -> EquationSystem:
+    equations = written_of(name).equations
+    assert isinstance(equations, EquationSystem)
+    return equations
+
+
+@pytest.mark.parametrize("parameters", DATA)
+@pytest.mark.parametrize("name", [NAME, "dry-friction/solution-ii"])
+def test_both_routes_give_one_orbit_to_50_digits(name: str, parameters: dict[str, str]) -> None:
+    orbit = refined(name, parameters)
+    turn, start, residual = orbit.evaluate("period_map", "linear_start", "compatibility")
+    assert len(residual) == len(orbit.unknowns) - len(start)
+    assert max(map(abs, residual)) < 1e-50
+    state = list(orbit.states[0])
+    assert all(abs(a - b) < 1e-50 for a, b in zip(start, state[:2], strict=True))
+    for row, expected in zip(turn, state, strict=True):
+        assert abs(sum(a * b for a, b in zip(row, [*state, 1], strict=True)) - expected) < 1e-50
+
+
+def solved(
+    orbit: ns.Orbit, equations: EquationSystem, kernel: Callable[..., Any], guess: list[Any]
+) -> tuple[list[Any], list[Any]]:
+    """Dwell times and start by Newton's method on the conditions in the dwell times alone."""
+    lib, size = orbit.arithmetic, len(equations.unknowns) - len(guess)
+    parameters = [orbit.values[str(s)] for s in equations.parameters]
+    spectrum, _ = orbit.kernels.spectrum(parameters, lib)
+
+    def values(*times: Any) -> list[Any]:
+        # what stands in the place of the start is not read
+        return kernel(parameters, spectrum, [*[lib.mp.nan] * size, *times], lib=lib)
+
+    times = list(lib.mp.findroot(lambda *t: values(*t)[2], guess, tol=1e-100))
+    return times, values(*times)[1]
+
+
+def test_compatibility_from_a_rough_guess_leads_to_the_orbit() -> None:
+    orbit = refined()
+    kernel = orbit.kernels.source("period_map")
+    times, start = solved(orbit, equations_of(), kernel, [1.1, 1.9, 1.6, 3.2])
+    expected = orbit.unknowns.values()
+    assert all(abs(a - b) < 1e-50 for a, b in zip([*start, *times], expected, strict=True))
+
+
+@pytest.mark.parametrize("by", [1, 2, 3])
+def test_other_starts_have_maps_of_their_own(by: int) -> None:
+    """Behind phase 1 the section ties the positions; behind phase 2 a velocity is sought."""
+    orbit = refined()
+    equations = derive_equations(dry_friction.global_stick.rotated(by))
+    namespace: dict[str, Any] = {}
+    exec(python_kernel(period_map_kernel(equations), None), namespace)
+    turn = equations.period_map
+    expected = [orbit.values[str(t)] for t in turn.unknowns]
+    expected += [orbit.states[by][place] for place in turn.sought]
+    guess = [orbit.arithmetic.mp.mpf("1.001") * t for t in expected[: len(turn.unknowns)]]
+    times, start = solved(orbit, equations, namespace["period_map"], guess)
+    assert all(abs(a - b) < 1e-50 for a, b in zip([*times, *start], expected, strict=True))
+
+
+def numbers_of(
+    orbit: ns.Orbit, equations: EquationSystem, matrix: sp.Matrix, **changed: Any
+) -> sp.Matrix:
+    """A matrix over the entries of the map, at an orbit some of whose values are changed."""
+    symbols, values = (*equations.parameters, *equations.unknowns), orbit.values | changed
+    known = {s: sp.Float(str(values[str(s)]), 55) for s in symbols}
+    stages = (*equations.stages_of("residual")[:1], *equations.period_map.map_stages)
+    return sp.Matrix(*matrix.shape, evaluate(stages, matrix, known, digits=55))
+
+
+def test_rows_of_the_compatibility_matrix_sum_to_zero_with_the_right_block_alone() -> None:
+    """In (A.1) the lower left block is printed as N2."""
+    orbit, equations = refined(NAME, {"V": "0.9"}), equations_of()
+    turn = equations.period_map
+    _, second, third, _ = turn.blocks
+    printed = turn.compatibility_matrix.xreplace(dict(zip(third, second, strict=True)))
+    right, wrong = (
+        numbers_of(orbit, equations, matrix) * sp.ones(2, 1)
+        for matrix in (turn.compatibility_matrix, printed)
+    )
+    assert max(map(abs, right)) < 1e-48
+    assert max(map(abs, wrong)) > 1e-2
+
+
+@pytest.mark.parametrize(("velocity", "least", "most"), [("0.9", 1e-2, 10), ("1", 0, 1e-48)])
+def test_the_printed_stick_block_is_right_at_unit_velocity_alone(
+    velocity: str, least: float, most: float
+) -> None:
+    """Eq. (10) has V t in place of t in the flow of the first phase, where alone t_a occurs."""
+    orbit, equations = refined(NAME, {"V": velocity}), equations_of()
+    printed = orbit.values["V"] * orbit.values["ta"]
+    turn = numbers_of(orbit, equations, equations.period_map.matrix, ta=printed)
+    start = sp.Matrix([sp.Float(str(x), 55) for x in orbit.states[0]])
+    assert least <= max(map(abs, turn * start - start)) < most
+
+
+@pytest.mark.parametrize("name", REVERSIBLE)
+def test_half_phases_are_no_turn(name: str) -> None:
+    with pytest.raises(DerivationError, match="not those of a free turn"):
+        _ = equations_of(name).period_map
