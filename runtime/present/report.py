@@ -117,12 +117,16 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
     """
     from nonsmooth.runtime.proof.certificate import Stated
     from nonsmooth.runtime.proof.certify_orbit import MOST_BITS, certify
+    from nonsmooth.runtime.proof.orbit_claims import TANGENTIAL
 
     bits = min(math.ceil(orbit.digits * math.log2(10)) + 16, MOST_BITS)
     reason, found = "no box around it is shown to hold exactly one orbit", None
     if orbit.problem.kernels is not None:
         ball = enclosed_trace(orbit)
-        found = None if ball is None else Stated.around(ball, bits)
+        if ball is not None and ball.is_finite():
+            found = Stated.around(ball, bits)
+        elif ball is not None:
+            reason = TANGENTIAL
     else:
         try:
             certificate = certify(orbit, bits)
