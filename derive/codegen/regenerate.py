@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 # hashes of derivations and of files: they differ wherever anything does
-_STAMP = re.compile(r"\b(?:[0-9a-f]{64}|[0-9a-f]{16})\b")
+_STAMP = re.compile(r"((?:derivation|sha256)\w*\W{1,4})(?:[0-9a-f]{64}|[0-9a-f]{16})\b", re.I)
 # files by how easily a formula is read in them
 _READABLE = (".md", ".py", ".h", ".c")
 _SHOWN_LINES, _SHOWN_CHARACTERS = 8, 160
@@ -137,7 +137,7 @@ def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
             missing.append(f"{name}: missing")
             continue
         existing = path.read_text(encoding="utf-8", errors="replace")
-        unstamped = [_STAMP.sub("-", each) for each in (existing, text)]
+        unstamped = [_STAMP.sub(r"\1-", each) for each in (existing, text)]
         lines, derived = map(str.splitlines, unstamped)
         if lines != derived:
             changed.append((_readability(path), _first_difference(name, lines, derived)))

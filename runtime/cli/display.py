@@ -51,7 +51,9 @@ def show_report(
     the trace the criterion of stability comes before the orbit.
     """
     console = console_as_wide()
-    rank_one = orbit.stability.rank == 1 and not any(m["trivial"] for m in found["multipliers"])
+    kernels, rank = orbit.problem.kernels, orbit.stability.rank
+    trivial = any(m["trivial"] for m in found["multipliers"])
+    rank_one = kernels is not None and rank == 1 and not trivial
     console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
     console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
     parameters = _table()
@@ -63,7 +65,9 @@ def show_report(
     for label, text in shown.items():
         unknowns.add_row(label, _digits(text))
     excess = decimal_string(-orbit.stability.margin, found["digits"])
-    criterion = _criterion(found, excess, orbit.stability.rank, rank_one=rank_one)
+    zero = "0 exactly" if kernels is not None else "0 to these digits"
+    zero = f"{zero}: the Poincare map has rank {_RANKS.get(rank, rank)}"
+    criterion = _criterion(found, excess, (rank, zero), rank_one=rank_one)
     tables = [("Given", parameters), ("Orbit", unknowns)]
     tables.insert(
         0 if "proof" in found else 2, ("Trace criterion" if rank_one else "Stability", criterion)
@@ -271,8 +275,12 @@ def _table() -> Table:
     return table
 
 
-def _criterion(found: Mapping[str, Any], excess: str, rank: int, *, rank_one: bool) -> Table:
+def _criterion(
+    found: Mapping[str, Any], excess: str, vanishing: tuple[int, str], *, rank_one: bool
+) -> Table:
+    """Give trace, multipliers and verdict; behind so many multipliers each is a given text."""
     table = _table()
+    rank, zero = vanishing
     verdict = found["stability"]
     table.add_row("trace", _digits(found["trace"]))
     if rank_one:
@@ -280,7 +288,7 @@ def _criterion(found: Mapping[str, Any], excess: str, rank: int, *, rank_one: bo
     for number, multiplier in enumerate(found["multipliers"], 1):
         label = f"multiplier {number}"
         if number > rank:
-            table.add_row(label, f"0 exactly: the Poincare map has rank {_RANKS.get(rank, rank)}")
+            table.add_row(label, zero)
         elif not rank_one:
             trivial = " (trivial)" if multiplier["trivial"] else ""
             table.add_row(label, _digits(multiplier["re"]) + trivial)
@@ -320,8 +328,12 @@ def _add_proof(table: Table, found: Mapping[str, Any]) -> None:
     table.add_row("enclosure", _digits(format(Decimal(proof["trace"]["mid"]), "f")))
     table.add_row("      +/-", proof["trace"]["rad"])
     if proof["statement"] is not None:
-        told = f"{proof['statement']} is {proof['verdict']}"
-        table.add_row("", f"{told} for the one orbit in a box around it")
+        table.add_row(proof["verdict"], proof["statement"])
+        table.add_row("", "for the one orbit in a box around it")
+    if "reason" in proof:
+        table.add_row("", proof["reason"])
+    if proof["one_sided"]:
+        table.add_row("", "on one side of a border collision")
 
 
 def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:

@@ -230,7 +230,7 @@ def verify(
         typer.Option(
             "--arithmetic",
             help="What refines the orbit: balls, whose digits are proved; mpmath, whose digits are"
-            " compared with twice as many; or both, and how far they differ.",
+            " compared with twice as many; or both, which have to agree, and how far they differ.",
         ),
     ] = RefiningArithmetic.FLINT,
     require: Require = None,
@@ -240,7 +240,8 @@ def verify(
     """Decide stability by the trace, to any number of digits, and enclose the trace.
 
     The enclosure holds the trace of the one orbit in a box around the numbers shown; the
-    criterion is proved if it holds for all of the enclosure.
+    criterion, if the trace has one, is proved if it holds for all of the enclosure. Orbits
+    composed from tables are certified instead.
     """
     problem = (orbit, parameters, unknown, given, guess, digits, None)
     return _report(*problem, require=require, save=save, as_json=as_json, verified_by=arithmetic)
@@ -409,7 +410,7 @@ def _report(
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.core.values import decimal_string
     from nonsmooth.runtime.model.kernels import is_saved
-    from nonsmooth.runtime.orbits.refine import MOST_DIGITS, largest_difference, refine
+    from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine, refine_both
     from nonsmooth.runtime.orbits.solve import solve as find_orbit
     from nonsmooth.runtime.present.report import (
         derivatives_json,
@@ -433,13 +434,15 @@ def _report(
     working = max(digits, _WORKING_DIGITS)
     by_kernels = found.problem.kernels is not None
     arithmetic = (verified_by or RefiningArithmetic.FLINT).value
-    orbit = refine(found, working, arithmetic=arithmetic)
+    if verified_by is RefiningArithmetic.BOTH:
+        orbit, _, difference = refine_both(found, working)
+    else:
+        orbit, difference = refine(found, working, arithmetic=arithmetic), None
     told = orbit_json(orbit, digits)
     if verified_by is not None:
         told["arithmetic"] = arithmetic if by_kernels else RefiningArithmetic.MPMATH.value
-        if verified_by is RefiningArithmetic.BOTH:
-            by_mpmath = refine(found, working, arithmetic=RefiningArithmetic.MPMATH.value)
-            told["difference"] = short(largest_difference(orbit, by_mpmath))
+        if difference is not None:
+            told["difference"] = short(difference)
         told["proof"] = trace_proof_json(orbit)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)

@@ -176,7 +176,7 @@ class KernelEquations:
         """See `OrbitEquations`."""
         table = self._kernels.table
         if table["rank"] == 1:
-            return self.traces(x)[:, None].astype(complex)
+            return self.traces(x)[:, None].astype(complex)[:, int(table["conservative"]) :]
         if table["conservative"] and len(table["section"]) == 3:
             half = (self.traces(x) - 1) / 2
             with np.errstate(all="ignore"):

@@ -127,7 +127,7 @@ def _margins(
     """Return 1 - the largest nontrivial |multiplier| of orbits (n,), as in `Orbit.stability`."""
     table = kernels.table
     if table["rank"] == 1:
-        return np.asarray(1 - np.abs(trace))
+        return np.zeros_like(trace) if table["conservative"] else np.asarray(1 - np.abs(trace))
     if table["conservative"] and len(table["section"]) == 3:
         half = np.abs(trace - 1) / 2
         root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,10 +24,11 @@ from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
 __all__ = [
     "ARITHMETICS",
     "MOST_DIGITS",
+    "Refined",
     "check_digits",
     "enclosed_trace",
-    "largest_difference",
     "refine",
+    "refine_both",
     "refine_kernels",
 ]
 
@@ -63,7 +64,7 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
         holds in double precision only, or both arithmetics for an orbit without kernels.
     NoConvergence
         If Newton's method leaves the orbit, as it does where the equations are singular, or
-        if the two arithmetics differ by more than 10^-digits.
+        if the two arithmetics differ by more than 10^-digits, in an unknown or in the trace.
 
     Examples
     --------
@@ -76,24 +77,44 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     check_converged(orbit, "refined")
     if arithmetic not in ARITHMETICS:
         raise InputError(f"arithmetic is {arithmetic!r}, none of {', '.join(ARITHMETICS)}")
-    if arithmetic != "both":
-        return orbit.problem.refined(orbit, digits, arithmetic)
+    if arithmetic == "both":
+        return refine_both(orbit, digits).by_balls
+    return orbit.problem.refined(orbit, digits, arithmetic)
+
+
+class Refined(NamedTuple):
+    """An orbit refined by both arithmetics, and how far they differ."""
+
+    by_balls: Orbit
+    by_mpmath: Orbit
+    # of an unknown, or of mpmath's trace from the enclosure by balls, over max(1, |x|)
+    difference: Any
+
+
+def refine_both(orbit: Orbit, digits: int) -> Refined:
+    """Refine an orbit by balls and by mpmath, each by its own route, and compare the two.
+
+    The trace of mpmath's orbit, by mpmath, has to lie in the enclosure by balls, where there is
+    one. Errors are raised as by `refine`.
+    """
+    check_digits(digits)
+    check_converged(orbit, "refined")
     if orbit.problem.kernels is None:
         raise InputError(f"{orbit.name} has no kernels of its own: mpmath alone refines it")
     by_balls, by_mpmath = (orbit.problem.refined(orbit, digits, a) for a in ARITHMETICS[:2])
-    difference = largest_difference(by_balls, by_mpmath)
-    if not difference <= by_balls.arithmetic.mp.mpf(10) ** -digits:
+    mp, ball = by_balls.arithmetic.mp, enclosed_trace(by_balls)
+    unknowns = ((x, by_mpmath.unknowns[name]) for name, x in by_balls.unknowns.items())
+    differences = [abs(x - y) / max(1, abs(x)) for x, y in unknowns]
+    if ball is not None and ball.is_finite():
+        trace = by_mpmath.trace
+        outside = abs(trace - middle(mp, ball)) - middle(mp, ball.rad())
+        differences.append(max(outside, mp.zero) / max(1, abs(trace)))
+    difference = max(differences)
+    if not difference <= mp.mpf(10) ** -digits:
         raise NoConvergence(
             f"{orbit.name}: flint and mpmath differ by {float(difference):.1e} at {digits} digits"
         )
-    return by_balls
-
-
-def largest_difference(orbit: Orbit, other: Orbit) -> Any:
-    """Largest difference of unknowns and trace of one orbit refined twice, over max(1, |x|)."""
-    pairs = [(orbit.unknowns[name], other.unknowns[name]) for name in orbit.unknowns]
-    pairs.append((orbit.trace, other.trace))
-    return max(abs(x - y) / max(1, abs(x)) for x, y in pairs)
+    return Refined(by_balls, by_mpmath, difference)
 
 
 def enclosed_trace(orbit: Orbit) -> Any:

@@ -55,7 +55,7 @@ def _assessed(orbit: Orbit) -> Stability:
     trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
     rank, dimension = table["rank"], len(table["section"])
     if rank == 1:
-        nonzero = [Multiplier(trace, zero)]
+        nonzero = [Multiplier(trace, zero, trivial=table["conservative"])]
     elif table["conservative"] and dimension == 3:
         nonzero = _conservative(orbit, trace)
     else:

@@ -111,51 +111,72 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
     """What is proved of the trace of a refined orbit, as JSON.
 
     `trace` is its enclosure, ``{"mid", "rad"}``, over a box around the orbit that holds exactly
-    one; `statement` the criterion of stability for an orbit of this kind, of which `verdict` says
-    whether it is "proved", "refuted" or "undecided", and `reason` why. Without a criterion in the
-    trace both are None.
+    one, or None; `statement` the criterion of stability for an orbit of this kind, of which
+    `verdict` says whether it is "proved", "refuted" or "undecided", both None where there is no
+    criterion; `one_sided` whether all of it is about one side of a border collision. `reason`
+    says why there is no enclosure, or why a certificate leaves the criterion open.
     """
-    from nonsmooth.runtime.proof.certificate import Stated
-    from nonsmooth.runtime.proof.certify_orbit import MOST_BITS, certify
+    from nonsmooth.runtime.proof.certify_orbit import MOST_BITS
 
     bits = min(math.ceil(orbit.digits * math.log2(10)) + 16, MOST_BITS)
-    reason, found = "no box around it is shown to hold exactly one orbit", None
-    if orbit.problem.kernels is not None:
-        ball = enclosed_trace(orbit)
-        found = None if ball is None else Stated.around(ball, bits)
-    else:
-        try:
-            certificate = certify(orbit, bits)
-        except InputError as problem:  # the system is not stated exactly
-            reason = str(problem)
-        else:
-            found = certificate.enclosures.get("trace")
-            reason = "; ".join(certificate.reasons.values()) or reason
-    stability = orbit.stability
-    statement, verdict = None, None
-    if stability.rank == 1 and not any(m.trivial for m in stability.multipliers):
-        statement, centre, radius = "|trace| < 1", 0, 1
-    elif orbit.problem.kernels is not None and _is_conservative_in_three(orbit.kernels.table):
+    if orbit.problem.kernels is None:
+        return _proof_by_certificate(orbit, bits)
+    return _proof_by_kernels(orbit, bits)
+
+
+def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:
+    """What the trace of the kernels decides over the box that Krawczyk's test proves."""
+    from nonsmooth.runtime.proof.certificate import Stated
+    from nonsmooth.runtime.proof.orbit_claims import TANGENTIAL
+
+    table, ball, reason = orbit.kernels.table, enclosed_trace(orbit), ""
+    if ball is None:
+        reason = "no box around it is shown to hold exactly one orbit"
+    elif not ball.is_finite():
+        reason = TANGENTIAL
+    statement, verdict, centre, radius = None, None, 0, 1
+    if table["rank"] == 1 and not table["conservative"]:
+        statement = "|trace| < 1"
+    elif table["conservative"] and len(table["section"]) == 3:
         statement, centre, radius = "|trace - 1| < 2", 1, 2
     if statement is not None:
+        verdict = "undecided"
         with flint_precision(bits):
-            distance = abs(found.ball - centre) if found is not None else None
-            verdict = "undecided"
+            distance = None if reason else abs(ball - centre)
             if distance is not None and distance < radius:
                 verdict = "proved"
             elif distance is not None and distance > radius:
                 verdict = "refuted"
     return {
-        "trace": None if found is None else found.to_json(),
+        "trace": None if reason else Stated.around(ball, bits).to_json(),
         "statement": statement,
         "verdict": verdict,
-        **({"reason": reason} if found is None else {}),
+        "one_sided": bool(orbit.stability.one_sided),
+        **({"reason": reason} if reason else {}),
     }
 
 
-def _is_conservative_in_three(table: Mapping[str, Any]) -> bool:
-    """Whether multipliers are 1 and a reciprocal pair, which the trace alone decides."""
-    return bool(table["conservative"]) and len(table["section"]) == 3
+def _proof_by_certificate(orbit: Orbit, bits: int) -> dict[str, Any]:
+    """What a certificate claims of trace and multipliers; there the rank is not used."""
+    from nonsmooth.runtime.proof.certify_orbit import certify
+    from nonsmooth.runtime.proof.multipliers import CORNER
+
+    proof: dict[str, Any] = {"trace": None, "statement": None, "verdict": None, "one_sided": False}
+    try:
+        certificate = certify(orbit, bits)
+    except InputError as problem:  # the system is not stated exactly
+        return proof | {"reason": str(problem)}
+    trace, reasons = certificate.enclosures.get("trace"), certificate.reasons
+    reason = reasons.get("existence") or reasons.get("stability")
+    if trace is not None:
+        proof["trace"] = trace.to_json()
+    if reason == CORNER:
+        proof["one_sided"] = True
+    elif certificate.claims["existence"] == "proved":
+        side = {"stable": "inside", "neutral": "on"}[certificate.stability]
+        proof["statement"] = f"every nontrivial multiplier is {side} the unit circle"
+        proof["verdict"] = certificate.claims["stability"]
+    return proof | ({"reason": reason} if reason else {})
 
 
 def admissibility_json(orbit: Orbit) -> dict[str, Any]:

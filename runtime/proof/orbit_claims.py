@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "NOT_CONSERVED",
+    "TANGENTIAL",
     "MapClaim",
     "claim_of_map",
     "conserved",
@@ -42,6 +43,7 @@ __all__ = [
 ]
 
 _LEAST_OTHER = 1e-6  # less is not told apart from zero
+TANGENTIAL = "a boundary may be reached tangentially"
 NOT_CONSERVED = "the energy does not give the coordinate that is left out"
 
 
@@ -97,7 +99,7 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
     closing = region.closing
     maps = equations.maps(now)
     if not all(x.is_finite() for found in maps for x in range_of(found).entries()):
-        return MapClaim("undecided", "a boundary may be reached tangentially")
+        return MapClaim("undecided", TANGENTIAL)
     section = reduced_map(maps, region.invariants, closing, number)
     trace = trace_of(section) + len(closing.translations)
     pairs: tuple[acb, ...] | None = ()

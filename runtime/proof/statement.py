@@ -22,8 +22,11 @@ _RADIUS = 3  # digits that a radius needs
 def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
     """Return middle and radius of a decimal ball around a ball, with as many digits as count.
 
-    The radius has `digits` digits. Of an exact number `bits` bits are kept.
+    The radius has `digits` digits. Of an exact number `bits` bits are kept. `ValueError` refuses
+    a ball that is not finite: no decimal ball contains it.
     """
+    if not ball.is_finite():
+        raise ValueError(f"the ball {ball} is not finite")
     if ball.is_zero():
         return "0e0", "0e0"
     middle, radius, exponent = ball.mid_rad_10exp(int(bits * 0.302) + 5)

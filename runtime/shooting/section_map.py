@@ -30,7 +30,8 @@ __all__ = [
     "stroboscopic_maps",
 ]
 
-_RANK = 1e-9  # relative length below which a direction is none
+_RANK = 1e-9  # relative length below which a direction is none, in double precision
+_LOST = 10  # decimal digits that its length may lose beyond that
 
 
 def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[Any]:
@@ -166,13 +167,14 @@ def _scaled(matrix: Any, size_of: Any) -> Any:
 
 def _orthonormal(columns: Any, lib: Any) -> Any:
     """Orthonormal basis of the span of the columns, by Gram-Schmidt with pivoting."""
+    none = _RANK if lib is np else lib.mpf(10) ** (_LOST - lib.dps)
     left = [columns[:, k] for k in range(columns.shape[1])]
     basis: list[Any] = []
     largest = max((lib.sqrt(v @ v) for v in left), default=0)
     while left:
         lengths = [lib.sqrt(v @ v) for v in left]
         best = max(range(len(left)), key=lambda k: lengths[k])
-        if not lengths[best] > _RANK * largest:
+        if not lengths[best] > none * largest:
             break
         unit = left.pop(best) / lengths[best]
         for _ in range(2):  # once more for what the first pass has lost

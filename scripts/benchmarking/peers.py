@@ -179,7 +179,7 @@ def python_with_siconos() -> str | None:
 
 
 def siconos(python: str, asked: dict[str, Any]) -> Any:
-    """Answer of scripts/peer_siconos.py to a question."""
+    """Answer of scripts/benchmarking/peer_siconos.py to a question."""
     program = str(Path(__file__).with_name("peer_siconos.py"))
     answer = subprocess.run(
         [python, program], input=json.dumps(asked), capture_output=True, text=True, check=True

@@ -210,7 +210,10 @@ def measure(copy: Path, tests: Iterable[str], limit: float, kept: Path | None) -
 
 
 def attempted(copy: Path, bug: Place, measured: Sequence[Measured], limit: float) -> str:
-    """Outcome of the tests that reach a planted bug; the copy is restored afterwards."""
+    """Outcome of the tests that reach a planted bug; the copy is restored afterwards.
+
+    What survives the other tests is tried with the slow ones of the same files.
+    """
     file = copy / bug.file
     compiled = file.suffix == ".c"
     original = file.read_text(encoding="utf-8")
@@ -230,7 +233,10 @@ def attempted(copy: Path, bug: Place, measured: Sequence[Measured], limit: float
         written(file, planted(original, bug))
         if built:
             build(copy)
-        return outcome(copy, tests, 2 * seconds + 60)
+        result = outcome(copy, tests, 2 * seconds + 60)
+        if result == SURVIVED and outcome(copy, tests, limit, "-m", "slow") == NOTICED:
+            return NOTICED
+        return result
     except subprocess.CalledProcessError as problem:
         print(problem.stderr, file=sys.stderr)
         return BROKEN
@@ -260,11 +266,13 @@ def build(copy: Path) -> None:
     subprocess.run(command, cwd=copy, check=True, capture_output=True, text=True)
 
 
-def outcome(copy: Path, tests: Sequence[str], limit: float, **environment: str) -> str:
-    """Verdict of the tests on the copy as it is."""
+def outcome(
+    copy: Path, tests: Sequence[str], limit: float, *options: str, **environment: str
+) -> str:
+    """Verdict of the tests on the copy as it is; `options` are those of pytest."""
     with tempfile.TemporaryDirectory() as cache:  # what was derived with another bug is not used
         command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider"]
-        command += ["--hypothesis-seed=0", *tests]
+        command += ["--hypothesis-seed=0", *options, *tests]
         added = {"PYTHONPATH": str(copy), "NONSMOOTH_CACHE": cache, "OPENBLAS_NUM_THREADS": "1"}
         run = subprocess.Popen(
             command, cwd=copy, env={**os.environ, **added, **environment}, start_new_session=True,

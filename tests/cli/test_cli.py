@@ -370,8 +370,21 @@ def test_both_arithmetics_are_compared() -> None:
     found = told("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
     assert 0 < Decimal(found["difference"]) < Decimal("1e-40")
     assert re.search(rf"difference +{found['difference']} between balls and mpmath", out)
-    assert "|trace| < 1 is proved" in out
+    assert re.search(r"proved +\|trace\| < 1 *\n", out)
     assert "difference" not in told("verify", ORBIT, "--arithmetic", "mpmath")
+
+
+def test_what_is_proved_at_a_border_collision_is_about_one_side() -> None:
+    name = "dry-friction/solution-ii"
+    assert "on one side of a border collision" in run("verify", name)[1]
+    assert "on one side" not in run("verify", ORBIT)[1]
+
+
+def test_the_rank_of_an_orbit_by_tables_is_no_criterion() -> None:
+    _, out, _ = run("solve", f"{GALLERY / 'impact_oscillator.py'}:one-period", "r=0")
+    assert "Stability" in out
+    assert "|trace| < 1" not in out
+    assert "multiplier 2  0 to these digits: the Poincare map has rank one" in out
 
 
 def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath() -> None:

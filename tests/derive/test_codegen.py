@@ -440,6 +440,27 @@ def test_formulas_that_differ_come_first_and_stamps_last(tmp_path: Path) -> None
     assert [text.count("\n") for text in changed] == [3, 4, 6]
 
 
+def test_stamps_are_known_by_what_stands_before_them(tmp_path: Path) -> None:
+    for stamp in (
+        'DERIVATION = "{}"',
+        "derivation {}",
+        '{{"derivation": "{}"}}',
+        '"derivation_elastic_stop", "{}"',
+    ):
+        (tmp_path / "g.c").write_text(stamp.format("0" * 16))
+        wanted = {"g.c": stamp.format("f" * 16)}
+        assert regenerate.differences(tmp_path, wanted) == ("g.c: its stamps alone",)
+    (tmp_path / "g.json").write_text(f'"sha256": "{"0" * 64}"')
+    wanted = {"g.json": f'"sha256": "{"f" * 64}"'}
+    assert regenerate.differences(tmp_path, wanted) == ("g.json: its stamps alone",)
+
+
+def test_decimals_of_sixteen_digits_are_no_stamps(tmp_path: Path) -> None:
+    (tmp_path / "support.h").write_text("x = -0.3333333333333333;\n")
+    (difference,) = regenerate.differences(tmp_path, {"support.h": "x = -0.3333333333333334;\n"})
+    assert re.search(r"^\+x = -0\.3333333333333334;$", difference, re.MULTILINE)
+
+
 def test_another_installation_than_that_of_the_place_is_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

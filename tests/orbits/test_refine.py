@@ -14,7 +14,8 @@ from nonsmooth.runtime.core import values
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball
 from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
-from nonsmooth.runtime.orbits.refine import enclosed_trace
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.refine import enclosed_trace, refine_both
 from nonsmooth.runtime.present.report import orbit_json
 from tests.declared import Declared
 
@@ -100,6 +101,22 @@ def test_both_are_compared_with_each_other(every, monkeypatch):
     )
     with pytest.raises(NoConvergence, match=r"flint and mpmath differ by 8\.6e-40 at 40 digits"):
         refine(every[0], 40, arithmetic="both")
+
+
+@pytest.mark.parametrize("fault", ["1e-45", "1e-39"])
+def test_the_trace_of_mpmath_has_to_lie_in_the_enclosure_by_balls(orbit, fault, monkeypatch):
+    right = Orbit.evaluate
+
+    def wrong(self, kernel, **moved):
+        value = right(self, kernel, **moved)
+        return value * (1 + self.arithmetic.mp.mpf(fault)) if kernel == "trace" else value
+
+    monkeypatch.setattr(Orbit, "evaluate", wrong)
+    if fault == "1e-39":
+        with pytest.raises(NoConvergence, match=r"flint and mpmath differ by 9\.8e-40 at 40"):
+            refine_both(orbit, 40)
+    else:
+        assert abs(refine_both(orbit, 40).difference - mpmath.mpf("9.8e-46")) < 1e-47
 
 
 def test_the_trace_is_enclosed_of_the_one_orbit_in_a_box(every):

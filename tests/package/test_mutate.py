@@ -248,6 +248,27 @@ def two(): """Nothing else."""
     assert functions(text) == {"One.short", "One.long", "One.long.inner"}
 
 
+@pytest.mark.parametrize(
+    ("expression", "outcome"), [("less(1, 1)", mutate.NOTICED), ("less(2, 1)", mutate.SURVIVED)]
+)
+def test_a_survivor_is_tried_with_the_slow_tests(
+    expression: str, outcome: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mutate, "CHECKOUT", tmp_path)
+    settings = "[pytest]\naddopts = -m 'not slow'\nmarkers = slow: long ones\n"
+    (tmp_path / "pytest.ini").write_text(settings)
+    text = "def less(a, b):\n    return a < b\n"
+    (tmp_path / "order.py").write_text(text)
+    (tmp_path / "test_order.py").write_text(
+        "import pytest\nfrom order import less\n\n"
+        f"@pytest.mark.slow\ndef test_long():\n    assert not {expression}\n\n"
+        "def test_short():\n    assert less(1, 2)\n"
+    )
+    (boundary, _) = places("order.py", text)
+    measured = [mutate.Measured("test_order.py", 1.0, ["order.py::less"])]
+    assert mutate.attempted(tmp_path, boundary, measured, 60.0) == outcome
+
+
 @pytest.mark.slow
 def test_most_bugs_of_a_module_are_noticed(capsys: pytest.CaptureFixture[str]) -> None:
     mutate.main(["runtime/core/vectorised.py", "--sample", "9", "--seed", "1",

@@ -76,7 +76,6 @@ def test_every_format_that_is_written_is_read() -> None:
     assert set(KINDS) == set(TYPES)
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_file_gives_what_was_saved(kind: str, folder: Path, tmp_path: Path) -> None:
     path, again = folder / name_of(kind), tmp_path / "again.json"
@@ -92,7 +91,6 @@ def test_a_file_gives_what_was_saved(kind: str, folder: Path, tmp_path: Path) ->
     assert type(ns.load(again)) is TYPES[kind]
 
 
-@pytest.mark.compiled
 def test_motions_and_charts_are_read_too(folder: Path) -> None:
     for ending in ("npz", "csv"):
         motion = ns.load(folder / f"motion.{ending}")
@@ -101,7 +99,6 @@ def test_motions_and_charts_are_read_too(folder: Path) -> None:
     assert dict(ns.load(str(folder / "line.zarr")).sizes) == {"V": 2}
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize("name", [*map(name_of, KINDS), "motion.npz", "motion.csv", "line.zarr"])
 def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: Path) -> None:
     picture = tmp_path / "picture.png"
@@ -117,7 +114,6 @@ def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: 
         assert picture.read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "nonsmooth found orbits"])
 @pytest.mark.parametrize("command", ["list {}", "solve {}", "verify {} --digits 20", "certify {}"])
 def test_a_file_that_has_one_orbit_stands_for_it(command: str, kind: str, folder: Path) -> None:
@@ -185,7 +181,6 @@ def test_what_is_not_there_or_foreign_is_refused(name: str, message: str, tmp_pa
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize("kind", ["nonsmooth fit", "nonsmooth design"])
 def test_a_file_of_one_kind_is_not_read_as_another(kind: str, folder: Path, tmp_path: Path) -> None:
     content = json.loads((folder / name_of(kind)).read_text())

@@ -14,8 +14,10 @@ import pytest
 from mpmath import mp
 
 from nonsmooth import MissingExtra, refine, solve
-from nonsmooth.runtime.present.paper import writing
+from nonsmooth.runtime.present.paper import chapters, writing
+from nonsmooth.runtime.present.paper.comparing import AGREES
 from nonsmooth.runtime.present.paper.misprints import misprints
+from nonsmooth.runtime.present.paper.records import Comparison
 from nonsmooth.runtime.present.pictures import plot
 from tests.browser import inspect_page
 from tests.cli.test_cli import run, told
@@ -102,6 +104,16 @@ def test_every_printed_number_stands_beside_ours(results: dict[str, Any]) -> Non
             places = len(entry["printed"].partition(".")[2])
             assert abs(difference) <= Decimal(5).scaleb(-places - 1)
             assert places  # integers are meant exactly
+
+
+def test_a_printed_number_in_two_rows_agrees_if_both_do() -> None:
+    within, apart = (
+        Comparison("x", "Sec. 1", "1.0", "1.01", "0.01", verdict)
+        for verdict in (AGREES, "agrees within 1 %")
+    )
+    for rows, agreeing in (((within, within), 1), ((within, apart), 0), ((apart, apart), 0)):
+        text = " ".join(chapters._summary(rows, (), ()))
+        assert f"Of 1 printed numbers {agreeing} agree" in text
 
 
 def test_numbers_of_the_report_solve_the_equations_at_50_digits(results: dict[str, Any]) -> None:

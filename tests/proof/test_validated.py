@@ -11,11 +11,13 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from flint import arb
 from mpmath import MPContext
 
 from nonsmooth import InputError, Proof, validate
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
+from nonsmooth.runtime.proof.certificate import Stated
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
@@ -441,6 +443,12 @@ def test_decimals_enclose() -> None:
             exact = int(mantissa) * Fraction(2) ** int(exponent)
             assert abs(exact - middle) <= radius
         assert enclosure.lower < float(enclosure) < enclosure.upper
+
+
+@pytest.mark.parametrize("text", ["nan", "0 +/- inf", "+inf"])
+def test_a_ball_that_is_not_finite_has_no_decimals(text: str) -> None:
+    with pytest.raises(ValueError, match="is not finite"):
+        Stated.around(arb(text), 64)
 
 
 START = ["5", "4", "0.5", "0.25"]
