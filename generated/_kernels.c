@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation b8ff1a1f8e3cdd05 */
+ * SymPy 1.14.0, derivation cf4b88dd51b6a842 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -770,6 +770,24 @@ static void call_dry_friction_global_stick_reduced_3(npy_intp count, char *const
         dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
 }
 
+static void call_dry_friction_global_stick_period_map_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_period_map(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
+}
+
+static void call_dry_friction_global_stick_period_map_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_period_map(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), NULL);
+}
+
+static void call_dry_friction_global_stick_period_map_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_global_stick_period_map(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
+}
+
 static void call_dry_friction_solution_ii_equations_1(npy_intp count, char *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
@@ -876,6 +894,24 @@ static void call_dry_friction_solution_ii_reduced_3(npy_intp count, char *const 
 {
     for (npy_intp i = 0; i < count; ++i)
         dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 3 * i), ((double *)(void *)a[5] + 9 * i));
+}
+
+static void call_dry_friction_solution_ii_period_map_1(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_period_map(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
+}
+
+static void call_dry_friction_solution_ii_period_map_2(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_period_map(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), NULL);
+}
+
+static void call_dry_friction_solution_ii_period_map_3(npy_intp count, char *const *a)
+{
+    for (npy_intp i = 0; i < count; ++i)
+        dry_friction_solution_ii_period_map(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
 }
 
 static void call_dry_friction_symmetric_solve(npy_intp count, char *const *a)
@@ -1237,6 +1273,15 @@ static const wrapped functions[] = {
     {"dry_friction_global_stick_reduced_3", "(5),(7),(2)->(6),(2),(2,2)",
      call_dry_friction_global_stick_reduced_3, in_rows, 3, 3,
      {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_period_map_1", "(5),(7),(6)->(4,5)",
+     call_dry_friction_global_stick_period_map_1, in_rows, 3, 1,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_period_map_2", "(5),(7),(6)->(4,5),(2)",
+     call_dry_friction_global_stick_period_map_2, in_rows, 3, 2,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_global_stick_period_map_3", "(5),(7),(6)->(4,5),(2),(4)",
+     call_dry_friction_global_stick_period_map_3, in_rows, 3, 3,
+     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_equations_1", "(4),(7),(6)->(6)",
      call_dry_friction_solution_ii_equations_1, in_rows, 3, 1,
      {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
@@ -1291,6 +1336,15 @@ static const wrapped functions[] = {
     {"dry_friction_solution_ii_reduced_3", "(4),(7),(3)->(6),(3),(3,3)",
      call_dry_friction_solution_ii_reduced_3, in_rows, 3, 3,
      {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_period_map_1", "(4),(7),(6)->(4,5)",
+     call_dry_friction_solution_ii_period_map_1, in_rows, 3, 1,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_period_map_2", "(4),(7),(6)->(4,5),(2)",
+     call_dry_friction_solution_ii_period_map_2, in_rows, 3, 2,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+    {"dry_friction_solution_ii_period_map_3", "(4),(7),(6)->(4,5),(2),(4)",
+     call_dry_friction_solution_ii_period_map_3, in_rows, 3, 3,
+     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_solve", "(4),(2)->(5),(),(),(),()",
      call_dry_friction_symmetric_solve, in_columns, 2, 5,
      {{4, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
@@ -1337,11 +1391,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "3d278f1eb7b963cc") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "ef07fb4453d7fe25") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "6ce0fc264bd74082") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "2038f08714ee00a0") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "eea47122c16e574a") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "246caa8f84807098") < 0)
         return -1;
     return 0;
 }

@@ -1,16 +1,16 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation eea47122c16e574a */
+ * SymPy 1.14.0, derivation 246caa8f84807098 */
 #include "dry_friction.h"
 
 #include <math.h>
 
-#include "support.h"
+#include "nonsmooth_compiler.h"
+#include "nonsmooth_sums.h"
+#include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Takes parameters (2); gives spectrum (7), derivatives (7, 2), row by row.
- * An output that is NULL is not wanted.
  * Operations: 97. Intermediate terms: 45. */
 void dry_friction_spectrum(
     const double parameters[2], double *spectrum, double *derivatives)
@@ -95,10 +95,10 @@ void dry_friction_spectrum(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 138. Intermediate terms: 26. */
 void dry_friction_flow_slip_slip(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -147,10 +147,10 @@ void dry_friction_flow_slip_slip(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 28. Intermediate terms: 4. */
 void dry_friction_flow_slip_stick(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -172,10 +172,10 @@ void dry_friction_flow_slip_stick(
 }
 
 /* State after a time in slip-overshoot.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_slip_overshoot(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -224,10 +224,10 @@ void dry_friction_flow_slip_overshoot(
 }
 
 /* State after a time in stick-slip.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 29. Intermediate terms: 7. */
 void dry_friction_flow_stick_slip(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us2 = parameters[5];
@@ -252,10 +252,10 @@ void dry_friction_flow_stick_slip(
 }
 
 /* State after a time in stick-stick.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
 void dry_friction_flow_stick_stick(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     (void)spectrum;
@@ -271,10 +271,10 @@ void dry_friction_flow_stick_stick(
 }
 
 /* State after a time in stick-overshoot.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 29. Intermediate terms: 7. */
 void dry_friction_flow_stick_overshoot(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us2 = parameters[5];
@@ -299,10 +299,10 @@ void dry_friction_flow_stick_overshoot(
 }
 
 /* State after a time in overshoot-slip.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_overshoot_slip(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -351,10 +351,10 @@ void dry_friction_flow_overshoot_slip(
 }
 
 /* State after a time in overshoot-stick.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 28. Intermediate terms: 4. */
 void dry_friction_flow_overshoot_stick(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -376,10 +376,10 @@ void dry_friction_flow_overshoot_stick(
 }
 
 /* State after a time in overshoot-overshoot.
- * Takes parameters (7), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 136. Intermediate terms: 26. */
 void dry_friction_flow_overshoot_overshoot(
-    const double parameters[7], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[7], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     const double us1 = parameters[3];
@@ -428,7 +428,6 @@ void dry_friction_flow_overshoot_overshoot(
 }
 
 /* Vector fields of the configurations, one below the other, offsets last.
- * Takes parameters (7); gives fields (36, 5), row by row.
  * Operations: 20. Intermediate terms: 2. */
 void dry_friction_fields(
     const double parameters[7], double fields[180])
@@ -466,7 +465,6 @@ void dry_friction_fields(
 }
 
 /* Affine functions of the state: gradients, constants last.
- * Takes parameters (7); gives rows (17, 5), row by row.
  * Operations: 16. Intermediate terms: 0. */
 void dry_friction_rows(
     const double parameters[7], double rows[85])
@@ -502,7 +500,6 @@ void dry_friction_rows(
 }
 
 /* Affine resets of the state, one below the other, offsets last.
- * Takes parameters (7); gives resets (16, 5), row by row.
  * Operations: 0. Intermediate terms: 0. */
 void dry_friction_resets(
     const double parameters[7], double resets[80])
@@ -523,8 +520,6 @@ void dry_friction_resets(
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
- * Takes parameters (7), spectrum (7); gives exponents (21, 2), coefficients (152, 5), row by row.
- * An output that is NULL is not wanted.
  * Operations: 231. Intermediate terms: 45. */
 void dry_friction_modes(
     const double parameters[7], const double spectrum[7], double *exponents, double *coefficients)
@@ -718,11 +713,12 @@ void dry_friction_modes(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Takes parameters (4), spectrum (7), unknowns (5), spectrum_derivatives (7, 2); gives residual (5), jacobian (5, 5), parameter_jacobian (5, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 240. Intermediate terms: 65. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_equations(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -886,11 +882,11 @@ void dry_friction_symmetric_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Takes parameters (4), spectrum (7), unknowns (5), spectrum_derivatives (7, 2); gives trace, trace_gradient (9), row by row.
- * An output that is NULL is not wanted.
  * Operations: 672. Intermediate terms: 150. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_trace(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], const double *spectrum_derivatives, double *trace, double *trace_gradient)
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -1108,11 +1104,11 @@ void dry_friction_symmetric_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Takes parameters (4), spectrum (7), unknowns (5); gives states (3, 4), coefficients (24), frequencies (3), row by row.
- * An output that is NULL is not wanted.
  * Operations: 141. Intermediate terms: 36. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_passage(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double *states, double *coefficients, double *frequencies)
+    const double parameters[4], const double spectrum[7], const double unknowns[5], double *states,
+    double *coefficients, double *frequencies)
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -1220,11 +1216,11 @@ void dry_friction_symmetric_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (4), spectrum (7), unknowns (5); gives poincare_jacobian (2, 2), saltations (8, 4), monodromy (4, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 285. Intermediate terms: 123. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_linearisation(
-    const double parameters[4], const double spectrum[7], const double unknowns[5], double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -1446,10 +1442,11 @@ void dry_friction_symmetric_linearisation(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_flow_slip_slip(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -1486,10 +1483,11 @@ void dry_friction_symmetric_flow_slip_slip(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 4. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_flow_slip_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     (void)spectrum;
@@ -1510,11 +1508,11 @@ void dry_friction_symmetric_flow_slip_stick(
 }
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
- * Takes parameters (4), spectrum (7), reduced (2); gives unknowns (5), determinants (1), reduced_residual (2), reduced_jacobian (2, 2), row by row.
- * An output that is NULL is not wanted.
  * Operations: 208. Intermediate terms: 62. */
+NONSMOOTH_UNMERGED
 void dry_friction_symmetric_reduced(
-    const double parameters[4], const double spectrum[7], const double reduced[2], double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
+    const double parameters[4], const double spectrum[7], const double reduced[2], double *unknowns,
+    double *determinants, double *reduced_residual, double *reduced_jacobian)
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -1637,11 +1635,12 @@ void dry_friction_symmetric_reduced(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Takes parameters (5), spectrum (7), unknowns (6), spectrum_derivatives (7, 2); gives residual (6), jacobian (6, 6), parameter_jacobian (6, 5), row by row.
- * An output that is NULL is not wanted.
  * Operations: 683. Intermediate terms: 198. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_equations(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -1978,11 +1977,11 @@ void dry_friction_global_stick_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Takes parameters (5), spectrum (7), unknowns (6), spectrum_derivatives (7, 2); gives trace, trace_gradient (11), row by row.
- * An output that is NULL is not wanted.
  * Operations: 774. Intermediate terms: 175. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_trace(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], const double *spectrum_derivatives, double *trace, double *trace_gradient)
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2239,11 +2238,11 @@ void dry_friction_global_stick_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Takes parameters (5), spectrum (7), unknowns (6); gives states (5, 4), coefficients (44), frequencies (4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 190. Intermediate terms: 51. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_passage(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies)
+    const double parameters[5], const double spectrum[7], const double unknowns[6], double *states,
+    double *coefficients, double *frequencies)
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -2401,11 +2400,11 @@ void dry_friction_global_stick_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (5), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 508. Intermediate terms: 185. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_linearisation(
-    const double parameters[5], const double spectrum[7], const double unknowns[6], double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2693,10 +2692,11 @@ void dry_friction_global_stick_linearisation(
 }
 
 /* State after a time in stick-stick.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_stick_stick(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     (void)spectrum;
@@ -2712,10 +2712,11 @@ void dry_friction_global_stick_flow_stick_stick(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 4. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_slip_stick(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     (void)spectrum;
@@ -2736,10 +2737,11 @@ void dry_friction_global_stick_flow_slip_stick(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_slip_slip(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -2776,10 +2778,11 @@ void dry_friction_global_stick_flow_slip_slip(
 }
 
 /* State after a time in stick-slip.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 6. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_stick_slip(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega3 = spectrum[6];
@@ -2802,11 +2805,11 @@ void dry_friction_global_stick_flow_stick_slip(
 }
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
- * Takes parameters (5), spectrum (7), reduced (2); gives unknowns (6), reduced_residual (2), reduced_jacobian (2, 2), row by row.
- * An output that is NULL is not wanted.
  * Operations: 221. Intermediate terms: 75. */
+NONSMOOTH_UNMERGED
 void dry_friction_global_stick_reduced(
-    const double parameters[5], const double spectrum[7], const double reduced[2], double *unknowns, double *reduced_residual, double *reduced_jacobian)
+    const double parameters[5], const double spectrum[7], const double reduced[2], double *unknowns,
+    double *reduced_residual, double *reduced_jacobian)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -2942,12 +2945,169 @@ void dry_friction_global_stick_reduced(
     }
 }
 
+/* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
+ * Operations: 266. Intermediate terms: 84. */
+NONSMOOTH_UNMERGED
+void dry_friction_global_stick_period_map(
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    double *period_map, double *linear_start, double *compatibility)
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e1 = parameters[3];
+    const double e2 = parameters[4];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double ta = unknowns[2];
+    const double tau = unknowns[3];
+    const double tau1 = unknowns[4];
+    const double tau2 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick after tau, by the start */
+    const double t0 = chi*cos_tau;
+    const double z1_2_by_z20 = chi - t0;
+    const double z1_2_by_v10 = cos_tau*ta + sin_tau;
+    const double t2 = chi*sin_tau;
+    const double z1_2_by_v20 = chi*tau - t2 + ta*z1_2_by_z20;
+    const double z2_2_by_v20 = ta + tau;
+    const double v1_2_by_z10 = -sin_tau;
+    const double v1_2_by_z20 = t2;
+    const double v1_2_by_v10 = cos_tau - sin_tau*ta;
+    const double v1_2_by_v20 = chi - t0 + t2*ta;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
+    /* slip-slip after tau1, by the start */
+    const double t5 = 1 - p1;
+    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
+    const double t7 = (1.0/(omega1));
+    const double t8 = sin_omega1_tau1*t7;
+    const double t9 = sin_omega2_tau1/omega2;
+    const double t10 = p1*t8 + t5*t9;
+    const double z1_3_by_z10 = cos_tau*t6 + t10*v1_2_by_z10;
+    const double t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t10*v1_2_by_z20 + t11 + t6*z1_2_by_z20;
+    const double z1_3_by_v10 = t10*v1_2_by_v10 + t6*z1_2_by_v10;
+    const double z1_3_by_v20 = p2*t8 - p2*t9 + t10*v1_2_by_v20 + t11*z2_2_by_v20 + t6*z1_2_by_v20;
+    const double t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t13 = p3*sin_omega1_tau1*t7 - p3*t9;
+    const double z2_3_by_z10 = cos_tau*t12 + t13*v1_2_by_z10;
+    const double t14 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t12*z1_2_by_z20 + t13*v1_2_by_z20 + t14;
+    const double z2_3_by_v10 = t12*z1_2_by_v10 + t13*v1_2_by_v10;
+    const double z2_3_by_v20 = p1*t9 + t12*z1_2_by_v20 + t13*v1_2_by_v20 + t14*z2_2_by_v20 + t5*t8;
+    const double t15 = omega2*sin_omega2_tau1;
+    const double t16 = omega1*sin_omega1_tau1;
+    const double t17 = -p1*t16 - t15*t5;
+    const double v1_3_by_z10 = cos_tau*t17 + t6*v1_2_by_z10;
+    const double t18 = p2*t16;
+    const double v1_3_by_z20 = p2*t15 + t17*z1_2_by_z20 - t18 + t6*v1_2_by_z20;
+    const double v1_3_by_v10 = t17*z1_2_by_v10 + t6*v1_2_by_v10;
+    const double v1_3_by_v20 = t11 + t17*z1_2_by_v20 + t6*v1_2_by_v20 + z2_2_by_v20*(omega2*p2*sin_omega2_tau1 - t18);
+    const double t19 = omega2*p3*sin_omega2_tau1 - p3*t16;
+    const double v2_3_by_z10 = cos_tau*t19 + t12*v1_2_by_z10;
+    const double t20 = p1*t15 + t16*t5;
+    const double v2_3_by_z20 = t12*v1_2_by_z20 + t19*z1_2_by_z20 - t20;
+    const double v2_3_by_v10 = t12*v1_2_by_v10 + t19*z1_2_by_v10;
+    const double v2_3_by_v20 = t12*v1_2_by_v20 + t14 + t19*z1_2_by_v20 - t20*z2_2_by_v20;
+    /* functions of tau2 in stick-slip */
+    const double t21 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t21);
+    const double sin_omega3_tau2 = sin(t21);
+    /* stick-slip after tau2, by the start */
+    const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
+    const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
+    const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
+    const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
+    const double t22 = sin_omega3_tau2/omega3;
+    const double t23 = -t22 + tau2;
+    const double t24 = 1 - cos_omega3_tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10 + t24*z1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20 + t24*z1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10 + t24*z1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20 + t24*z1_3_by_v20;
+    const double t25 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t24*v1_3_by_z10 + t25*z1_3_by_z10 - t25*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t24*v1_3_by_z20 + t25*z1_3_by_z20 - t25*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t24*v1_3_by_v10 + t25*z1_3_by_v10 - t25*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t24*v1_3_by_v20 + t25*z1_3_by_v20 - t25*z2_3_by_v20;
+    if (period_map) {
+        period_map[0] = z1_4_by_z10;
+        period_map[1] = z1_4_by_z20;
+        period_map[2] = z1_4_by_v10;
+        period_map[3] = z1_4_by_v20;
+        period_map[4] = 0;
+        period_map[5] = z2_4_by_z10;
+        period_map[6] = z2_4_by_z20;
+        period_map[7] = z2_4_by_v10;
+        period_map[8] = z2_4_by_v20;
+        period_map[9] = 0;
+        period_map[10] = v1_3_by_z10;
+        period_map[11] = v1_3_by_z20;
+        period_map[12] = v1_3_by_v10;
+        period_map[13] = v1_3_by_v20;
+        period_map[14] = 0;
+        period_map[15] = v2_4_by_z10;
+        period_map[16] = v2_4_by_z20;
+        period_map[17] = v2_4_by_v10;
+        period_map[18] = v2_4_by_v20;
+        period_map[19] = 0;
+    }
+    if (!linear_start && !compatibility)
+        return;
+    /* coefficients of the linear equations */
+    const double coefficient11 = z1_4_by_z10 - 1;
+    const double coefficient22 = z2_4_by_z20 - 1;
+    /* right-hand sides of the linear equations */
+    const double right1 = -V*z1_4_by_v10 - V*z1_4_by_v20;
+    const double right2 = -V*z2_4_by_v10 - V*z2_4_by_v20;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11*coefficient22 - z1_4_by_z20*z2_4_by_z10;
+    /* numerators of Cramer's rule */
+    const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
+    const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
+    /* z10, z20 by Cramer's rule */
+    const double t26 = (1.0/(determinant));
+    const double z1_0 = numerator1*t26;
+    const double z2_0 = numerator2*t26;
+    if (linear_start) {
+        linear_start[0] = z1_0;
+        linear_start[1] = z2_0;
+    }
+    if (!compatibility)
+        return;
+    /* stick-stick for ta, until first-breaks-forward */
+    const double t27 = V*ta;
+    const double z1_1 = t27 + z1_0;
+    const double z2_1 = t27 + z2_0;
+    /* slip-stick for tau, until second-breaks-forward */
+    const double z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + z1_2_by_z20*z2_1;
+    const double z2_2 = V*tau + z2_1;
+    if (compatibility) {
+        compatibility[0] = V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0;
+        compatibility[1] = V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0;
+        compatibility[2] = -chi*z2_1 - e1 + z1_1;
+        compatibility[3] = -chi*z1_2 + chi*z2_2 - e2;
+    }
+}
+
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Takes parameters (4), spectrum (7), unknowns (6), spectrum_derivatives (7, 2); gives residual (6), jacobian (6, 6), parameter_jacobian (6, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 684. Intermediate terms: 192. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_equations(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3281,11 +3441,11 @@ void dry_friction_solution_ii_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Takes parameters (4), spectrum (7), unknowns (6), spectrum_derivatives (7, 2); gives trace, trace_gradient (10), row by row.
- * An output that is NULL is not wanted.
  * Operations: 1118. Intermediate terms: 249. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_trace(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], const double *spectrum_derivatives, double *trace, double *trace_gradient)
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -3623,11 +3783,11 @@ void dry_friction_solution_ii_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Takes parameters (4), spectrum (7), unknowns (6); gives states (5, 4), coefficients (44), frequencies (4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 186. Intermediate terms: 49. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_passage(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double *states, double *coefficients, double *frequencies)
+    const double parameters[4], const double spectrum[7], const double unknowns[6], double *states,
+    double *coefficients, double *frequencies)
 {
     const double chi = parameters[0];
     const double V = parameters[2];
@@ -3781,11 +3941,11 @@ void dry_friction_solution_ii_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (4), spectrum (7), unknowns (6); gives poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 487. Intermediate terms: 182. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_linearisation(
-    const double parameters[4], const double spectrum[7], const double unknowns[6], double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -4068,10 +4228,11 @@ void dry_friction_solution_ii_linearisation(
 }
 
 /* State after a time in stick-stick.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 4. Intermediate terms: 0. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_stick_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     (void)spectrum;
@@ -4087,10 +4248,11 @@ void dry_friction_solution_ii_flow_stick_stick(
 }
 
 /* State after a time in slip-stick.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 4. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_slip_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double chi = parameters[0];
     (void)spectrum;
@@ -4111,10 +4273,11 @@ void dry_friction_solution_ii_flow_slip_stick(
 }
 
 /* State after a time in slip-slip.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_slip_slip(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -4151,10 +4314,11 @@ void dry_friction_solution_ii_flow_slip_slip(
 }
 
 /* State after a time in stick-slip.
- * Takes parameters (4), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 23. Intermediate terms: 6. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_stick_slip(
-    const double parameters[4], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[4], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega3 = spectrum[6];
@@ -4177,11 +4341,11 @@ void dry_friction_solution_ii_flow_stick_slip(
 }
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
- * Takes parameters (4), spectrum (7), reduced (3); gives unknowns (6), reduced_residual (3), reduced_jacobian (3, 3), row by row.
- * An output that is NULL is not wanted.
  * Operations: 303. Intermediate terms: 101. */
+NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_reduced(
-    const double parameters[4], const double spectrum[7], const double reduced[3], double *unknowns, double *reduced_residual, double *reduced_jacobian)
+    const double parameters[4], const double spectrum[7], const double reduced[3], double *unknowns,
+    double *reduced_residual, double *reduced_jacobian)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -4362,18 +4526,162 @@ void dry_friction_solution_ii_reduced(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (4) and guess (2: tau, tau1) of the points; gives unknowns (5), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
+ * Operations: 249. Intermediate terms: 79. */
+NONSMOOTH_UNMERGED
+void dry_friction_solution_ii_period_map(
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    double *period_map, double *linear_start, double *compatibility)
+{
+    const double chi = parameters[0];
+    const double V = parameters[2];
+    const double e2 = parameters[3];
+    const double omega1 = spectrum[1];
+    const double omega2 = spectrum[2];
+    const double p1 = spectrum[3];
+    const double p2 = spectrum[4];
+    const double p3 = spectrum[5];
+    const double omega3 = spectrum[6];
+    const double tau = unknowns[2];
+    const double tau1 = unknowns[3];
+    const double tau2 = unknowns[4];
+    const double e1 = unknowns[5];
+    /* functions of tau in slip-stick */
+    const double cos_tau = cos(tau);
+    const double sin_tau = sin(tau);
+    /* slip-stick after tau, by the start */
+    const double z1_2_by_z20 = -chi*cos_tau + chi;
+    const double t1 = chi*sin_tau;
+    const double z1_2_by_v20 = chi*tau - t1;
+    const double v1_2_by_z10 = -sin_tau;
+    const double v1_2_by_z20 = t1;
+    const double v1_2_by_v20 = z1_2_by_z20;
+    /* functions of tau1 in slip-slip */
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
+    /* slip-slip after tau1, by the start */
+    const double t5 = 1 - p1;
+    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
+    const double t7 = cos_tau*t6;
+    const double t8 = (1.0/(omega1));
+    const double t9 = sin_omega1_tau1*t8;
+    const double t10 = sin_omega2_tau1/omega2;
+    const double t11 = p1*t9 + t10*t5;
+    const double z1_3_by_z10 = t11*v1_2_by_z10 + t7;
+    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t11*v1_2_by_z20 + t12 + t6*z1_2_by_z20;
+    const double z1_3_by_v10 = cos_tau*t11 + sin_tau*t6;
+    const double z1_3_by_v20 = -p2*t10 + p2*t9 + t11*v1_2_by_v20 + t12*tau + t6*z1_2_by_v20;
+    const double t13 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t14 = cos_tau*t13;
+    const double t15 = p3*sin_omega1_tau1*t8 - p3*t10;
+    const double z2_3_by_z10 = t14 + t15*v1_2_by_z10;
+    const double t16 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t13*z1_2_by_z20 + t15*v1_2_by_z20 + t16;
+    const double z2_3_by_v10 = cos_tau*t15 + sin_tau*t13;
+    const double z2_3_by_v20 = p1*t10 + t13*z1_2_by_v20 + t15*v1_2_by_v20 + t16*tau + t5*t9;
+    const double t17 = omega2*sin_omega2_tau1;
+    const double t18 = omega1*sin_omega1_tau1;
+    const double t19 = -p1*t18 - t17*t5;
+    const double v1_3_by_z10 = cos_tau*t19 + t6*v1_2_by_z10;
+    const double t20 = p2*t18;
+    const double v1_3_by_z20 = p2*t17 + t19*z1_2_by_z20 - t20 + t6*v1_2_by_z20;
+    const double v1_3_by_v10 = sin_tau*t19 + t7;
+    const double v1_3_by_v20 = t12 + t19*z1_2_by_v20 + t6*v1_2_by_v20 + tau*(omega2*p2*sin_omega2_tau1 - t20);
+    const double t21 = omega2*p3*sin_omega2_tau1 - p3*t18;
+    const double v2_3_by_z10 = cos_tau*t21 + t13*v1_2_by_z10;
+    const double t22 = p1*t17 + t18*t5;
+    const double v2_3_by_z20 = t13*v1_2_by_z20 + t21*z1_2_by_z20 - t22;
+    const double v2_3_by_v10 = sin_tau*t21 + t14;
+    const double v2_3_by_v20 = t13*v1_2_by_v20 + t16 + t21*z1_2_by_v20 - t22*tau;
+    /* functions of tau2 in stick-slip */
+    const double t23 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t23);
+    const double sin_omega3_tau2 = sin(t23);
+    /* stick-slip after tau2, by the start */
+    const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
+    const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
+    const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
+    const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
+    const double t24 = sin_omega3_tau2/omega3;
+    const double t25 = -t24 + tau2;
+    const double t26 = 1 - cos_omega3_tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t24*v2_3_by_z10 + t25*v1_3_by_z10 + t26*z1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t24*v2_3_by_z20 + t25*v1_3_by_z20 + t26*z1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t24*v2_3_by_v10 + t25*v1_3_by_v10 + t26*z1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t24*v2_3_by_v20 + t25*v1_3_by_v20 + t26*z1_3_by_v20;
+    const double t27 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t26*v1_3_by_z10 + t27*z1_3_by_z10 - t27*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t26*v1_3_by_z20 + t27*z1_3_by_z20 - t27*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t26*v1_3_by_v10 + t27*z1_3_by_v10 - t27*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t26*v1_3_by_v20 + t27*z1_3_by_v20 - t27*z2_3_by_v20;
+    if (period_map) {
+        period_map[0] = z1_4_by_z10;
+        period_map[1] = z1_4_by_z20;
+        period_map[2] = z1_4_by_v10;
+        period_map[3] = z1_4_by_v20;
+        period_map[4] = 0;
+        period_map[5] = z2_4_by_z10;
+        period_map[6] = z2_4_by_z20;
+        period_map[7] = z2_4_by_v10;
+        period_map[8] = z2_4_by_v20;
+        period_map[9] = 0;
+        period_map[10] = v1_3_by_z10;
+        period_map[11] = v1_3_by_z20;
+        period_map[12] = v1_3_by_v10;
+        period_map[13] = v1_3_by_v20;
+        period_map[14] = 0;
+        period_map[15] = v2_4_by_z10;
+        period_map[16] = v2_4_by_z20;
+        period_map[17] = v2_4_by_v10;
+        period_map[18] = v2_4_by_v20;
+        period_map[19] = 0;
+    }
+    if (!linear_start && !compatibility)
+        return;
+    /* coefficients of the linear equations */
+    const double coefficient11 = z1_4_by_z10 - 1;
+    const double coefficient22 = z2_4_by_z20 - 1;
+    /* right-hand sides of the linear equations */
+    const double right1 = -V*z1_4_by_v10 - V*z1_4_by_v20;
+    const double right2 = -V*z2_4_by_v10 - V*z2_4_by_v20;
+    /* determinant of the linear equations */
+    const double determinant = coefficient11*coefficient22 - z1_4_by_z20*z2_4_by_z10;
+    /* numerators of Cramer's rule */
+    const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
+    const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
+    /* z10, z20 by Cramer's rule */
+    const double t28 = (1.0/(determinant));
+    const double z1_0 = numerator1*t28;
+    const double z2_0 = numerator2*t28;
+    if (linear_start) {
+        linear_start[0] = z1_0;
+        linear_start[1] = z2_0;
+    }
+    if (!compatibility)
+        return;
+    /* slip-stick for tau, until second-breaks-forward */
+    const double z1_2 = V*sin_tau + V*z1_2_by_v20 + cos_tau*z1_0 + z1_2_by_z20*z2_0;
+    const double z2_2 = V*tau + z2_0;
+    if (compatibility) {
+        compatibility[0] = V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0;
+        compatibility[1] = V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0;
+        compatibility[2] = -chi*z2_0 - e1 + z1_0;
+        compatibility[3] = -chi*z1_2 + chi*z2_2 - e2;
+    }
+}
+
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void dry_friction_symmetric_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -4390,7 +4698,7 @@ void dry_friction_symmetric_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -4489,7 +4797,7 @@ void dry_friction_symmetric_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double chi = parameter[0][lane];
                 const double V = parameter[2][lane];
@@ -4616,7 +4924,7 @@ void dry_friction_symmetric_solve(
         }
         double result[5][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -4789,10 +5097,10 @@ void dry_friction_symmetric_solve(
             largest = fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) > largest ? fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]);
-            int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
-            ending = ((fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12)) ? 5 : ending;
+            int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
+            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
+            ending = ((fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12)) ? DRY_FRICTION_SINGULAR : ending;
             ended[lane] = ending;
         }
         for (int i = 0; i < 5; ++i)
@@ -4808,11 +5116,7 @@ void dry_friction_symmetric_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (4) and unknowns (5) for each, row by row. Gives the least values of the
- * open parameters (us2) under which it is; the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void dry_friction_symmetric_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
@@ -4845,16 +5149,16 @@ void dry_friction_symmetric_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 1; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 2 && found == -1; ++phase) {
+        for (int phase = 0; phase < 2 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[3], floor[3], maximum[3], time[3];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -4867,9 +5171,9 @@ void dry_friction_symmetric_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = DRY_FRICTION_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -4890,10 +5194,8 @@ void dry_friction_symmetric_admissible(
     }
 }
 
-/* Derivatives of the unknowns (5) and the trace by the parameters (4), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_symmetric_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
@@ -4912,7 +5214,7 @@ void dry_friction_symmetric_directions(
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -4977,7 +5279,7 @@ void dry_friction_symmetric_directions(
             fixed[13][lane] = p3_by_chi;
             fixed[14][lane] = p3_by_eta;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -5123,7 +5425,7 @@ void dry_friction_symmetric_directions(
             matrix[4][7][lane] = 0;
             matrix[4][8][lane] = 1;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -5334,7 +5636,7 @@ void dry_friction_symmetric_directions(
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -5343,14 +5645,14 @@ void dry_friction_symmetric_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -5361,7 +5663,7 @@ void dry_friction_symmetric_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -5369,10 +5671,10 @@ void dry_friction_symmetric_directions(
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
@@ -5389,18 +5691,13 @@ void dry_friction_symmetric_directions(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (5) and guess (2: tau, tau1) of the points; gives unknowns (6), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -5417,7 +5714,7 @@ void dry_friction_global_stick_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -5498,7 +5795,7 @@ void dry_friction_global_stick_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double chi = parameter[0][lane];
                 const double V = parameter[2][lane];
@@ -5642,7 +5939,7 @@ void dry_friction_global_stick_solve(
         }
         double result[6][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -5786,9 +6083,9 @@ void dry_friction_global_stick_solve(
             largest = fabs(amplitude_tau2*t27*t3 - t4 - z2_1) > largest ? fabs(amplitude_tau2*t27*t3 - t4 - z2_1) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
-            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
+            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
+            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
             ended[lane] = ending;
         }
         for (int i = 0; i < 6; ++i)
@@ -5804,11 +6101,7 @@ void dry_friction_global_stick_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (5) and unknowns (6) for each, row by row. Gives the least values of the
- * open parameters (us1, us2) under which it is; the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void dry_friction_global_stick_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
@@ -5841,16 +6134,16 @@ void dry_friction_global_stick_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[2], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 2; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 4 && found == -1; ++phase) {
+        for (int phase = 0; phase < 4 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[4], floor[4], maximum[4], time[4];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -5863,9 +6156,9 @@ void dry_friction_global_stick_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = DRY_FRICTION_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -5886,10 +6179,8 @@ void dry_friction_global_stick_admissible(
     }
 }
 
-/* Derivatives of the unknowns (6) and the trace by the parameters (5), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
@@ -5908,7 +6199,7 @@ void dry_friction_global_stick_directions(
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -5979,7 +6270,7 @@ void dry_friction_global_stick_directions(
             fixed[16][lane] = omega3_by_chi;
             fixed[17][lane] = omega3_by_eta;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -6303,7 +6594,7 @@ void dry_friction_global_stick_directions(
             matrix[5][9][lane] = 0;
             matrix[5][10][lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -6556,7 +6847,7 @@ void dry_friction_global_stick_directions(
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -6565,14 +6856,14 @@ void dry_friction_global_stick_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -6583,7 +6874,7 @@ void dry_friction_global_stick_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -6591,10 +6882,10 @@ void dry_friction_global_stick_directions(
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
@@ -6611,18 +6902,13 @@ void dry_friction_global_stick_directions(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (4) and guess (3: tau, tau1, e1) of the points; gives unknowns (6), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void dry_friction_solution_ii_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -6639,7 +6925,7 @@ void dry_friction_solution_ii_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double eta = parameter[1][lane];
@@ -6736,7 +7022,7 @@ void dry_friction_solution_ii_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double chi = parameter[0][lane];
                 const double V = parameter[2][lane];
@@ -6939,7 +7225,7 @@ void dry_friction_solution_ii_solve(
         }
         double result[6][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double chi = parameter[0][lane];
             const double V = parameter[2][lane];
@@ -7126,9 +7412,9 @@ void dry_friction_solution_ii_solve(
             largest = fabs(-z2_1 + z2_5) > largest ? fabs(-z2_1 + z2_5) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
-            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
+            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
+            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
             ended[lane] = ending;
         }
         for (int i = 0; i < 6; ++i)
@@ -7144,11 +7430,7 @@ void dry_friction_solution_ii_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (4) and unknowns (6) for each, row by row. Gives the least values of the
- * open parameters (us1, us2) under which it is; the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void dry_friction_solution_ii_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
@@ -7181,16 +7463,16 @@ void dry_friction_solution_ii_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[2], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 2; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 4 && found == -1; ++phase) {
+        for (int phase = 0; phase < 4 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[4], floor[4], maximum[4], time[4];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -7203,9 +7485,9 @@ void dry_friction_solution_ii_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = DRY_FRICTION_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {

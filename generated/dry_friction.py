@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation eea47122c16e574a
+# SymPy 1.14.0, derivation 246caa8f84807098
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "eea47122c16e574a"
+DERIVATION = "246caa8f84807098"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -1660,6 +1660,10 @@ KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('derivatives', (7, 2)
                           [('unknowns', (6,)),
                            ('reduced_residual', (2,)),
                            ('reduced_jacobian', (2, 2))]),
+ 'global_stick_period_map': ([((5,), 0), ((7,), 0), ((6,), 0)],
+                             [('period_map', (4, 5)),
+                              ('linear_start', (2,)),
+                              ('compatibility', (4,))]),
  'solution_ii_equations': ([((4,), 0), ((7,), 0), ((6,), 0), ((7, 2), 2)],
                            [('residual', (6,)),
                             ('jacobian', (6, 6)),
@@ -1683,7 +1687,11 @@ KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('derivatives', (7, 2)
  'solution_ii_reduced': ([((4,), 0), ((7,), 0), ((3,), 0)],
                          [('unknowns', (6,)),
                           ('reduced_residual', (3,)),
-                          ('reduced_jacobian', (3, 3))])}
+                          ('reduced_jacobian', (3, 3))]),
+ 'solution_ii_period_map': ([((4,), 0), ((7,), 0), ((6,), 0)],
+                            [('period_map', (4, 5)),
+                             ('linear_start', (2,)),
+                             ('compatibility', (4,))])}
 
 def spectrum(parameters, *, lib, outputs=2):
     """Frequencies and projector coefficients, with their derivatives by the parameters.
@@ -3863,6 +3871,128 @@ def global_stick_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     return unknowns, reduced_residual, reduced_jacobian
 
 
+def global_stick_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Map [N, c] of a turn; the start that follows from the dwell times; compatibility and
+    switching conditions. The start among the unknowns is not read.
+
+    Takes parameters (5): chi, eta, V, e1, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (6): z10, z20, ta, tau, tau1, tau2.
+    Gives period_map (4, 5).
+    Gives linear_start (2).
+    Gives compatibility (4).
+    Operations: 266. Intermediate terms: 84.
+    """
+    [chi, _, V, e1, e2] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    [_, _, ta, tau, tau1, tau2] = unknowns
+    # functions of tau in slip-stick
+    cos_tau = lib.cos(tau)
+    sin_tau = lib.sin(tau)
+    # slip-stick after tau, by the start
+    t0 = chi*cos_tau
+    z1_2_by_z20 = chi - t0
+    z1_2_by_v10 = cos_tau*ta + sin_tau
+    t2 = chi*sin_tau
+    z1_2_by_v20 = chi*tau - t2 + ta*z1_2_by_z20
+    z2_2_by_v20 = ta + tau
+    v1_2_by_z10 = -sin_tau
+    v1_2_by_z20 = t2
+    v1_2_by_v10 = cos_tau - sin_tau*ta
+    v1_2_by_v20 = chi - t0 + t2*ta
+    # functions of tau1 in slip-slip
+    t3 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t3)
+    sin_omega1_tau1 = lib.sin(t3)
+    t4 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t4)
+    sin_omega2_tau1 = lib.sin(t4)
+    # slip-slip after tau1, by the start
+    t5 = 1 - p1
+    t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5
+    t7 = 1/omega1
+    t8 = sin_omega1_tau1*t7
+    t9 = sin_omega2_tau1/omega2
+    t10 = p1*t8 + t5*t9
+    z1_3_by_z10 = cos_tau*t6 + t10*v1_2_by_z10
+    t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    z1_3_by_z20 = t10*v1_2_by_z20 + t11 + t6*z1_2_by_z20
+    z1_3_by_v10 = t10*v1_2_by_v10 + t6*z1_2_by_v10
+    z1_3_by_v20 = p2*t8 - p2*t9 + t10*v1_2_by_v20 + t11*z2_2_by_v20 + t6*z1_2_by_v20
+    t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t13 = p3*sin_omega1_tau1*t7 - p3*t9
+    z2_3_by_z10 = cos_tau*t12 + t13*v1_2_by_z10
+    t14 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1
+    z2_3_by_z20 = t12*z1_2_by_z20 + t13*v1_2_by_z20 + t14
+    z2_3_by_v10 = t12*z1_2_by_v10 + t13*v1_2_by_v10
+    z2_3_by_v20 = p1*t9 + t12*z1_2_by_v20 + t13*v1_2_by_v20 + t14*z2_2_by_v20 + t5*t8
+    t15 = omega2*sin_omega2_tau1
+    t16 = omega1*sin_omega1_tau1
+    t17 = -p1*t16 - t15*t5
+    v1_3_by_z10 = cos_tau*t17 + t6*v1_2_by_z10
+    t18 = p2*t16
+    v1_3_by_z20 = p2*t15 + t17*z1_2_by_z20 - t18 + t6*v1_2_by_z20
+    v1_3_by_v10 = t17*z1_2_by_v10 + t6*v1_2_by_v10
+    v1_3_by_v20 = t11 + t17*z1_2_by_v20 + t6*v1_2_by_v20 + z2_2_by_v20*(omega2*p2*sin_omega2_tau1 - t18)
+    t19 = omega2*p3*sin_omega2_tau1 - p3*t16
+    v2_3_by_z10 = cos_tau*t19 + t12*v1_2_by_z10
+    t20 = p1*t15 + t16*t5
+    v2_3_by_z20 = t12*v1_2_by_z20 + t19*z1_2_by_z20 - t20
+    v2_3_by_v10 = t12*v1_2_by_v10 + t19*z1_2_by_v10
+    v2_3_by_v20 = t12*v1_2_by_v20 + t14 + t19*z1_2_by_v20 - t20*z2_2_by_v20
+    # functions of tau2 in stick-slip
+    t21 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t21)
+    sin_omega3_tau2 = lib.sin(t21)
+    # stick-slip after tau2, by the start
+    z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10
+    z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20
+    z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10
+    z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20
+    t22 = sin_omega3_tau2/omega3
+    t23 = -t22 + tau2
+    t24 = 1 - cos_omega3_tau2
+    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10 + t24*z1_3_by_z10
+    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20 + t24*z1_3_by_z20
+    z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10 + t24*z1_3_by_v10
+    z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20 + t24*z1_3_by_v20
+    t25 = omega3*sin_omega3_tau2
+    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t24*v1_3_by_z10 + t25*z1_3_by_z10 - t25*z2_3_by_z10
+    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t24*v1_3_by_z20 + t25*z1_3_by_z20 - t25*z2_3_by_z20
+    v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t24*v1_3_by_v10 + t25*z1_3_by_v10 - t25*z2_3_by_v10
+    v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t24*v1_3_by_v20 + t25*z1_3_by_v20 - t25*z2_3_by_v20
+    period_map = [[z1_4_by_z10, z1_4_by_z20, z1_4_by_v10, z1_4_by_v20, 0], [z2_4_by_z10, z2_4_by_z20, z2_4_by_v10, z2_4_by_v20, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_v10, v1_3_by_v20, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_v10, v2_4_by_v20, 0]]
+    if outputs == 1:
+        return period_map
+    # coefficients of the linear equations
+    coefficient11 = z1_4_by_z10 - 1
+    coefficient22 = z2_4_by_z20 - 1
+    # right-hand sides of the linear equations
+    right1 = -V*z1_4_by_v10 - V*z1_4_by_v20
+    right2 = -V*z2_4_by_v10 - V*z2_4_by_v20
+    # determinant of the linear equations
+    determinant = coefficient11*coefficient22 - z1_4_by_z20*z2_4_by_z10
+    # numerators of Cramer's rule
+    numerator1 = coefficient22*right1 - right2*z1_4_by_z20
+    numerator2 = coefficient11*right2 - right1*z2_4_by_z10
+    # z10, z20 by Cramer's rule
+    t26 = 1/determinant
+    z1_0 = numerator1*t26
+    z2_0 = numerator2*t26
+    linear_start = [z1_0, z2_0]
+    if outputs == 2:
+        return period_map, linear_start
+    # stick-stick for ta, until first-breaks-forward
+    t27 = V*ta
+    z1_1 = t27 + z1_0
+    z2_1 = t27 + z2_0
+    # slip-stick for tau, until second-breaks-forward
+    z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + z1_2_by_z20*z2_1
+    z2_2 = V*tau + z2_1
+    compatibility = [V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0, V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0, -chi*z2_1 - e1 + z1_1, -chi*z1_2 + chi*z2_2 - e2]
+    return period_map, linear_start, compatibility
+
+
 def solution_ii_equations(parameters, spectrum, unknowns, spectrum_derivatives=None, *, lib, outputs=3):
     """Switching and periodicity equations; their derivatives by the unknowns; those by the
     parameters, in total, through the spectrum too.
@@ -5006,3 +5136,119 @@ def solution_ii_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     z2_5_by_e1 = -amplitude_tau2_by_e1*t27 + z1_5_by_e1
     reduced_jacobian = [[v1_3_by_tau, v1_3_by_tau1, v1_3_by_e1], [-chi*z2_5_by_tau + z1_5_by_tau, -chi*z2_5_by_tau1 + z1_5_by_tau1, -chi*z2_5_by_e1 + z1_5_by_e1 - 1], [-z2_1_by_tau + z2_5_by_tau, z2_5_by_tau1, -z2_1_by_e1 + z2_5_by_e1]]
     return unknowns, reduced_residual, reduced_jacobian
+
+
+def solution_ii_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Map [N, c] of a turn; the start that follows from the dwell times; compatibility and
+    switching conditions. The start among the unknowns is not read.
+
+    Takes parameters (4): chi, eta, V, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
+    Gives period_map (4, 5).
+    Gives linear_start (2).
+    Gives compatibility (4).
+    Operations: 249. Intermediate terms: 79.
+    """
+    [chi, _, V, e2] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    [_, _, tau, tau1, tau2, e1] = unknowns
+    # functions of tau in slip-stick
+    cos_tau = lib.cos(tau)
+    sin_tau = lib.sin(tau)
+    # slip-stick after tau, by the start
+    z1_2_by_z20 = -chi*cos_tau + chi
+    t1 = chi*sin_tau
+    z1_2_by_v20 = chi*tau - t1
+    v1_2_by_z10 = -sin_tau
+    v1_2_by_z20 = t1
+    v1_2_by_v20 = z1_2_by_z20
+    # functions of tau1 in slip-slip
+    t3 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t3)
+    sin_omega1_tau1 = lib.sin(t3)
+    t4 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t4)
+    sin_omega2_tau1 = lib.sin(t4)
+    # slip-slip after tau1, by the start
+    t5 = 1 - p1
+    t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5
+    t7 = cos_tau*t6
+    t8 = 1/omega1
+    t9 = sin_omega1_tau1*t8
+    t10 = sin_omega2_tau1/omega2
+    t11 = p1*t9 + t10*t5
+    z1_3_by_z10 = t11*v1_2_by_z10 + t7
+    t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    z1_3_by_z20 = t11*v1_2_by_z20 + t12 + t6*z1_2_by_z20
+    z1_3_by_v10 = cos_tau*t11 + sin_tau*t6
+    z1_3_by_v20 = -p2*t10 + p2*t9 + t11*v1_2_by_v20 + t12*tau + t6*z1_2_by_v20
+    t13 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t14 = cos_tau*t13
+    t15 = p3*sin_omega1_tau1*t8 - p3*t10
+    z2_3_by_z10 = t14 + t15*v1_2_by_z10
+    t16 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1
+    z2_3_by_z20 = t13*z1_2_by_z20 + t15*v1_2_by_z20 + t16
+    z2_3_by_v10 = cos_tau*t15 + sin_tau*t13
+    z2_3_by_v20 = p1*t10 + t13*z1_2_by_v20 + t15*v1_2_by_v20 + t16*tau + t5*t9
+    t17 = omega2*sin_omega2_tau1
+    t18 = omega1*sin_omega1_tau1
+    t19 = -p1*t18 - t17*t5
+    v1_3_by_z10 = cos_tau*t19 + t6*v1_2_by_z10
+    t20 = p2*t18
+    v1_3_by_z20 = p2*t17 + t19*z1_2_by_z20 - t20 + t6*v1_2_by_z20
+    v1_3_by_v10 = sin_tau*t19 + t7
+    v1_3_by_v20 = t12 + t19*z1_2_by_v20 + t6*v1_2_by_v20 + tau*(omega2*p2*sin_omega2_tau1 - t20)
+    t21 = omega2*p3*sin_omega2_tau1 - p3*t18
+    v2_3_by_z10 = cos_tau*t21 + t13*v1_2_by_z10
+    t22 = p1*t17 + t18*t5
+    v2_3_by_z20 = t13*v1_2_by_z20 + t21*z1_2_by_z20 - t22
+    v2_3_by_v10 = sin_tau*t21 + t14
+    v2_3_by_v20 = t13*v1_2_by_v20 + t16 + t21*z1_2_by_v20 - t22*tau
+    # functions of tau2 in stick-slip
+    t23 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t23)
+    sin_omega3_tau2 = lib.sin(t23)
+    # stick-slip after tau2, by the start
+    z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10
+    z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20
+    z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10
+    z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20
+    t24 = sin_omega3_tau2/omega3
+    t25 = -t24 + tau2
+    t26 = 1 - cos_omega3_tau2
+    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t24*v2_3_by_z10 + t25*v1_3_by_z10 + t26*z1_3_by_z10
+    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t24*v2_3_by_z20 + t25*v1_3_by_z20 + t26*z1_3_by_z20
+    z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t24*v2_3_by_v10 + t25*v1_3_by_v10 + t26*z1_3_by_v10
+    z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t24*v2_3_by_v20 + t25*v1_3_by_v20 + t26*z1_3_by_v20
+    t27 = omega3*sin_omega3_tau2
+    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t26*v1_3_by_z10 + t27*z1_3_by_z10 - t27*z2_3_by_z10
+    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t26*v1_3_by_z20 + t27*z1_3_by_z20 - t27*z2_3_by_z20
+    v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t26*v1_3_by_v10 + t27*z1_3_by_v10 - t27*z2_3_by_v10
+    v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t26*v1_3_by_v20 + t27*z1_3_by_v20 - t27*z2_3_by_v20
+    period_map = [[z1_4_by_z10, z1_4_by_z20, z1_4_by_v10, z1_4_by_v20, 0], [z2_4_by_z10, z2_4_by_z20, z2_4_by_v10, z2_4_by_v20, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_v10, v1_3_by_v20, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_v10, v2_4_by_v20, 0]]
+    if outputs == 1:
+        return period_map
+    # coefficients of the linear equations
+    coefficient11 = z1_4_by_z10 - 1
+    coefficient22 = z2_4_by_z20 - 1
+    # right-hand sides of the linear equations
+    right1 = -V*z1_4_by_v10 - V*z1_4_by_v20
+    right2 = -V*z2_4_by_v10 - V*z2_4_by_v20
+    # determinant of the linear equations
+    determinant = coefficient11*coefficient22 - z1_4_by_z20*z2_4_by_z10
+    # numerators of Cramer's rule
+    numerator1 = coefficient22*right1 - right2*z1_4_by_z20
+    numerator2 = coefficient11*right2 - right1*z2_4_by_z10
+    # z10, z20 by Cramer's rule
+    t28 = 1/determinant
+    z1_0 = numerator1*t28
+    z2_0 = numerator2*t28
+    linear_start = [z1_0, z2_0]
+    if outputs == 2:
+        return period_map, linear_start
+    # slip-stick for tau, until second-breaks-forward
+    z1_2 = V*sin_tau + V*z1_2_by_v20 + cos_tau*z1_0 + z1_2_by_z20*z2_0
+    z2_2 = V*tau + z2_0
+    compatibility = [V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0, V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0, -chi*z2_0 - e1 + z1_0, -chi*z1_2 + chi*z2_2 - e2]
+    return period_map, linear_start, compatibility

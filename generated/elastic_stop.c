@@ -1,16 +1,16 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 6ce0fc264bd74082 */
+ * SymPy 1.14.0, derivation 2038f08714ee00a0 */
 #include "elastic_stop.h"
 
 #include <math.h>
 
-#include "support.h"
+#include "nonsmooth_compiler.h"
+#include "nonsmooth_sums.h"
+#include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Takes parameters (5); gives spectrum (12), derivatives (12, 5), row by row.
- * An output that is NULL is not wanted.
  * Operations: 310. Intermediate terms: 144. */
 void elastic_stop_spectrum(
     const double parameters[5], double *spectrum, double *derivatives)
@@ -251,10 +251,10 @@ void elastic_stop_spectrum(
 }
 
 /* State after a time in contact.
- * Takes parameters (5), spectrum (12), time, state (4); gives state_after (4), row by row.
  * Operations: 133. Intermediate terms: 25. */
 void elastic_stop_flow_contact(
-    const double parameters[5], const double spectrum[12], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[12], double time, const double state[4],
+    double state_after[4])
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -302,10 +302,10 @@ void elastic_stop_flow_contact(
 }
 
 /* State after a time in free.
- * Takes parameters (5), spectrum (12), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
 void elastic_stop_flow_free(
-    const double parameters[5], const double spectrum[12], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[12], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega3 = spectrum[7];
@@ -342,7 +342,6 @@ void elastic_stop_flow_free(
 }
 
 /* Vector fields of the configurations, one below the other, offsets last.
- * Takes parameters (5); gives fields (8, 5), row by row.
  * Operations: 12. Intermediate terms: 5. */
 void elastic_stop_fields(
     const double parameters[5], double fields[40])
@@ -376,7 +375,6 @@ void elastic_stop_fields(
 }
 
 /* Affine functions of the state: gradients, constants last.
- * Takes parameters (5); gives rows (5, 5), row by row.
  * Operations: 3. Intermediate terms: 0. */
 void elastic_stop_rows(
     const double parameters[5], double rows[25])
@@ -410,7 +408,6 @@ void elastic_stop_rows(
 }
 
 /* Affine resets of the state, one below the other, offsets last.
- * Takes parameters (5); gives resets (4, 5), row by row.
  * Operations: 0. Intermediate terms: 0. */
 void elastic_stop_resets(
     const double parameters[5], double resets[20])
@@ -439,8 +436,6 @@ void elastic_stop_resets(
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
- * Takes parameters (5), spectrum (12); gives exponents (6, 2), coefficients (40, 5), row by row.
- * An output that is NULL is not wanted.
  * Operations: 104. Intermediate terms: 20. */
 void elastic_stop_modes(
     const double parameters[5], const double spectrum[12], double *exponents, double *coefficients)
@@ -568,11 +563,12 @@ void elastic_stop_modes(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Takes parameters (6), spectrum (12), unknowns (4), spectrum_derivatives (12, 5); gives residual (4), jacobian (4, 4), parameter_jacobian (4, 6), row by row.
- * An output that is NULL is not wanted.
  * Operations: 776. Intermediate terms: 191. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_equations(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
+    const double parameters[6], const double spectrum[12], const double unknowns[4],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -911,11 +907,11 @@ void elastic_stop_one_contact_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Takes parameters (6), spectrum (12), unknowns (4), spectrum_derivatives (12, 5); gives trace, trace_gradient (10), row by row.
- * An output that is NULL is not wanted.
  * Operations: 1672. Intermediate terms: 325. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_trace(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], const double *spectrum_derivatives, double *trace, double *trace_gradient)
+    const double parameters[6], const double spectrum[12], const double unknowns[4],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -1356,11 +1352,11 @@ void elastic_stop_one_contact_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Takes parameters (6), spectrum (12), unknowns (4); gives states (3, 4), coefficients (12), frequencies (4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 245. Intermediate terms: 58. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_passage(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states, double *coefficients, double *frequencies)
+    const double parameters[6], const double spectrum[12], const double unknowns[4], double *states,
+    double *coefficients, double *frequencies)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -1485,11 +1481,11 @@ void elastic_stop_one_contact_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (6), spectrum (12), unknowns (4); gives poincare_jacobian (3, 3), saltations (8, 4), monodromy (4, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 541. Intermediate terms: 193. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_linearisation(
-    const double parameters[6], const double spectrum[12], const double unknowns[4], double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[6], const double spectrum[12], const double unknowns[4],
+    double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -1793,10 +1789,11 @@ void elastic_stop_one_contact_linearisation(
 }
 
 /* State after a time in contact.
- * Takes parameters (6), spectrum (12), time, state (4); gives state_after (4), row by row.
  * Operations: 133. Intermediate terms: 25. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_flow_contact(
-    const double parameters[6], const double spectrum[12], double time, const double state[4], double state_after[4])
+    const double parameters[6], const double spectrum[12], double time, const double state[4],
+    double state_after[4])
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -1844,10 +1841,11 @@ void elastic_stop_one_contact_flow_contact(
 }
 
 /* State after a time in free.
- * Takes parameters (6), spectrum (12), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_flow_free(
-    const double parameters[6], const double spectrum[12], double time, const double state[4], double state_after[4])
+    const double parameters[6], const double spectrum[12], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega3 = spectrum[7];
@@ -1884,11 +1882,11 @@ void elastic_stop_one_contact_flow_free(
 }
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
- * Takes parameters (6), spectrum (12), reduced (1); gives unknowns (4), determinants (1), reduced_residual (1), reduced_jacobian (1, 1), row by row.
- * An output that is NULL is not wanted.
  * Operations: 446. Intermediate terms: 137. */
+NONSMOOTH_UNMERGED
 void elastic_stop_one_contact_reduced(
-    const double parameters[6], const double spectrum[12], const double reduced[1], double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
+    const double parameters[6], const double spectrum[12], const double reduced[1],
+    double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -2084,18 +2082,13 @@ void elastic_stop_one_contact_reduced(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (6) and guess (1: tau) of the points; gives unknowns (4), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void elastic_stop_one_contact_solve(
-    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
+    double *residual, int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -2112,7 +2105,7 @@ void elastic_stop_one_contact_solve(
                 x[i][lane] = guess[i * count + point];
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double m1 = parameter[0][lane];
             const double m2 = parameter[1][lane];
@@ -2301,7 +2294,7 @@ void elastic_stop_one_contact_solve(
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double T = parameter[5][lane];
                 const double omega1 = fixed[0][lane];
@@ -2483,7 +2476,7 @@ void elastic_stop_one_contact_solve(
         }
         double result[4][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double T = parameter[5][lane];
             const double omega1 = fixed[0][lane];
@@ -2754,10 +2747,10 @@ void elastic_stop_one_contact_solve(
             largest = fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) > largest ? fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]);
-            int32_t ending = ((result[3][lane] <= 0.0) | (parameter[5][lane] - result[3][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
-            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t140*t144*(t21*t21) + t141*t142*t144 + t143)*sqrt(t137 + t139*t140 + t139*t141 + t143)*sqrt((omega3*omega3*omega3*omega3)*t147/((omega3*omega3)*t146 + 1) + (omega4*omega4*omega4*omega4)*t147/((omega4*omega4)*t146 + 1) + (p4*p4) + t145 + (t31*t31)))) <= 1e-12)) ? 5 : ending;
+            int32_t ending = ((result[3][lane] <= 0.0) | (parameter[5][lane] - result[3][lane] <= 0.0)) ? ELASTIC_STOP_NOT_POSITIVE : ELASTIC_STOP_CONVERGED;
+            ending = open[lane] != 0.0 ? ELASTIC_STOP_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : ELASTIC_STOP_NOT_FINITE;
+            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t140*t144*(t21*t21) + t141*t142*t144 + t143)*sqrt(t137 + t139*t140 + t139*t141 + t143)*sqrt((omega3*omega3*omega3*omega3)*t147/((omega3*omega3)*t146 + 1) + (omega4*omega4*omega4*omega4)*t147/((omega4*omega4)*t146 + 1) + (p4*p4) + t145 + (t31*t31)))) <= 1e-12)) ? ELASTIC_STOP_SINGULAR : ending;
             ended[lane] = ending;
         }
         for (int i = 0; i < 4; ++i)
@@ -2773,13 +2766,10 @@ void elastic_stop_one_contact_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (6) and unknowns (4) for each, row by row. Gives the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void elastic_stop_one_contact_admissible(
-    ptrdiff_t count, const double *parameters, const double *unknowns,
-    int32_t *boundary, double *excess, double *instant)
+    ptrdiff_t count, const double *parameters, const double *unknowns, int32_t *boundary,
+    double *excess, double *instant)
 {
     static const int sums[] = {1, 1}, terms[] = {2, 2}, at_once[] = {0, 0};
     static const int opened[] = {-1, -1};
@@ -2809,16 +2799,16 @@ void elastic_stop_one_contact_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = ELASTIC_STOP_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 1; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 2 && found == -1; ++phase) {
+        for (int phase = 0; phase < 2 && found == ELASTIC_STOP_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[1], floor[1], maximum[1], time[1];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? ELASTIC_STOP_NO_DURATION : ELASTIC_STOP_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -2831,9 +2821,9 @@ void elastic_stop_one_contact_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == ELASTIC_STOP_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = ELASTIC_STOP_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -2852,10 +2842,8 @@ void elastic_stop_one_contact_admissible(
     }
 }
 
-/* Derivatives of the unknowns (4) and the trace by the parameters (6), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
 NONSMOOTH_MULTIVERSION
 void elastic_stop_one_contact_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
@@ -2874,7 +2862,7 @@ void elastic_stop_one_contact_directions(
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double m1 = parameter[0][lane];
             const double m2 = parameter[1][lane];
@@ -3092,7 +3080,7 @@ void elastic_stop_one_contact_directions(
             fixed[58][lane] = p6_by_m1;
             fixed[59][lane] = p6_by_m2;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double k1 = parameter[2][lane];
             const double k2 = parameter[3][lane];
@@ -3423,7 +3411,7 @@ void elastic_stop_one_contact_directions(
             matrix[3][8][lane] = -cos_omega3_half_tau1_by_k3*t91 - cos_omega4_half_tau1_by_k3*t92 - omega3_by_k3*t141 + omega4_by_k3*t143 - p4_by_k3*t135 - p6_by_k3*t134 - sin_omega3_half_tau1_by_k3*t142 + sin_omega4_half_tau1_by_k3*t144;
             matrix[3][9][lane] = -cos_omega3_half_tau1_by_T*t91 - cos_omega4_half_tau1_by_T*t92 - sin_omega3_half_tau1_by_T*t142 + sin_omega4_half_tau1_by_T*t144;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double m1 = parameter[0][lane];
             const double m2 = parameter[1][lane];
@@ -3856,7 +3844,7 @@ void elastic_stop_one_contact_directions(
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -3865,14 +3853,14 @@ void elastic_stop_one_contact_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -3883,7 +3871,7 @@ void elastic_stop_one_contact_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -3891,10 +3879,10 @@ void elastic_stop_one_contact_directions(
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];

@@ -1,16 +1,16 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 3d278f1eb7b963cc */
+ * SymPy 1.14.0, derivation ef07fb4453d7fe25 */
 #include "rigid_stop.h"
 
 #include <math.h>
 
-#include "support.h"
+#include "nonsmooth_compiler.h"
+#include "nonsmooth_sums.h"
+#include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Takes parameters (4); gives spectrum (7), derivatives (7, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 179. Intermediate terms: 70. */
 void rigid_stop_spectrum(
     const double parameters[4], double *spectrum, double *derivatives)
@@ -138,10 +138,10 @@ void rigid_stop_spectrum(
 }
 
 /* State after a time in free.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
 void rigid_stop_flow_free(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -178,10 +178,10 @@ void rigid_stop_flow_free(
 }
 
 /* State after a time in contact.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 31. Intermediate terms: 8. */
 void rigid_stop_flow_contact(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     const double k1 = parameters[2];
     const double k2 = parameters[3];
@@ -207,7 +207,6 @@ void rigid_stop_flow_contact(
 }
 
 /* Vector fields of the configurations, one below the other, offsets last.
- * Takes parameters (5); gives fields (8, 5), row by row.
  * Operations: 7. Intermediate terms: 4. */
 void rigid_stop_fields(
     const double parameters[5], double fields[40])
@@ -237,7 +236,6 @@ void rigid_stop_fields(
 }
 
 /* Affine functions of the state: gradients, constants last.
- * Takes parameters (5); gives rows (5, 5), row by row.
  * Operations: 3. Intermediate terms: 0. */
 void rigid_stop_rows(
     const double parameters[5], double rows[25])
@@ -271,7 +269,6 @@ void rigid_stop_rows(
 }
 
 /* Affine resets of the state, one below the other, offsets last.
- * Takes parameters (5); gives resets (12, 5), row by row.
  * Operations: 1. Intermediate terms: 0. */
 void rigid_stop_resets(
     const double parameters[5], double resets[60])
@@ -291,8 +288,6 @@ void rigid_stop_resets(
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
- * Takes parameters (5), spectrum (7); gives exponents (5, 2), coefficients (36, 5), row by row.
- * An output that is NULL is not wanted.
  * Operations: 40. Intermediate terms: 5. */
 void rigid_stop_modes(
     const double parameters[5], const double spectrum[7], double *exponents, double *coefficients)
@@ -373,11 +368,12 @@ void rigid_stop_modes(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Takes parameters (5), spectrum (7), unknowns (2), spectrum_derivatives (7, 4); gives residual (2), jacobian (2, 2), parameter_jacobian (2, 5), row by row.
- * An output that is NULL is not wanted.
  * Operations: 239. Intermediate terms: 62. */
+NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_equations(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], const double *spectrum_derivatives, double *residual, double *jacobian, double *parameter_jacobian)
+    const double parameters[5], const double spectrum[7], const double unknowns[2],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -507,11 +503,11 @@ void rigid_stop_one_impact_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Takes parameters (5), spectrum (7), unknowns (2), spectrum_derivatives (7, 4); gives trace, trace_gradient (7), row by row.
- * An output that is NULL is not wanted.
  * Operations: 373. Intermediate terms: 99. */
+NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_trace(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], const double *spectrum_derivatives, double *trace, double *trace_gradient)
+    const double parameters[5], const double spectrum[7], const double unknowns[2],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -671,11 +667,11 @@ void rigid_stop_one_impact_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Takes parameters (5), spectrum (7), unknowns (2); gives states (2, 4), coefficients (6), frequencies (2), row by row.
- * An output that is NULL is not wanted.
  * Operations: 72. Intermediate terms: 20. */
+NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_passage(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double *states, double *coefficients, double *frequencies)
+    const double parameters[5], const double spectrum[7], const double unknowns[2], double *states,
+    double *coefficients, double *frequencies)
 {
     const double T = parameters[4];
     const double omega1 = spectrum[1];
@@ -738,11 +734,11 @@ void rigid_stop_one_impact_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Takes parameters (5), spectrum (7), unknowns (2); gives poincare_jacobian (3, 3), saltations (4, 4), monodromy (4, 4), row by row.
- * An output that is NULL is not wanted.
  * Operations: 142. Intermediate terms: 91. */
+NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_linearisation(
-    const double parameters[5], const double spectrum[7], const double unknowns[2], double *poincare_jacobian, double *saltations, double *monodromy)
+    const double parameters[5], const double spectrum[7], const double unknowns[2],
+    double *poincare_jacobian, double *saltations, double *monodromy)
 {
     const double m1 = parameters[0];
     const double m2 = parameters[1];
@@ -911,10 +907,11 @@ void rigid_stop_one_impact_linearisation(
 }
 
 /* State after a time in free.
- * Takes parameters (5), spectrum (7), time, state (4); gives state_after (4), row by row.
  * Operations: 82. Intermediate terms: 16. */
+NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_flow_free(
-    const double parameters[5], const double spectrum[7], double time, const double state[4], double state_after[4])
+    const double parameters[5], const double spectrum[7], double time, const double state[4],
+    double state_after[4])
 {
     (void)parameters;
     const double omega1 = spectrum[1];
@@ -951,9 +948,8 @@ void rigid_stop_one_impact_flow_free(
 }
 
 /* All unknowns; how singular the linear equations for them are: 0 if they are.
- * Takes parameters (5), spectrum (7); gives unknowns (2), determinants (1), row by row.
- * An output that is NULL is not wanted.
  * Operations: 76. Intermediate terms: 28. */
+NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_reduced(
     const double parameters[5], const double spectrum[7], double *unknowns, double *determinants)
 {
@@ -1010,18 +1006,13 @@ void rigid_stop_one_impact_reduced(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points.
- * Takes parameters (5) of the points; gives unknowns (2), the
- * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
- * entry i of a point stands at [i * count + point].
- * In one step a dwell time changes by a factor of four at most; a point has converged when
- * a whole step is below 1e-9 max(1, |x|).
- * Status: 0 converged, 1 not converged, 2 not finite, 3 a dwell time is not positive,
- * 5 the linear equations for the start are singular. */
+/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
+ * a factor of four at most; a point has converged when a whole step is below
+ * 1e-9 max(1, |x|). */
 NONSMOOTH_MULTIVERSION
 void rigid_stop_one_impact_solve(
-    ptrdiff_t count, const double *parameters, double *unknowns,
-    double *trace, double *residual, int32_t *iterations, int32_t *status)
+    ptrdiff_t count, const double *parameters, double *unknowns, double *trace, double *residual,
+    int32_t *iterations, int32_t *status)
 {
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
@@ -1036,7 +1027,7 @@ void rigid_stop_one_impact_solve(
             open[lane] = 0.0;
             taken[lane] = 0;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double m1 = parameter[0][lane];
             const double m2 = parameter[1][lane];
@@ -1139,7 +1130,7 @@ void rigid_stop_one_impact_solve(
         }
         double result[2][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double p3 = fixed[0][lane];
             const double t3 = fixed[1][lane];
@@ -1159,10 +1150,10 @@ void rigid_stop_one_impact_solve(
             double largest = 0.0;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]);
-            int32_t ending = ((parameter[4][lane] <= 0.0)) ? 3 : 0;
-            ending = open[lane] != 0.0 ? 1 : ending;
-            ending = finite == 0.0 ? ending : 2;
-            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t21*t24 + t25*(t3*t3))*sqrt(t21 + t24*t26 + t25*t26 + (t3*t3)))) <= 1e-12)) ? 5 : ending;
+            int32_t ending = ((parameter[4][lane] <= 0.0)) ? RIGID_STOP_NOT_POSITIVE : RIGID_STOP_CONVERGED;
+            ending = open[lane] != 0.0 ? RIGID_STOP_NOT_CONVERGED : ending;
+            ending = finite == 0.0 ? ending : RIGID_STOP_NOT_FINITE;
+            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t21*t24 + t25*(t3*t3))*sqrt(t21 + t24*t26 + t25*t26 + (t3*t3)))) <= 1e-12)) ? RIGID_STOP_SINGULAR : ending;
             ended[lane] = ending;
         }
         for (int i = 0; i < 2; ++i)
@@ -1178,13 +1169,10 @@ void rigid_stop_one_impact_solve(
     }
 }
 
-/* Is each of `count` orbits a motion of the real system?
- * Takes parameters (5) and unknowns (2) for each, row by row. Gives the row of
- * the boundary that is crossed inside a phase (-1 none, -2 a dwell time is not positive, -3
- * data that are not finite), by how much, and how long after the start of the phase. */
+/* Is each of `count` orbits a motion of the real system? */
 void rigid_stop_one_impact_admissible(
-    ptrdiff_t count, const double *parameters, const double *unknowns,
-    int32_t *boundary, double *excess, double *instant)
+    ptrdiff_t count, const double *parameters, const double *unknowns, int32_t *boundary,
+    double *excess, double *instant)
 {
     static const int sums[] = {1}, terms[] = {2}, at_once[] = {0};
     static const int opened[] = {-1};
@@ -1214,16 +1202,16 @@ void rigid_stop_one_impact_admissible(
         const double noise = 32.0 * DBL_EPSILON * size +
                              (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
         double least[1], most = 0.0, when = 0.0;
-        int found = -1, row = 0;
+        int found = RIGID_STOP_ADMISSIBLE, row = 0;
         const double *coefficient = coefficients, *frequency = frequencies;
         for (int i = 0; i < 1; ++i)
             least[i] = 0.0;
-        for (int phase = 0; phase < 1 && found == -1; ++phase) {
+        for (int phase = 0; phase < 1 && found == RIGID_STOP_ADMISSIBLE; ++phase) {
             const double duration = durations[phase];
             const int length = 2 + 2 * terms[phase];
             double usual[1], floor[1], maximum[1], time[1];
             if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? -2 : -3;
+                found = duration <= 0.0 ? RIGID_STOP_NO_DURATION : RIGID_STOP_UNDECIDED;
             for (int i = 0; i < sums[phase]; ++i) {
                 const double *const function = coefficient + i * length;
                 usual[i] = opened[row + i] < 0
@@ -1236,9 +1224,9 @@ void rigid_stop_one_impact_admissible(
             }
             nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
                              maximum, time);
-            for (int i = 0; i < sums[phase] && found == -1; ++i) {
+            for (int i = 0; i < sums[phase] && found == RIGID_STOP_ADMISSIBLE; ++i) {
                 if (!(maximum[i] >= floor[i])) {
-                    found = -3;
+                    found = RIGID_STOP_UNDECIDED;
                 } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
                     least[opened[row + i]] = maximum[i] / per_unit[row + i];
                 } else if (maximum[i] > floor[i]) {
@@ -1257,10 +1245,8 @@ void rigid_stop_one_impact_admissible(
     }
 }
 
-/* Derivatives of the unknowns (2) and the trace by the parameters (5), at solutions of the
- * equations, for `count` points. Arrays hold columns: entry i of a point stands at
- * [i * count + point], and of the derivatives those by one parameter follow another.
- * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
 NONSMOOTH_MULTIVERSION
 void rigid_stop_one_impact_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
@@ -1279,7 +1265,7 @@ void rigid_stop_one_impact_directions(
             size[lane] = 0.0;
             least[lane] = INFINITY;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double m1 = parameter[0][lane];
             const double m2 = parameter[1][lane];
@@ -1381,7 +1367,7 @@ void rigid_stop_one_impact_directions(
             fixed[23][lane] = p3_by_m1;
             fixed[24][lane] = p3_by_m2;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double T = parameter[4][lane];
             const double y = unknown[0][lane];
@@ -1497,7 +1483,7 @@ void rigid_stop_one_impact_directions(
             matrix[1][5][lane] = -cos_omega1_half_T_by_k2*t31 + cos_omega2_half_T_by_k2*t31 - omega1_by_k2*t33 + omega2_by_k2*t36 - p1_by_k2*t20 - p3_by_k2*t19 - sin_omega1_half_T_by_k2*t34 + sin_omega2_half_T_by_k2*t37;
             matrix[1][6][lane] = -cos_omega1_half_T_by_T*t31 + cos_omega2_half_T_by_T*t31 - sin_omega1_half_T_by_T*t34 + sin_omega2_half_T_by_T*t37;
         }
-#pragma omp simd
+        NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double m1 = parameter[0][lane];
             const double m2 = parameter[1][lane];
@@ -1645,7 +1631,7 @@ void rigid_stop_one_impact_directions(
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane)
                     size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
         for (int k = 0; k < n; ++k) {
@@ -1654,14 +1640,14 @@ void rigid_stop_one_impact_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
                 for (int j = k; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane) {
                         const double above = matrix[k][j][lane], below = matrix[i][j][lane];
                         matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
                         matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
                     }
             }
-#pragma omp simd
+            NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
                 const double pivot = fabs(matrix[k][k][lane]);
                 least[lane] = pivot < least[lane] ? pivot : least[lane];
@@ -1672,7 +1658,7 @@ void rigid_stop_one_impact_directions(
                 for (int lane = 0; lane < lanes; ++lane)
                     factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
                 for (int j = k + 1; j < width; ++j)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
             }
@@ -1680,10 +1666,10 @@ void rigid_stop_one_impact_directions(
         for (int k = n - 1; k >= 0; --k)
             for (int j = n; j < width; ++j) {
                 for (int l = k + 1; l < n; ++l)
-#pragma omp simd
+                    NONSMOOTH_SIMD
                     for (int lane = 0; lane < lanes; ++lane)
                         matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-#pragma omp simd
+                NONSMOOTH_SIMD
                 for (int lane = 0; lane < lanes; ++lane) {
                     matrix[k][j][lane] *= matrix[k][k][lane];
                     slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
