@@ -100,7 +100,7 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are chi, eta, in this order. */
+ * `parameters` are chi, eta, in this order. Gives spectrum (7), derivatives (7, 2). */
 void dry_friction_spectrum(
     const double parameters[2], double *spectrum, double *derivatives);
 /* State after a time in slip-slip. */
@@ -148,7 +148,8 @@ void dry_friction_rows(
 /* Affine resets of the state, one below the other, offsets last. */
 void dry_friction_resets(
     const double parameters[7], double resets[80]);
-/* Exponents of the modes; coefficients of their functions, offsets last. */
+/* Exponents of the modes; coefficients of their functions, offsets last. Gives exponents (21,
+ * 2), coefficients (152, 5). */
 void dry_friction_modes(
     const double parameters[7], const double spectrum[7], double *exponents, double *coefficients);
 
@@ -210,23 +211,27 @@ void dry_friction_symmetric_admissible(
 void dry_friction_symmetric_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the
- * parameters, in total, through the spectrum too. */
+ * parameters, in total, through the spectrum too. Gives residual (5), jacobian (5, 5),
+ * parameter_jacobian (5, 4). Takes spectrum_derivatives (7, 2) for parameter_jacobian, else
+ * NULL. */
 void dry_friction_symmetric_equations(
     const double parameters[4], const double spectrum[7], const double unknowns[5],
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian);
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the
- * parameters. */
+ * parameters. Gives trace, trace_gradient (9). Takes spectrum_derivatives (7, 2) for
+ * trace_gradient, else NULL. */
 void dry_friction_symmetric_trace(
     const double parameters[4], const double spectrum[7], const double unknowns[5],
     const double *spectrum_derivatives, double *trace, double *trace_gradient);
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope,
- * cosine and sine amplitudes, one after the other; and the frequencies of each phase. */
+ * cosine and sine amplitudes, one after the other; and the frequencies of each phase. Gives
+ * states (3, 4), coefficients (24), frequencies (3). */
 void dry_friction_symmetric_passage(
     const double parameters[4], const double spectrum[7], const double unknowns[5], double *states,
     double *coefficients, double *frequencies);
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the
- * other; monodromy matrix. */
+ * other; monodromy matrix. Gives poincare_jacobian (2, 2), saltations (8, 4), monodromy (4, 4). */
 void dry_friction_symmetric_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[5],
     double *poincare_jacobian, double *saltations, double *monodromy);
@@ -239,7 +244,8 @@ void dry_friction_symmetric_flow_slip_stick(
     const double parameters[4], const double spectrum[7], double time, const double state[4],
     double state_after[4]);
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they
- * are; the equations for these and their derivatives. */
+ * are; the equations for these and their derivatives. Gives unknowns (5), determinants (1),
+ * reduced_residual (2), reduced_jacobian (2, 2). */
 void dry_friction_symmetric_reduced(
     const double parameters[4], const double spectrum[7], const double reduced[2], double *unknowns,
     double *determinants, double *reduced_residual, double *reduced_jacobian);
@@ -312,23 +318,27 @@ void dry_friction_global_stick_admissible(
 void dry_friction_global_stick_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the
- * parameters, in total, through the spectrum too. */
+ * parameters, in total, through the spectrum too. Gives residual (6), jacobian (6, 6),
+ * parameter_jacobian (6, 5). Takes spectrum_derivatives (7, 2) for parameter_jacobian, else
+ * NULL. */
 void dry_friction_global_stick_equations(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian);
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the
- * parameters. */
+ * parameters. Gives trace, trace_gradient (11). Takes spectrum_derivatives (7, 2) for
+ * trace_gradient, else NULL. */
 void dry_friction_global_stick_trace(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     const double *spectrum_derivatives, double *trace, double *trace_gradient);
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope,
- * cosine and sine amplitudes, one after the other; and the frequencies of each phase. */
+ * cosine and sine amplitudes, one after the other; and the frequencies of each phase. Gives
+ * states (5, 4), coefficients (44), frequencies (4). */
 void dry_friction_global_stick_passage(
     const double parameters[5], const double spectrum[7], const double unknowns[6], double *states,
     double *coefficients, double *frequencies);
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the
- * other; monodromy matrix. */
+ * other; monodromy matrix. Gives poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4). */
 void dry_friction_global_stick_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     double *poincare_jacobian, double *saltations, double *monodromy);
@@ -348,12 +358,14 @@ void dry_friction_global_stick_flow_slip_slip(
 void dry_friction_global_stick_flow_stick_slip(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
     double state_after[4]);
-/* All unknowns from the reduced ones; the equations for these and their derivatives. */
+/* All unknowns from the reduced ones; the equations for these and their derivatives. Gives
+ * unknowns (6), reduced_residual (2), reduced_jacobian (2, 2). */
 void dry_friction_global_stick_reduced(
     const double parameters[5], const double spectrum[7], const double reduced[2], double *unknowns,
     double *reduced_residual, double *reduced_jacobian);
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching
- * conditions. The start among the unknowns is not read. */
+ * conditions. The start among the unknowns is not read. Gives period_map (4, 5), linear_start
+ * (2), compatibility (4). */
 void dry_friction_global_stick_period_map(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     double *period_map, double *linear_start, double *compatibility);
@@ -420,23 +432,27 @@ void dry_friction_solution_ii_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant);
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the
- * parameters, in total, through the spectrum too. */
+ * parameters, in total, through the spectrum too. Gives residual (6), jacobian (6, 6),
+ * parameter_jacobian (6, 4). Takes spectrum_derivatives (7, 2) for parameter_jacobian, else
+ * NULL. */
 void dry_friction_solution_ii_equations(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian);
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the
- * parameters. */
+ * parameters. Gives trace, trace_gradient (10). Takes spectrum_derivatives (7, 2) for
+ * trace_gradient, else NULL. */
 void dry_friction_solution_ii_trace(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     const double *spectrum_derivatives, double *trace, double *trace_gradient);
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope,
- * cosine and sine amplitudes, one after the other; and the frequencies of each phase. */
+ * cosine and sine amplitudes, one after the other; and the frequencies of each phase. Gives
+ * states (5, 4), coefficients (44), frequencies (4). */
 void dry_friction_solution_ii_passage(
     const double parameters[4], const double spectrum[7], const double unknowns[6], double *states,
     double *coefficients, double *frequencies);
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the
- * other; monodromy matrix. */
+ * other; monodromy matrix. Gives poincare_jacobian (2, 2), saltations (16, 4), monodromy (4, 4). */
 void dry_friction_solution_ii_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     double *poincare_jacobian, double *saltations, double *monodromy);
@@ -456,12 +472,14 @@ void dry_friction_solution_ii_flow_slip_slip(
 void dry_friction_solution_ii_flow_stick_slip(
     const double parameters[4], const double spectrum[7], double time, const double state[4],
     double state_after[4]);
-/* All unknowns from the reduced ones; the equations for these and their derivatives. */
+/* All unknowns from the reduced ones; the equations for these and their derivatives. Gives
+ * unknowns (6), reduced_residual (3), reduced_jacobian (3, 3). */
 void dry_friction_solution_ii_reduced(
     const double parameters[4], const double spectrum[7], const double reduced[3], double *unknowns,
     double *reduced_residual, double *reduced_jacobian);
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching
- * conditions. The start among the unknowns is not read. */
+ * conditions. The start among the unknowns is not read. Gives period_map (4, 5), linear_start
+ * (2), compatibility (4). */
 void dry_friction_solution_ii_period_map(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     double *period_map, double *linear_start, double *compatibility);

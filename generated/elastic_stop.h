@@ -101,7 +101,7 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are k1, k2, k3, m1, m2, in this order. */
+ * `parameters` are k1, k2, k3, m1, m2, in this order. Gives spectrum (12), derivatives (12, 5). */
 void elastic_stop_spectrum(
     const double parameters[5], double *spectrum, double *derivatives);
 /* State after a time in contact. */
@@ -121,7 +121,8 @@ void elastic_stop_rows(
 /* Affine resets of the state, one below the other, offsets last. */
 void elastic_stop_resets(
     const double parameters[5], double resets[20]);
-/* Exponents of the modes; coefficients of their functions, offsets last. */
+/* Exponents of the modes; coefficients of their functions, offsets last. Gives exponents (6, 2),
+ * coefficients (40, 5). */
 void elastic_stop_modes(
     const double parameters[5], const double spectrum[12], double *exponents, double *coefficients);
 
@@ -180,23 +181,27 @@ void elastic_stop_one_contact_admissible(
 void elastic_stop_one_contact_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the
- * parameters, in total, through the spectrum too. */
+ * parameters, in total, through the spectrum too. Gives residual (4), jacobian (4, 4),
+ * parameter_jacobian (4, 6). Takes spectrum_derivatives (12, 5) for parameter_jacobian, else
+ * NULL. */
 void elastic_stop_one_contact_equations(
     const double parameters[6], const double spectrum[12], const double unknowns[4],
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian);
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the
- * parameters. */
+ * parameters. Gives trace, trace_gradient (10). Takes spectrum_derivatives (12, 5) for
+ * trace_gradient, else NULL. */
 void elastic_stop_one_contact_trace(
     const double parameters[6], const double spectrum[12], const double unknowns[4],
     const double *spectrum_derivatives, double *trace, double *trace_gradient);
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope,
- * cosine and sine amplitudes, one after the other; and the frequencies of each phase. */
+ * cosine and sine amplitudes, one after the other; and the frequencies of each phase. Gives
+ * states (3, 4), coefficients (12), frequencies (4). */
 void elastic_stop_one_contact_passage(
     const double parameters[6], const double spectrum[12], const double unknowns[4], double *states,
     double *coefficients, double *frequencies);
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the
- * other; monodromy matrix. */
+ * other; monodromy matrix. Gives poincare_jacobian (3, 3), saltations (8, 4), monodromy (4, 4). */
 void elastic_stop_one_contact_linearisation(
     const double parameters[6], const double spectrum[12], const double unknowns[4],
     double *poincare_jacobian, double *saltations, double *monodromy);
@@ -209,7 +214,8 @@ void elastic_stop_one_contact_flow_free(
     const double parameters[6], const double spectrum[12], double time, const double state[4],
     double state_after[4]);
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they
- * are; the equations for these and their derivatives. */
+ * are; the equations for these and their derivatives. Gives unknowns (4), determinants (1),
+ * reduced_residual (1), reduced_jacobian (1, 1). */
 void elastic_stop_one_contact_reduced(
     const double parameters[6], const double spectrum[12], const double reduced[1],
     double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian);

@@ -94,7 +94,7 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are k1, k2, m1, m2, in this order. */
+ * `parameters` are k1, k2, m1, m2, in this order. Gives spectrum (7), derivatives (7, 4). */
 void rigid_stop_spectrum(
     const double parameters[4], double *spectrum, double *derivatives);
 /* State after a time in free. */
@@ -114,7 +114,8 @@ void rigid_stop_rows(
 /* Affine resets of the state, one below the other, offsets last. */
 void rigid_stop_resets(
     const double parameters[5], double resets[60]);
-/* Exponents of the modes; coefficients of their functions, offsets last. */
+/* Exponents of the modes; coefficients of their functions, offsets last. Gives exponents (5, 2),
+ * coefficients (36, 5). */
 void rigid_stop_modes(
     const double parameters[5], const double spectrum[7], double *exponents, double *coefficients);
 
@@ -163,23 +164,27 @@ void rigid_stop_one_impact_admissible(
 void rigid_stop_one_impact_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the
- * parameters, in total, through the spectrum too. */
+ * parameters, in total, through the spectrum too. Gives residual (2), jacobian (2, 2),
+ * parameter_jacobian (2, 5). Takes spectrum_derivatives (7, 4) for parameter_jacobian, else
+ * NULL. */
 void rigid_stop_one_impact_equations(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian);
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the
- * parameters. */
+ * parameters. Gives trace, trace_gradient (7). Takes spectrum_derivatives (7, 4) for
+ * trace_gradient, else NULL. */
 void rigid_stop_one_impact_trace(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
     const double *spectrum_derivatives, double *trace, double *trace_gradient);
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope,
- * cosine and sine amplitudes, one after the other; and the frequencies of each phase. */
+ * cosine and sine amplitudes, one after the other; and the frequencies of each phase. Gives
+ * states (2, 4), coefficients (6), frequencies (2). */
 void rigid_stop_one_impact_passage(
     const double parameters[5], const double spectrum[7], const double unknowns[2], double *states,
     double *coefficients, double *frequencies);
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the
- * other; monodromy matrix. */
+ * other; monodromy matrix. Gives poincare_jacobian (3, 3), saltations (4, 4), monodromy (4, 4). */
 void rigid_stop_one_impact_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
     double *poincare_jacobian, double *saltations, double *monodromy);
@@ -187,7 +192,8 @@ void rigid_stop_one_impact_linearisation(
 void rigid_stop_one_impact_flow_free(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
     double state_after[4]);
-/* All unknowns; how singular the linear equations for them are: 0 if they are. */
+/* All unknowns; how singular the linear equations for them are: 0 if they are. Gives unknowns
+ * (2), determinants (1). */
 void rigid_stop_one_impact_reduced(
     const double parameters[5], const double spectrum[7], double *unknowns, double *determinants);
 

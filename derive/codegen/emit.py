@@ -16,6 +16,7 @@ from nonsmooth.derive.codegen.admissibility import (
     admissible_prototype,
     admissible_source,
 )
+from nonsmooth.derive.codegen.any_arithmetic import shape_text
 from nonsmooth.derive.codegen.c import c_kernel, c_prototype
 from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
 from nonsmooth.derive.codegen.directions import (
@@ -173,6 +174,10 @@ def _c_functions(derived: DerivedSystem) -> tuple[list[_Function], list[Missing]
         if kernel.name == "spectrum":
             names = ", ".join(map(str, derived.form.spectrum.parameters))
             title += f" Its `parameters` are {names}, in this order." if names else ""
+        if len(kernel.outputs) > 1:
+            title += f" Gives {', '.join(map(shape_text, kernel.outputs))}."
+        for late in (a for a in kernel.arguments if a.since):
+            title += f" Takes {shape_text(late)} for {kernel.outputs[late.since].name}, else NULL."
         wrapped = wrapped_functions(system, kernel, orbit)
         add(orbit, title, prototype, wrapped, partial(c_kernel, kernel, system, orbit))
     for equations in derived.derived:
