@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation cf4b88dd51b6a842 */
+ * SymPy 1.14.0, derivation fd65703f058cad7a */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1391,11 +1391,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "ef07fb4453d7fe25") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "c8a3c83376cea613") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "2038f08714ee00a0") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d8ee3a0ec4e4c4ad") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "246caa8f84807098") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "54bd6189b9159e96") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 246caa8f84807098 */
+ * SymPy 1.14.0, derivation 54bd6189b9159e96 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Operations: 97. Intermediate terms: 45. */
 void dry_friction_spectrum(
-    const double parameters[2], double *spectrum, double *derivatives)
+    const double parameters[2], double *spectrum, double *spectrum_derivatives)
 {
     const double chi = parameters[0];
     const double eta = parameters[1];
@@ -46,7 +46,7 @@ void dry_friction_spectrum(
         spectrum[5] = p3;
         spectrum[6] = omega3;
     }
-    if (!derivatives)
+    if (!spectrum_derivatives)
         return;
     /* d/dchi of: spectrum */
     const double t13 = 2*t1;
@@ -76,21 +76,21 @@ void dry_friction_spectrum(
     const double p2_by_eta = gap1_by_eta*t21;
     const double p3_by_eta = gap1_by_eta*t22 - t11;
     const double omega3_by_eta = (1.0/2.0)*t24*t5;
-    if (derivatives) {
-        derivatives[0] = gap1_by_chi;
-        derivatives[1] = gap1_by_eta;
-        derivatives[2] = omega1_by_chi;
-        derivatives[3] = omega1_by_eta;
-        derivatives[4] = omega2_by_chi;
-        derivatives[5] = omega2_by_eta;
-        derivatives[6] = p1_by_chi;
-        derivatives[7] = p1_by_eta;
-        derivatives[8] = p2_by_chi;
-        derivatives[9] = p2_by_eta;
-        derivatives[10] = p3_by_chi;
-        derivatives[11] = p3_by_eta;
-        derivatives[12] = omega3_by_chi;
-        derivatives[13] = omega3_by_eta;
+    if (spectrum_derivatives) {
+        spectrum_derivatives[0] = gap1_by_chi;
+        spectrum_derivatives[1] = gap1_by_eta;
+        spectrum_derivatives[2] = omega1_by_chi;
+        spectrum_derivatives[3] = omega1_by_eta;
+        spectrum_derivatives[4] = omega2_by_chi;
+        spectrum_derivatives[5] = omega2_by_eta;
+        spectrum_derivatives[6] = p1_by_chi;
+        spectrum_derivatives[7] = p1_by_eta;
+        spectrum_derivatives[8] = p2_by_chi;
+        spectrum_derivatives[9] = p2_by_eta;
+        spectrum_derivatives[10] = p3_by_chi;
+        spectrum_derivatives[11] = p3_by_eta;
+        spectrum_derivatives[12] = omega3_by_chi;
+        spectrum_derivatives[13] = omega3_by_eta;
     }
 }
 

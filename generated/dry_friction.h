@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 246caa8f84807098 */
+ * SymPy 1.14.0, derivation 54bd6189b9159e96 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -22,7 +22,7 @@
  *     parameters            of the system, or of the orbit in the orbit's functions
  *     spectrum              gap1, omega1, omega2, p1, p2, p3, omega3: what dry_friction_spectrum
  *                           gives, once for each point of chi, eta
- *     spectrum_derivatives  its `derivatives`: of spectrum[i] by the j-th of chi, eta
+ *     spectrum_derivatives  of spectrum[i] by the j-th of chi, eta
  *     state                 x1, x2, v1, v2; of an orbit as its comment says
  *     state_after           the same after `time`
  *     unknowns              of the orbit
@@ -100,9 +100,9 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are chi, eta, in this order. Gives spectrum (7), derivatives (7, 2). */
+ * `parameters` are chi, eta, in this order. Gives spectrum (7), spectrum_derivatives (7, 2). */
 void dry_friction_spectrum(
-    const double parameters[2], double *spectrum, double *derivatives);
+    const double parameters[2], double *spectrum, double *spectrum_derivatives);
 /* State after a time in slip-slip. */
 void dry_friction_flow_slip_slip(
     const double parameters[7], const double spectrum[7], double time, const double state[4],

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 246caa8f84807098
+# SymPy 1.14.0, derivation 54bd6189b9159e96
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "246caa8f84807098"
+DERIVATION = "54bd6189b9159e96"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -1600,7 +1600,7 @@ ORBITS = {'symmetric': {'derived': True,
                                          'tau2': '3.28',
                                          'e1': '3.5'}}}}
 
-KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('derivatives', (7, 2))]),
+KERNELS = {'spectrum': ([((2,), 0)], [('spectrum', (7,)), ('spectrum_derivatives', (7, 2))]),
  'flow_slip_slip': ([((7,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'flow_slip_stick': ([((7,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'flow_slip_overshoot': ([((7,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
@@ -1698,7 +1698,7 @@ def spectrum(parameters, *, lib, outputs=2):
 
     Takes parameters (2): chi, eta.
     Gives spectrum (7).
-    Gives derivatives (7, 2).
+    Gives spectrum_derivatives (7, 2).
     Operations: 97. Intermediate terms: 45.
     """
     [chi, eta] = parameters
@@ -1753,8 +1753,8 @@ def spectrum(parameters, *, lib, outputs=2):
     p2_by_eta = gap1_by_eta*t21
     p3_by_eta = gap1_by_eta*t22 - t11
     omega3_by_eta = t24*t5/2
-    derivatives = [[gap1_by_chi, gap1_by_eta], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]]
-    return spectrum, derivatives
+    spectrum_derivatives = [[gap1_by_chi, gap1_by_eta], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]]
+    return spectrum, spectrum_derivatives
 
 
 def flow_slip_slip(parameters, spectrum, time, state, *, lib):

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2038f08714ee00a0 */
+ * SymPy 1.14.0, derivation d8ee3a0ec4e4c4ad */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Operations: 310. Intermediate terms: 144. */
 void elastic_stop_spectrum(
-    const double parameters[5], double *spectrum, double *derivatives)
+    const double parameters[5], double *spectrum, double *spectrum_derivatives)
 {
     const double k1 = parameters[0];
     const double k2 = parameters[1];
@@ -75,7 +75,7 @@ void elastic_stop_spectrum(
         spectrum[10] = p5;
         spectrum[11] = p6;
     }
-    if (!derivatives)
+    if (!spectrum_derivatives)
         return;
     /* d/dk1 of: spectrum */
     const double t28 = -2*t0 + 2*t3;
@@ -186,67 +186,67 @@ void elastic_stop_spectrum(
     const double t77 = gap2_by_m2*t46;
     const double p5_by_m2 = t18*t77;
     const double p6_by_m2 = t25*t75 + t51*t77;
-    if (derivatives) {
-        derivatives[0] = gap1_by_k1;
-        derivatives[1] = gap1_by_k2;
-        derivatives[2] = gap1_by_k3;
-        derivatives[3] = gap1_by_m1;
-        derivatives[4] = gap1_by_m2;
-        derivatives[5] = omega1_by_k1;
-        derivatives[6] = omega1_by_k2;
-        derivatives[7] = omega1_by_k3;
-        derivatives[8] = omega1_by_m1;
-        derivatives[9] = omega1_by_m2;
-        derivatives[10] = omega2_by_k1;
-        derivatives[11] = omega2_by_k2;
-        derivatives[12] = omega2_by_k3;
-        derivatives[13] = omega2_by_m1;
-        derivatives[14] = omega2_by_m2;
-        derivatives[15] = p1_by_k1;
-        derivatives[16] = p1_by_k2;
-        derivatives[17] = p1_by_k3;
-        derivatives[18] = p1_by_m1;
-        derivatives[19] = p1_by_m2;
-        derivatives[20] = p2_by_k1;
-        derivatives[21] = p2_by_k2;
-        derivatives[22] = p2_by_k3;
-        derivatives[23] = p2_by_m1;
-        derivatives[24] = p2_by_m2;
-        derivatives[25] = p3_by_k1;
-        derivatives[26] = p3_by_k2;
-        derivatives[27] = p3_by_k3;
-        derivatives[28] = p3_by_m1;
-        derivatives[29] = p3_by_m2;
-        derivatives[30] = gap2_by_k1;
-        derivatives[31] = gap2_by_k2;
-        derivatives[32] = 0;
-        derivatives[33] = gap2_by_m1;
-        derivatives[34] = gap2_by_m2;
-        derivatives[35] = omega3_by_k1;
-        derivatives[36] = omega3_by_k2;
-        derivatives[37] = 0;
-        derivatives[38] = omega3_by_m1;
-        derivatives[39] = omega3_by_m2;
-        derivatives[40] = omega4_by_k1;
-        derivatives[41] = omega4_by_k2;
-        derivatives[42] = 0;
-        derivatives[43] = omega4_by_m1;
-        derivatives[44] = omega4_by_m2;
-        derivatives[45] = p4_by_k1;
-        derivatives[46] = p4_by_k2;
-        derivatives[47] = 0;
-        derivatives[48] = p4_by_m1;
-        derivatives[49] = p4_by_m2;
-        derivatives[50] = p5_by_k1;
-        derivatives[51] = p5_by_k2;
-        derivatives[52] = 0;
-        derivatives[53] = p5_by_m1;
-        derivatives[54] = p5_by_m2;
-        derivatives[55] = p6_by_k1;
-        derivatives[56] = p6_by_k2;
-        derivatives[57] = 0;
-        derivatives[58] = p6_by_m1;
-        derivatives[59] = p6_by_m2;
+    if (spectrum_derivatives) {
+        spectrum_derivatives[0] = gap1_by_k1;
+        spectrum_derivatives[1] = gap1_by_k2;
+        spectrum_derivatives[2] = gap1_by_k3;
+        spectrum_derivatives[3] = gap1_by_m1;
+        spectrum_derivatives[4] = gap1_by_m2;
+        spectrum_derivatives[5] = omega1_by_k1;
+        spectrum_derivatives[6] = omega1_by_k2;
+        spectrum_derivatives[7] = omega1_by_k3;
+        spectrum_derivatives[8] = omega1_by_m1;
+        spectrum_derivatives[9] = omega1_by_m2;
+        spectrum_derivatives[10] = omega2_by_k1;
+        spectrum_derivatives[11] = omega2_by_k2;
+        spectrum_derivatives[12] = omega2_by_k3;
+        spectrum_derivatives[13] = omega2_by_m1;
+        spectrum_derivatives[14] = omega2_by_m2;
+        spectrum_derivatives[15] = p1_by_k1;
+        spectrum_derivatives[16] = p1_by_k2;
+        spectrum_derivatives[17] = p1_by_k3;
+        spectrum_derivatives[18] = p1_by_m1;
+        spectrum_derivatives[19] = p1_by_m2;
+        spectrum_derivatives[20] = p2_by_k1;
+        spectrum_derivatives[21] = p2_by_k2;
+        spectrum_derivatives[22] = p2_by_k3;
+        spectrum_derivatives[23] = p2_by_m1;
+        spectrum_derivatives[24] = p2_by_m2;
+        spectrum_derivatives[25] = p3_by_k1;
+        spectrum_derivatives[26] = p3_by_k2;
+        spectrum_derivatives[27] = p3_by_k3;
+        spectrum_derivatives[28] = p3_by_m1;
+        spectrum_derivatives[29] = p3_by_m2;
+        spectrum_derivatives[30] = gap2_by_k1;
+        spectrum_derivatives[31] = gap2_by_k2;
+        spectrum_derivatives[32] = 0;
+        spectrum_derivatives[33] = gap2_by_m1;
+        spectrum_derivatives[34] = gap2_by_m2;
+        spectrum_derivatives[35] = omega3_by_k1;
+        spectrum_derivatives[36] = omega3_by_k2;
+        spectrum_derivatives[37] = 0;
+        spectrum_derivatives[38] = omega3_by_m1;
+        spectrum_derivatives[39] = omega3_by_m2;
+        spectrum_derivatives[40] = omega4_by_k1;
+        spectrum_derivatives[41] = omega4_by_k2;
+        spectrum_derivatives[42] = 0;
+        spectrum_derivatives[43] = omega4_by_m1;
+        spectrum_derivatives[44] = omega4_by_m2;
+        spectrum_derivatives[45] = p4_by_k1;
+        spectrum_derivatives[46] = p4_by_k2;
+        spectrum_derivatives[47] = 0;
+        spectrum_derivatives[48] = p4_by_m1;
+        spectrum_derivatives[49] = p4_by_m2;
+        spectrum_derivatives[50] = p5_by_k1;
+        spectrum_derivatives[51] = p5_by_k2;
+        spectrum_derivatives[52] = 0;
+        spectrum_derivatives[53] = p5_by_m1;
+        spectrum_derivatives[54] = p5_by_m2;
+        spectrum_derivatives[55] = p6_by_k1;
+        spectrum_derivatives[56] = p6_by_k2;
+        spectrum_derivatives[57] = 0;
+        spectrum_derivatives[58] = p6_by_m1;
+        spectrum_derivatives[59] = p6_by_m2;
     }
 }
 

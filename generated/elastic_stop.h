@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2038f08714ee00a0 */
+ * SymPy 1.14.0, derivation d8ee3a0ec4e4c4ad */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 
@@ -23,7 +23,7 @@
  *     spectrum              gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6:
  *                           what elastic_stop_spectrum gives, once for each point of k1, k2, k3,
  *                           m1, m2
- *     spectrum_derivatives  its `derivatives`: of spectrum[i] by the j-th of k1, k2, k3, m1, m2
+ *     spectrum_derivatives  of spectrum[i] by the j-th of k1, k2, k3, m1, m2
  *     state                 x1, x2, v1, v2; of an orbit as its comment says
  *     state_after           the same after `time`
  *     unknowns              of the orbit
@@ -101,9 +101,10 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are k1, k2, k3, m1, m2, in this order. Gives spectrum (12), derivatives (12, 5). */
+ * `parameters` are k1, k2, k3, m1, m2, in this order. Gives spectrum (12), spectrum_derivatives
+ * (12, 5). */
 void elastic_stop_spectrum(
-    const double parameters[5], double *spectrum, double *derivatives);
+    const double parameters[5], double *spectrum, double *spectrum_derivatives);
 /* State after a time in contact. */
 void elastic_stop_flow_contact(
     const double parameters[5], const double spectrum[12], double time, const double state[4],

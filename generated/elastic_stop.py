@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 2038f08714ee00a0
+# SymPy 1.14.0, derivation d8ee3a0ec4e4c4ad
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "2038f08714ee00a0"
+DERIVATION = "d8ee3a0ec4e4c4ad"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -169,7 +169,7 @@ ORBITS = {'one-contact': {'derived': True,
                                          'w': '0.59',
                                          'tau': '2.12'}}}}
 
-KERNELS = {'spectrum': ([((5,), 0)], [('spectrum', (12,)), ('derivatives', (12, 5))]),
+KERNELS = {'spectrum': ([((5,), 0)], [('spectrum', (12,)), ('spectrum_derivatives', (12, 5))]),
  'flow_contact': ([((5,), 0), ((12,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'flow_free': ([((5,), 0), ((12,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'fields': ([((5,), 0)], [('fields', (8, 5))]),
@@ -203,7 +203,7 @@ def spectrum(parameters, *, lib, outputs=2):
 
     Takes parameters (5): k1, k2, k3, m1, m2.
     Gives spectrum (12).
-    Gives derivatives (12, 5).
+    Gives spectrum_derivatives (12, 5).
     Operations: 310. Intermediate terms: 144.
     """
     [k1, k2, k3, m1, m2] = parameters
@@ -360,8 +360,8 @@ def spectrum(parameters, *, lib, outputs=2):
     t77 = gap2_by_m2*t46
     p5_by_m2 = t18*t77
     p6_by_m2 = t25*t75 + t51*t77
-    derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_k3, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [gap2_by_k1, gap2_by_k2, 0, gap2_by_m1, gap2_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, 0, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, 0, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, 0, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, 0, p6_by_m1, p6_by_m2]]
-    return spectrum, derivatives
+    spectrum_derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_k3, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_k3, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_k3, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_k3, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_k3, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_k3, p3_by_m1, p3_by_m2], [gap2_by_k1, gap2_by_k2, 0, gap2_by_m1, gap2_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m1, omega3_by_m2], [omega4_by_k1, omega4_by_k2, 0, omega4_by_m1, omega4_by_m2], [p4_by_k1, p4_by_k2, 0, p4_by_m1, p4_by_m2], [p5_by_k1, p5_by_k2, 0, p5_by_m1, p5_by_m2], [p6_by_k1, p6_by_k2, 0, p6_by_m1, p6_by_m2]]
+    return spectrum, spectrum_derivatives
 
 
 def flow_contact(parameters, spectrum, time, state, *, lib):

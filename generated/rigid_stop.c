@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation ef07fb4453d7fe25 */
+ * SymPy 1.14.0, derivation c8a3c83376cea613 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Operations: 179. Intermediate terms: 70. */
 void rigid_stop_spectrum(
-    const double parameters[4], double *spectrum, double *derivatives)
+    const double parameters[4], double *spectrum, double *spectrum_derivatives)
 {
     const double k1 = parameters[0];
     const double k2 = parameters[1];
@@ -54,7 +54,7 @@ void rigid_stop_spectrum(
         spectrum[5] = p3;
         spectrum[6] = omega3;
     }
-    if (!derivatives)
+    if (!spectrum_derivatives)
         return;
     /* d/dk1 of: spectrum */
     const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
@@ -105,35 +105,35 @@ void rigid_stop_spectrum(
     const double p2_by_m2 = t1*t36;
     const double p3_by_m2 = k1*t14*t32 + t27*t36;
     const double omega3_by_m2 = -1.0/2.0*t17*t35;
-    if (derivatives) {
-        derivatives[0] = gap1_by_k1;
-        derivatives[1] = gap1_by_k2;
-        derivatives[2] = gap1_by_m1;
-        derivatives[3] = gap1_by_m2;
-        derivatives[4] = omega1_by_k1;
-        derivatives[5] = omega1_by_k2;
-        derivatives[6] = omega1_by_m1;
-        derivatives[7] = omega1_by_m2;
-        derivatives[8] = omega2_by_k1;
-        derivatives[9] = omega2_by_k2;
-        derivatives[10] = omega2_by_m1;
-        derivatives[11] = omega2_by_m2;
-        derivatives[12] = p1_by_k1;
-        derivatives[13] = p1_by_k2;
-        derivatives[14] = p1_by_m1;
-        derivatives[15] = p1_by_m2;
-        derivatives[16] = p2_by_k1;
-        derivatives[17] = p2_by_k2;
-        derivatives[18] = p2_by_m1;
-        derivatives[19] = p2_by_m2;
-        derivatives[20] = p3_by_k1;
-        derivatives[21] = p3_by_k2;
-        derivatives[22] = p3_by_m1;
-        derivatives[23] = p3_by_m2;
-        derivatives[24] = omega3_by_k1;
-        derivatives[25] = omega3_by_k2;
-        derivatives[26] = 0;
-        derivatives[27] = omega3_by_m2;
+    if (spectrum_derivatives) {
+        spectrum_derivatives[0] = gap1_by_k1;
+        spectrum_derivatives[1] = gap1_by_k2;
+        spectrum_derivatives[2] = gap1_by_m1;
+        spectrum_derivatives[3] = gap1_by_m2;
+        spectrum_derivatives[4] = omega1_by_k1;
+        spectrum_derivatives[5] = omega1_by_k2;
+        spectrum_derivatives[6] = omega1_by_m1;
+        spectrum_derivatives[7] = omega1_by_m2;
+        spectrum_derivatives[8] = omega2_by_k1;
+        spectrum_derivatives[9] = omega2_by_k2;
+        spectrum_derivatives[10] = omega2_by_m1;
+        spectrum_derivatives[11] = omega2_by_m2;
+        spectrum_derivatives[12] = p1_by_k1;
+        spectrum_derivatives[13] = p1_by_k2;
+        spectrum_derivatives[14] = p1_by_m1;
+        spectrum_derivatives[15] = p1_by_m2;
+        spectrum_derivatives[16] = p2_by_k1;
+        spectrum_derivatives[17] = p2_by_k2;
+        spectrum_derivatives[18] = p2_by_m1;
+        spectrum_derivatives[19] = p2_by_m2;
+        spectrum_derivatives[20] = p3_by_k1;
+        spectrum_derivatives[21] = p3_by_k2;
+        spectrum_derivatives[22] = p3_by_m1;
+        spectrum_derivatives[23] = p3_by_m2;
+        spectrum_derivatives[24] = omega3_by_k1;
+        spectrum_derivatives[25] = omega3_by_k2;
+        spectrum_derivatives[26] = 0;
+        spectrum_derivatives[27] = omega3_by_m2;
     }
 }
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation ef07fb4453d7fe25 */
+ * SymPy 1.14.0, derivation c8a3c83376cea613 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 
@@ -22,7 +22,7 @@
  *     parameters            of the system, or of the orbit in the orbit's functions
  *     spectrum              gap1, omega1, omega2, p1, p2, p3, omega3: what rigid_stop_spectrum
  *                           gives, once for each point of k1, k2, m1, m2
- *     spectrum_derivatives  its `derivatives`: of spectrum[i] by the j-th of k1, k2, m1, m2
+ *     spectrum_derivatives  of spectrum[i] by the j-th of k1, k2, m1, m2
  *     state                 x1, x2, v1, v2; of an orbit as its comment says
  *     state_after           the same after `time`
  *     unknowns              of the orbit
@@ -94,9 +94,10 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are k1, k2, m1, m2, in this order. Gives spectrum (7), derivatives (7, 4). */
+ * `parameters` are k1, k2, m1, m2, in this order. Gives spectrum (7), spectrum_derivatives (7,
+ * 4). */
 void rigid_stop_spectrum(
-    const double parameters[4], double *spectrum, double *derivatives);
+    const double parameters[4], double *spectrum, double *spectrum_derivatives);
 /* State after a time in free. */
 void rigid_stop_flow_free(
     const double parameters[5], const double spectrum[7], double time, const double state[4],

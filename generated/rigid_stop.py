@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation ef07fb4453d7fe25
+# SymPy 1.14.0, derivation c8a3c83376cea613
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "ef07fb4453d7fe25"
+DERIVATION = "c8a3c83376cea613"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
@@ -149,7 +149,7 @@ ORBITS = {'one-impact': {'derived': True,
                                              'T': '2*pi'},
                               'guess': {'y': '0.162', 'u': '-0.372'}}}}
 
-KERNELS = {'spectrum': ([((4,), 0)], [('spectrum', (7,)), ('derivatives', (7, 4))]),
+KERNELS = {'spectrum': ([((4,), 0)], [('spectrum', (7,)), ('spectrum_derivatives', (7, 4))]),
  'flow_free': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'flow_contact': ([((5,), 0), ((7,), 0), ((), 0), ((4,), 0)], [('state_after', (4,))]),
  'fields': ([((5,), 0)], [('fields', (8, 5))]),
@@ -176,7 +176,7 @@ def spectrum(parameters, *, lib, outputs=2):
 
     Takes parameters (4): k1, k2, m1, m2.
     Gives spectrum (7).
-    Gives derivatives (7, 4).
+    Gives spectrum_derivatives (7, 4).
     Operations: 179. Intermediate terms: 70.
     """
     [k1, k2, m1, m2] = parameters
@@ -258,8 +258,8 @@ def spectrum(parameters, *, lib, outputs=2):
     p2_by_m2 = t1*t36
     p3_by_m2 = k1*t14*t32 + t27*t36
     omega3_by_m2 = -t17*t35/2
-    derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m2]]
-    return spectrum, derivatives
+    spectrum_derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m2]]
+    return spectrum, spectrum_derivatives
 
 
 def flow_free(parameters, spectrum, time, state, *, lib):

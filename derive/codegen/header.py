@@ -34,7 +34,7 @@ _WIDTH = 100
 _ARRAYS = {
     "parameters": "of the system, or of the orbit in the orbit's functions",
     "spectrum": "{spectrum}: what {function} gives, once for each point of {parameters}",
-    "spectrum_derivatives": "its `derivatives`: of spectrum[i] by the j-th of {parameters}",
+    "spectrum_derivatives": "of spectrum[i] by the j-th of {parameters}",
     "state": "{states}; of an orbit as its comment says",
     "state_after": "the same after `time`",
     "unknowns": "of the orbit",

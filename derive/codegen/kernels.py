@@ -48,7 +48,7 @@ def spectrum_kernel(spectrum: Spectrum) -> Kernel:
         (_vector("parameters", parameters),),
         (
             Output("spectrum", (len(spectrum.symbols),), spectrum.symbols),
-            Output("derivatives", (len(spectrum.symbols), len(parameters)), derivatives),
+            Output("spectrum_derivatives", (len(spectrum.symbols), len(parameters)), derivatives),
         ),
         (stage, *stages),
     )

@@ -183,7 +183,7 @@ class SystemKernels:
         return [tuple(shape) for shape, since in takes if since < len(given)], given
 
 
-class Asked(NamedTuple):
+class KernelCall(NamedTuple):
     """How quantities of one kernel are computed."""
 
     function: Callable[..., Any]  # in doubles
@@ -372,14 +372,14 @@ class OrbitKernels:
         period_map, linear_start, compatibility   the map of a turn, and what follows from it
         ========================================  ===========================================
         """
-        asked = self._asked.get(quantities) or self._ask(quantities)
+        call = self._calls.get(quantities) or self._call_of(quantities)
         if lib is None:
-            found = asked.function(*at[: asked.arrays])
+            found = call.function(*at[: call.arrays])
         else:
-            found = asked.source(*at[: asked.arrays], lib=lib)
-        if asked.places is None:
+            found = call.source(*at[: call.arrays], lib=lib)
+        if call.places is None:
             return found
-        return tuple(found[place] for place in asked.places) if len(quantities) > 1 else found[-1]
+        return tuple(found[place] for place in call.places) if len(quantities) > 1 else found[-1]
 
     def has(self, quantity: str) -> bool:
         """Whether a kernel of this orbit gives a quantity."""
@@ -398,24 +398,24 @@ class OrbitKernels:
         }
 
     @cached_property
-    def _asked(self) -> dict[tuple[str, ...], Asked]:
+    def _calls(self) -> dict[tuple[str, ...], KernelCall]:
         """How the quantities are computed that were asked for so far."""
         return {}
 
-    def _ask(self, quantities: tuple[str, ...]) -> Asked:
+    def _call_of(self, quantities: tuple[str, ...]) -> KernelCall:
         known = [self._quantities[quantity] for quantity in quantities]
         (kernel,) = {name for name, _ in known}
         places, system = [place for _, place in known], self.system
         count, total = max(places) + 1, len(system.module.KERNELS[kernel][1])
         source = system.source(kernel)
-        asked = Asked(
+        call = KernelCall(
             system.function(kernel, count),
             source if total == 1 else partial(source, outputs=count),
             sum(since < count for _, since in system.module.KERNELS[kernel][0]),
             None if places == [*range(count)] else places,
         )
-        self._asked[quantities] = asked
-        return asked
+        self._calls[quantities] = call
+        return call
 
     def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
         """The spectrum and its derivatives at the equations' parameters, in their order.

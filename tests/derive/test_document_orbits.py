@@ -248,7 +248,7 @@ def test_half_phase_conditions_are_the_residual_kernel(name: str) -> None:
     parameters = [orbit.values[n] for n in orbit.kernels.parameter_names]
     spectrum, _ = orbit.kernels.spectrum(parameters)
     unknowns = [numbers[u] for u in equations.unknowns]
-    kernel = np.array(orbit.kernels.evaluate("residual", parameters, spectrum, unknowns))
+    kernel = np.array(orbit.kernels.evaluate("residual", at=(parameters, spectrum, unknowns)))
     assert shown == pytest.approx(kernel, rel=1e-11, abs=1e-12)
     assert np.abs(kernel).max() > 1e-2
 

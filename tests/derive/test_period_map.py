@@ -61,7 +61,7 @@ def solved(
 
 def test_compatibility_from_a_rough_guess_leads_to_the_orbit() -> None:
     orbit = refined()
-    kernel = orbit.kernels.source("period_map")
+    kernel = orbit.kernels.system.source("global_stick_period_map")
     times, start = solved(orbit, equations_of(), kernel, [1.1, 1.9, 1.6, 3.2])
     expected = orbit.unknowns.values()
     assert all(abs(a - b) < 1e-50 for a, b in zip([*start, *times], expected, strict=True))

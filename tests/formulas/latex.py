@@ -92,7 +92,7 @@ class _Reader:
                 degree = self.row("]")
                 self.expect("]")
             return (Root(self.argument(), degree),)
-        if token in (r"\hat", r"\bar"):
+        if token in (r"\hat", r"\bar", r"\tilde"):
             return (Accent(token[1:], self.argument()),)
         if token in (r"\mathrm", r"\mathsf", r"\mathcal", r"\mathbb", r"\operatorname", r"\text"):
             return _styled(token[1:], self.verbatim())

@@ -24,7 +24,7 @@ from tests.formulas.layout import (
 __all__ = ["read_element", "read_mathml"]
 
 _LETTERS = set("ℓℳℰℛℝ")
-_MARKS = {"^": "hat", "ˉ": "bar", "¯": "bar", "―": "bar"}
+_MARKS = {"^": "hat", "~": "tilde", "˜": "tilde", "ˉ": "bar", "¯": "bar", "―": "bar"}
 _SAME = {"−": "-", "'": PRIME}
 
 

@@ -355,7 +355,7 @@ class _Walk:
     def derivative(self, item: Item) -> Any:
         """The derivative of a name, which is a name of its own."""
         text = self.reading.name(item)
-        for end in range(self.place + 1, len(self.row) + 1):
+        for end in range(len(self.row), self.place, -1):  # what is restricted has a longer name
             behind = [self.reading.name(i) for i in self.row[self.place : end]]
             name = text + "".join(behind)
             if name in self.reading.names:

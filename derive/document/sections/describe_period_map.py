@@ -60,7 +60,7 @@ def _map(view: View, turn: PeriodMap) -> list[Block]:
                 Line(_N, "=", (_product(view, turn), rf"= \left({blocks}\right)")),
             )
         ),
-        Paragraph(f"The orbit is periodic if{naming.cited('turn')}"),
+        Paragraph(f"Periodicity reads{naming.cited('turn')}:"),
         Formula(
             (
                 Line("", "", (rf"({_N}_{{1}} - I) {first} + {_N}_{{2}} {second}{one} = 0,",)),
@@ -135,7 +135,7 @@ def _start(view: View, turn: PeriodMap) -> list[Block]:
     blocks: list[Block] = [Paragraph(f"{text}:")]
     if _separate(turn):
         blocks = [
-            Paragraph(f"{text}{naming.cited('linear start')}"),
+            Paragraph(f"{text}{naming.cited('linear start')}:"),
             Formula((Line(first, "=", (f"{formula},",)),)),
             Paragraph("which is, entry by entry,"),
         ]
@@ -164,7 +164,7 @@ def _rest(view: View, turn: PeriodMap) -> list[Block]:
         matrix = rf"({_N}_{{1}} - I)^{{-1}} {_N}_{{2}} - {_N}_{{3}}^{{-1}} ({_N}_{{4}} - I)"
         blocks += [
             Paragraph(
-                rf"Where ${_N}_{{3}}$ is nonsingular these are{naming.cited('compatibility')}"
+                rf"Where ${_N}_{{3}}$ is nonsingular these read{naming.cited('compatibility')}:"
             ),
             Formula(
                 (
