@@ -69,7 +69,7 @@ class EquationSystem:
     """Switching and periodicity equations of an itinerary, and all that is derived from them.
 
     The expressions of `residual`, `jacobian`, `map` and `trace` are those of SymPy. They hold
-    symbols that stages assign, such as `z1_2` for a coordinate of the state behind the second
+    symbols that stages assign, such as ``z1_2`` for a coordinate of the state behind the second
     phase: `stages_of` lists the stages, `expand` inserts them, `latex` writes an expression with
     the names of the orbit's document.
 
