@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import operator
 import re
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from functools import cache, cached_property
-from itertools import accumulate
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate, islice
 from math import prod
 from typing import Any
 
@@ -69,13 +70,9 @@ class Function:
             for argument, shape in zip((*arguments, *left_out), self.inputs, strict=True)
             for entry in ([None] * prod(shape) if argument is None else _flat(argument, len(shape)))
         ]
-        found = iter(self._first(len(shapes)).run(numbers, lib))
+        found = iter(self._program.run(numbers, lib, len(shapes)))
         results = tuple(_shaped(found, shape) for shape in shapes)
         return results if len(results) > 1 else results[0]
-
-    @cache  # noqa: B019 - as long as the function
-    def _first(self, count: int) -> _Program:
-        return self._program.first(sum(prod(shape) for shape in self.outputs[:count]))
 
     def check(self, *, exactly: bool) -> None:
         """Read all expressions, and raise an `InputError` of one line for what is refused.
@@ -115,22 +112,39 @@ class Function:
                 results += reader.read(next(rows, ""), width) if width else []
         if next(rows, None) is not None:
             raise InputError("a function gives more than its shapes tell")
-        size = len(reader.sizes)
-        program = _Program(size, tuple(reader.steps), tuple(results), reader.expands)
-        self._check_results(program)
-        return program
+        first = self._first_uses(reader, results)
+        self._check_arguments(first)
+        # what a step reads is used no later than the step, so each still comes behind what it reads
+        steps = sorted(reader.steps, key=lambda step: first[step[0]])
+        uses = [first[place] for place, _, _ in steps]
+        ends = tuple(bisect_right(uses, count) for count in range(len(self.outputs)))
+        entries = tuple(accumulate(prod(shape) for shape in self.outputs))
+        return _Program(len(first), tuple(steps), tuple(results), ends, entries, reader.expands)
 
-    def _check_results(self, program: _Program) -> None:
+    def _first_uses(self, reader: _Reader, results: Sequence[int]) -> list[int]:
+        """By place of a number: that of the first result that needs it; how many if none does."""
+        first = [len(self.outputs)] * len(reader.sizes)
+        entries = iter(results)
+        for count, shape in enumerate(self.outputs):
+            for place in islice(entries, prod(shape)):
+                first[place] = min(first[place], count)
+        for place, what, operands in reversed(reader.steps):
+            for operand in _read(what, operands):
+                first[operand] = min(first[operand], first[place])
+        return first
+
+    def _check_arguments(self, first: Sequence[int]) -> None:
         if len(self.names) != len(self.outputs) or len(self.since) != len(self.inputs):
             raise InputError("results or arguments that are more or fewer than their names")
+        if not all(0 <= since < len(self.outputs) for since in self.since):
+            raise InputError("an argument is of a result that the function does not have")
         if [*self.since] != sorted(self.since):
             raise InputError("an argument is taken later than one behind it")
-        ends = [*accumulate(prod(shape) for shape in self.outputs)]
-        places = [*accumulate((prod(shape) for shape in self.inputs), initial=0)]
-        for count, end in enumerate(ends):
-            given = places[sum(since <= count for since in self.since)]
-            if any(given <= place < places[-1] for place in program.first(end).needed):
-                raise InputError(f"{self.names[count]!r} needs an argument that it does not take")
+        uses = iter(first)
+        for since, shape in zip(self.since, self.inputs, strict=True):
+            used = min(islice(uses, prod(shape)), default=since)
+            if used < since:
+                raise InputError(f"{self.names[used]!r} needs an argument that it does not take")
 
     @property
     def constants(self) -> tuple[str, ...]:
@@ -172,14 +186,17 @@ class _Program:
     """
 
     size: int  # number of all places, those of the inputs among them
+    # in the order of the first results that need them; those that none needs come last
     steps: tuple[tuple[int, Any, tuple[Any, ...]], ...]
-    results: tuple[int, ...]  # places of the results
+    results: tuple[int, ...]  # places of the entries of all results
+    steps_until: tuple[int, ...]  # how many steps give the results up to each
+    entries_until: tuple[int, ...]  # how many entries they have
     expands: bool
 
-    def run(self, inputs: Sequence[Any], lib: Any) -> list[Any]:
-        """The results for these inputs, over the arithmetic `lib`."""
+    def run(self, inputs: Sequence[Any], lib: Any, count: int) -> list[Any]:
+        """Entries of the first `count` results for these inputs, over the arithmetic `lib`."""
         found = [*inputs, *[None] * (self.size - len(inputs))]
-        for place, what, operands in self.steps:
+        for place, what, operands in self.steps[: self.steps_until[count - 1]]:
             if what is None:
                 found[place] = operands[0]
             elif what is operator.pow:
@@ -192,21 +209,7 @@ class _Program:
                 found[place] = abs(found[operands[0]])
             else:
                 found[place] = getattr(lib, what)(*_operands(what, operands, found))
-        return [found[place] for place in self.results]
-
-    def first(self, count: int) -> _Program:
-        """The program of the first results alone."""
-        wanted, steps = set(self.results[:count]), []
-        for step in reversed(self.steps):
-            if step[0] in wanted:
-                wanted.update(_read(*step[1:]))
-                steps.append(step)
-        return replace(self, steps=tuple(reversed(steps)), results=self.results[:count])
-
-    @property
-    def needed(self) -> set[int]:
-        """Places of all numbers that steps or results read."""
-        return {*self.results}.union(*(_read(*step[1:]) for step in self.steps))
+        return [found[place] for place in self.results[: self.entries_until[count - 1]]]
 
 
 def _read(what: Any, operands: Sequence[Any]) -> Sequence[int]:

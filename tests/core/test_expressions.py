@@ -200,5 +200,50 @@ def test_the_first_results_do_without_later_arguments() -> None:
         two((0, 1), "sum").check(exactly=False)
     with pytest.raises(InputError, match="taken later"):
         two((1, 0)).check(exactly=False)
+    for since in ((0, 2), (-1, 0)):
+        with pytest.raises(InputError, match="of a result that the function does not have"):
+            two(since).check(exactly=False)
     with pytest.raises(InputError, match="more or fewer"):
         replace(two((0, 1)), names=("one",)).check(exactly=False)
+
+
+def test_many_results_are_read_in_the_time_of_their_length() -> None:
+    count = 4000
+    function = Function(
+        takes=("a b",),
+        inputs=((2,),),
+        outputs=((),) * count,
+        names=tuple(f"result{k}" for k in range(count)),
+        since=(0,),
+        terms=tuple(f"x{k} = a*b + {k}" for k in range(count)),
+        gives=tuple(f"x{k}" for k in range(count)),
+    )
+    begun = time.process_time()
+    function.check(exactly=False)
+    assert function([2.0, 3.0], lib=FLOATS, outputs=count) == tuple(6.0 + k for k in range(count))
+    assert time.process_time() - begun < 1
+
+
+def test_the_first_results_need_no_work_for_later_ones() -> None:
+    done = []
+
+    class Counted:
+        """A number that notes with what it is multiplied."""
+
+        def __mul__(self, other: Any) -> Counted:
+            done.append(other)
+            return self
+
+    function = Function(
+        takes=("a",),
+        inputs=((1,),),
+        outputs=((), (), ()),
+        names=("last", "first", "again"),
+        since=(0,),
+        terms=("x1 = a*5", "x2 = a*6", "x3 = a*7"),
+        gives=("x3", "x1", "x1*8"),
+    )
+    for count, factors in ((1, [7]), (2, [7, 5]), (3, [7, 5, 8])):
+        done.clear()
+        function([Counted()], lib=FLOATS, outputs=count)
+        assert sorted(done) == sorted(factors)
