@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.core.vectorised import filled, vectorised
 from nonsmooth.runtime.model.loading.growing import JoinedKernel
@@ -371,6 +371,8 @@ class OrbitKernels:
         reduced_residual, reduced_jacobian        of the reduced equations
         period_map, linear_start, compatibility   the map of a turn, and what follows from it
         ========================================  ===========================================
+
+        Raises `InputError` for a quantity that this orbit has not, and for several of two kernels.
         """
         call = self._calls.get(quantities) or self._call_of(quantities)
         if lib is None:
@@ -384,6 +386,12 @@ class OrbitKernels:
     def has(self, quantity: str) -> bool:
         """Whether a kernel of this orbit gives a quantity."""
         return quantity in self._quantities
+
+    @property
+    def of_equations(self) -> tuple[str, ...]:
+        """Quantities at all unknowns; those of the reduced equations are not among them."""
+        known = self._quantities.items()
+        return tuple(name for name, (kernel, _) in known if not kernel.endswith("_reduced"))
 
     @cached_property
     def _quantities(self) -> dict[str, tuple[str, int]]:
@@ -403,8 +411,20 @@ class OrbitKernels:
         return {}
 
     def _call_of(self, quantities: tuple[str, ...]) -> KernelCall:
+        for quantity in quantities:
+            if quantity not in self._quantities:
+                raise unknown_name("quantity", quantity, self._quantities)
         known = [self._quantities[quantity] for quantity in quantities]
-        (kernel,) = {name for name, _ in known}
+        kernel = known[0][0] if known else ""
+        if {name for name, _ in known} != {kernel}:
+            together: dict[str, list[str]] = {}
+            for quantity, (name, _) in self._quantities.items():
+                together.setdefault(name, []).append(quantity)
+            wrong = (
+                f"no kernel gives {' and '.join(quantities)}" if known else "no quantity is named"
+            )
+            groups = "; ".join(map(", ".join, together.values()))
+            raise InputError(f"{wrong}; together there are: {groups}")
         places, system = [place for _, place in known], self.system
         count, total = max(places) + 1, len(system.module.KERNELS[kernel][1])
         source = system.source(kernel)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.core.errors import InputError
+
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
@@ -16,6 +18,13 @@ def evaluate(orbit: Orbit, *quantities: str) -> Any:
     They are arrays of doubles, or nested lists of numbers.
     """
     kernels, values = orbit.kernels, orbit.values
+    for quantity in quantities:
+        if kernels.has(quantity) and quantity not in kernels.of_equations:
+            raise InputError(
+                f"{quantity!r} is of the reduced equations, which `kernels.evaluate` takes at"
+                f" {', '.join(kernels.reduced) or 'no unknowns'}; at all unknowns there are:"
+                f" {', '.join(kernels.of_equations)}"
+            )
     lib = orbit.arithmetic if orbit.precise else None
     parameters = [values[name] for name in kernels.parameter_names]
     unknowns = [values[name] for name in kernels.unknowns]

@@ -294,7 +294,7 @@ class Orbit(Shown):
         ----------
         quantities : str
             One, as "residual" or "jacobian", or several of one kernel; `OrbitKernels.evaluate`
-            lists them.
+            lists them. Those of the reduced equations take other unknowns, and are refused.
 
         Returns
         -------
@@ -304,7 +304,8 @@ class Orbit(Shown):
         Raises
         ------
         InputError
-            If the orbit has no kernels.
+            If the orbit has no kernels, or they give no such quantities together; the message
+            lists those that there are.
         """
         return evaluate(self, *quantities)
 

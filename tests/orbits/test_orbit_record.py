@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
+from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from tests.user_systems import DAMPED, KICKED, declare
 
@@ -89,3 +91,36 @@ def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
         kernels.trajectory()
     with pytest.raises(ns.InputError, match="no kernels"):
         tables.evaluate("jacobian")
+
+
+@pytest.mark.parametrize("name", orbit_names())
+def test_what_is_no_quantity_of_the_equations_is_refused_with_those_that_are(name: str) -> None:
+    orbit = ns.solve(name)
+    kernels = orbit.kernels
+    given = {  # by kernel, from the table itself
+        kernel: [quantity for quantity, _ in outputs]
+        for kernel, (_, outputs) in kernels.system.module.KERNELS.items()
+        if kernel.startswith(kernels.orbit.replace("-", "_")) and "_flow_" not in kernel
+    }
+    reduced = given.pop(f"{kernels.orbit.replace('-', '_')}_reduced")
+    for quantity in chain(*given.values()):
+        assert np.isfinite(np.asarray(orbit.evaluate(quantity), dtype=float)).all()
+    for quantity in reduced:
+        with pytest.raises(ns.InputError, match="is of the reduced equations") as refused:
+            orbit.evaluate(quantity)
+        assert f" at {', '.join(kernels.reduced) or 'no unknowns'};" in str(refused.value)
+        assert str(refused.value).endswith(f": {', '.join(chain(*given.values()))}")
+        values = [orbit.values[unknown] for unknown in kernels.reduced]
+        parameters = [orbit.values[parameter] for parameter in kernels.parameter_names]
+        kernels.evaluate(quantity, at=(parameters, kernels.spectrum(parameters)[0], values))
+    for wrong in ("jacobean", "", "spectrum"):
+        with pytest.raises(ns.InputError, match=r"unknown quantity .*residual, jacobian, "):
+            orbit.evaluate("residual", wrong)
+    one, *others = given.values()
+    for other in others:
+        with pytest.raises(ns.InputError, match=f"gives {one[0]} and {other[0]}; ") as refused:
+            orbit.evaluate(one[0], other[0])
+        assert f"{', '.join(one)}; " in str(refused.value)
+        assert ", ".join(other) in str(refused.value)
+    with pytest.raises(ns.InputError, match=r"no quantity is named; .*residual"):
+        orbit.evaluate()
