@@ -146,6 +146,14 @@ $includes
 
 enum { most_points = 64, most_arrays = $most, on_stack = 4096 };
 
+/* What NumPy is to do with an output: its own flags but NPY_ITER_OVERLAP_ASSUME_ELEMENTWISE, for a
+ * point may be written before it is read as part of another. So memory that is shared with an input
+ * is copied. */
+enum {
+    of_output = NPY_ITER_WRITEONLY | NPY_ITER_UPDATEIFCOPY | NPY_ITER_ALIGNED | NPY_ITER_ALLOCATE |
+                NPY_ITER_NO_BROADCAST | NPY_ITER_NO_SUBTYPE
+};
+
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
 
@@ -292,6 +300,8 @@ static int add_all(PyObject *module)
             0, f->signature);
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
+        for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
+            ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
     }
 $derivations
     return 0;

@@ -68,6 +68,18 @@ def test_one_of_two_results_may_be_the_same_everywhere() -> None:
     np.testing.assert_array_equal(varying, [[5], [6], [7]])
 
 
+@pytest.mark.parametrize("order", [slice(None), slice(None, None, -1), slice(None, None, 2)])
+def test_results_never_lie_in_the_memory_of_arguments(order) -> None:
+    function = vectorised(lambda point, lib: (point, point[0]), [(2,)], [(2,), ()])
+    points = np.random.default_rng(3).normal(size=(6, 2))
+    before = points.copy()
+    state, first = function(points[order])
+    for result in (state, first):
+        assert not np.shares_memory(result, points)
+        result[...] = np.nan
+    np.testing.assert_array_equal(points, before)
+
+
 def test_compiled_kernels_take_and_give_no_arrays_without_entries() -> None:
     def compiled(*arrays):
         return arrays

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
+from itertools import product
 from math import prod
 from pathlib import Path
 from types import ModuleType
@@ -306,6 +307,62 @@ def test_compiled_kernels_broadcast_over_any_strides(system: str, kernel: str) -
     empty = outputs(function(*(a[:0] for a in arrays)))
     for array, shape in zip(empty, shapes[1], strict=True):
         assert array.shape == (0, *shape)
+
+
+def views(array: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """Copies of an array, and arrays of its shape for results in the memory of each."""
+    size = len(array)
+    wide = np.zeros((4, 2 * size, *array.shape[1:]))
+    same, strided, backwards, moved = wide[0, :size], wide[1, ::2], wide[2, :size], wide[3, :size]
+    for copy in (same, strided, backwards, moved):
+        copy[...] = array
+    return {
+        "itself": (same, same),
+        "strided": (strided, strided),
+        "backwards": (backwards, backwards[::-1]),
+        "from the second on": (moved, wide[3, 1 : size + 1]),
+    }
+
+
+def cores(function: np.ufunc) -> list[list[tuple[int, ...]]]:
+    """Shapes of one point's arguments and results."""
+    return [
+        [tuple(int(size) for size in core.split(",") if size) for core in found]
+        for found in (re.findall(r"\((.*?)\)", side) for side in function.signature.split("->"))
+    ]
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_results_may_lie_in_the_memory_of_arguments(system: str) -> None:
+    drawn, seen = np.random.default_rng(1), set()
+    for name, function in vars(extension()).items():
+        if not name.startswith(f"{SYSTEMS[system]}_"):
+            continue
+        taken, given = cores(function)
+        for argument, result in product(range(function.nin), range(function.nout)):
+            core = taken[argument]
+            one_for_all = core != () and core[1:] == given[result]
+            if function.types[0].split("->")[1][result] != "d":
+                continue
+            if core != given[result] and not one_for_all:
+                continue
+            # where all points read one argument its rows are the results of the points
+            points = core[0] if one_for_all else 150
+            arrays = [drawn.uniform(0.5, 1.5, (points, *shape)) for shape in taken]
+            memory = arrays[argument]
+            if one_for_all:
+                memory = memory[0]
+                arrays[argument] = np.broadcast_to(memory, (points, *core))
+            with np.errstate(all="ignore"):
+                wanted = outputs(function(*arrays))[result]
+                for label, (array, out) in views(memory).items():
+                    arrays[argument] = array
+                    where = [out if k == result else None for k in range(function.nout)]
+                    function(*arrays, out=tuple(where))
+                    np.testing.assert_array_equal(out, wanted, f"{name} {label}")
+                    seen.add(one_for_all)
+    assert seen == {True, False}
 
 
 @pytest.mark.compiled
