@@ -11,8 +11,8 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from itertools import chain
 from types import ModuleType
@@ -33,6 +33,7 @@ from nonsmooth.runtime.model.kernels import (
 from nonsmooth.runtime.model.loading.load import Loaded, remember
 
 __all__ = [
+    "SAVED_VERSION",
     "SavedSystem",
     "check_same_system",
     "kernels_of_saved",
@@ -43,6 +44,8 @@ __all__ = [
     "system_in",
 ]
 
+# part of the version of each format whose files hold a system: raised when what it holds changes
+SAVED_VERSION = 1
 _EXACT = ("fields", "rows", "resets")
 _MODES = ("spectrum", "modes")
 _PRODUCT = re.compile(r"1|[^\W\d]\w*(\*\*\d{1,3})?(\*[^\W\d]\w*(\*\*\d{1,3})?)*")
@@ -330,19 +333,22 @@ def _check(saved: SavedSystem) -> None:
             if not _PRODUCT.fullmatch(text):
                 raise InputError(f"{text[:60]!r} is no product of parameters")
     wanted = {*_EXACT} if table.modes is None else {*_EXACT, *_MODES}
-    orbits = tuple(f"{name}_".replace("-", "_") for name in saved.orbits)
+    own = dict(chain.from_iterable(_orbit_shapes(saved, name) for name in saved.orbits))
     for name, function in functions.items():
-        own = name.startswith((*orbits, "flow_")) if orbits else False
-        if name.startswith("_") or not (own or name in {*wanted, "spectrum"}):
+        if name not in {*wanted, *own, "spectrum"}:
             raise InputError(f"{name[:60]!r} is no function of a system")
         try:
             function.check(exactly=name in _EXACT)
         except InputError as problem:
             raise InputError(f"{name}: {problem}") from None
+    if own:
+        wanted |= {"spectrum", *(name for name, shapes in own.items() if shapes.needed)}
     if missing := wanted - {*functions}:
         raise InputError(f"{min(missing)!r} is missing among the functions")
     for name in _EXACT:
-        _shapes(functions, name, [(len(names),)], [(None, size + 1)])
+        _check_shapes(functions, name, _Shapes([(len(names),)], {name: (None, size + 1)}))
+    for name in own.keys() & functions.keys():
+        _check_shapes(functions, name, own[name])
     rows = functions["rows"].outputs[0][0]
     resets, rest = divmod(functions["resets"].outputs[0][0], size)
     if rest or functions["fields"].outputs[0][0] != size * len(places):
@@ -350,21 +356,18 @@ def _check(saved: SavedSystem) -> None:
     if "spectrum" in functions:
         given, found = len(table.spectrum_parameters), len(table.spectrum)
         _known("parameter", table.spectrum_parameters, names)
-        _shapes(functions, "spectrum", [(given,)], [(found,), (found, given)])
+        results = {"spectrum": (found,), "spectrum_derivatives": (found, given)}
+        _check_shapes(functions, "spectrum", _Shapes([(given,)], results))
     if table.modes is not None:
         _same_keys("modes", table.modes, table.configurations)
         modes = [mode for name in table.configurations for mode in table.modes[name]]
         if not all(0 < mode.length <= _LONGEST_MODE for mode in modes):
             raise InputError("a mode of no possible length")
         count = sum(mode.length * (1 + mode.oscillates) for mode in modes)
-        shapes = [(len(modes), 2), (count * size, size + 1)]
-        _shapes(functions, "modes", [(len(names),), (len(table.spectrum),)], shapes)
+        results = {"exponents": (len(modes), 2), "coefficients": (count * size, size + 1)}
+        taken = [(len(names),), (len(table.spectrum),)]
+        _check_shapes(functions, "modes", _Shapes(taken, results))
     _check_table(table, rows, resets)
-    for name, orbit in saved.orbits.items():
-        for configuration, boundary, dwell in orbit["phases"]:
-            _known("configuration", [configuration], table.configurations)
-            if not isinstance(boundary, str) or not isinstance(dwell, str):
-                raise InputError(f"a phase of {name} is not in order")
 
 
 def _check_table(table: TableEntries, rows: int, resets: int) -> None:
@@ -417,26 +420,106 @@ def _check_law(law: LawEntries, table: TableEntries) -> None:
     _indices("contact", chain(*law.idle.values()), count)
 
 
-def _shapes(
-    functions: Mapping[str, Function],
-    name: str,
-    inputs: Sequence[tuple[int, ...]],
-    outputs: Sequence[tuple[int | None, ...]],
-) -> None:
-    """Refuse a function with other shapes than these; None stands for any size above 0.
+_Shape = tuple[int | None, ...]
 
-    Each of its results takes all arguments.
-    """
-    found = functions[name]
-    fits = list(found.inputs) == list(inputs) and len(found.outputs) == len(outputs)
-    fits = fits and not any(found.since)
-    for shape, wanted in zip(found.outputs, outputs, strict=False):
-        fits = fits and len(shape) == len(wanted)
+
+@dataclass(frozen=True)
+class _Shapes:
+    """Shapes of a function's arguments and results; None stands for any size above 0."""
+
+    inputs: Sequence[tuple[int, ...]]
+    outputs: Mapping[str, _Shape]
+    last_since: int = 0  # place of the first result that takes the last argument
+    needed: bool = False  # by an orbit
+
+
+def _orbit_shapes(saved: SavedSystem, name: str) -> Iterator[tuple[str, _Shapes]]:
+    """Names of the functions that an orbit may have, with their shapes."""
+    table, orbit = saved.table, saved.orbits[name]
+    configurations = [configuration for configuration, _, _ in orbit["phases"]]
+    _known("configuration", configurations, table.configurations)
+    if not all(isinstance(text, str) for text in chain.from_iterable(orbit["phases"])):
+        raise InputError(f"a phase of {name} is not in order")
+    if not orbit["derived"]:
+        return
+    prefix = f"{name}_".replace("-", "_")
+    given, unknowns, reduced, section, size = (
+        len(orbit[entry]) for entry in ("parameters", "unknowns", "reduced", "section", "states")
+    )
+    spectrum, phases, boundaries = len(table.spectrum), len(configurations), orbit["boundaries"]
+    known = [(given,), (spectrum,)]
+    point = [*known, (unknowns,)]
+    moved = [*point, (spectrum, len(table.spectrum_parameters))]
+    along: dict[str, _Shape] = {
+        "fields": (phases * size, size + 1),
+        "ends": (phases, size),
+        "boundaries": (len(boundaries), size + 1),
+    }
+    if (terms := orbit["terms"]) is not None:
+        amplitudes = sum(2 + 2 * terms[boundary[0]] for boundary in boundaries)
+        along = {"coefficients": (amplitudes,), "frequencies": (sum(terms),)}
+    left: dict[str, _Shape] = {
+        "determinants": (None,),
+        "reduced_residual": (reduced,),
+        "reduced_jacobian": (reduced, reduced),
+    }
+    own = saved.functions.get(f"{prefix}reduced")
+    if own is not None and "determinants" not in own.names:
+        del left["determinants"]
+    if not reduced:
+        del left["reduced_residual"], left["reduced_jacobian"]
+    kernels = {
+        "equations": _Shapes(
+            moved,
+            {
+                "residual": (unknowns,),
+                "jacobian": (unknowns, unknowns),
+                "parameter_jacobian": (unknowns, given),
+            },
+            2,
+        ),
+        "trace": _Shapes(moved, {"trace": (), "trace_gradient": (unknowns + given,)}, 1),
+        "passage": _Shapes(point, {"states": (phases + 1, size), **along}),
+        "linearisation": _Shapes(
+            point,
+            {
+                "poincare_jacobian": (section, section),
+                "saltations": (phases * size, size),
+                "monodromy": (size, size),
+            },
+        ),
+        "reduced": _Shapes(
+            [*known, *([(reduced,)] if reduced else [])], {"unknowns": (unknowns,), **left}
+        ),
+    }
+    yield from ((prefix + kind, replace(shapes, needed=True)) for kind, shapes in kernels.items())
+    turn: dict[str, _Shape] = {
+        "period_map": (size, size + 1),
+        "linear_start": (None,),
+        "compatibility": (None,),
+    }
+    yield f"{prefix}period_map", _Shapes(point, turn)
+    for configuration in configurations:
+        flow = f"flow_{configuration}".replace("-", "_")
+        yield prefix + flow, _Shapes([*known, (), (size,)], {"state_after": (size,)})
+        every, states = (len(table.parameters),), (len(table.states),)
+        yield flow, _Shapes([every, (spectrum,), (), states], {"state_after": states})
+
+
+def _check_shapes(functions: Mapping[str, Function], name: str, shapes: _Shapes) -> None:
+    """Refuse a function with arguments or results of other names or shapes than these."""
+    found, wanted = functions[name], shapes.outputs
+    since = [0] * len(shapes.inputs)
+    since[-1] = shapes.last_since
+    fits = [*found.inputs] == [*shapes.inputs] and [*found.since] == since
+    fits = fits and [*found.names] == [*wanted]
+    for shape, known in zip(found.outputs, wanted.values(), strict=False):
+        fits = fits and len(shape) == len(known)
         fits = fits and all(
-            n > 0 if w is None else n == w for n, w in zip(shape, wanted, strict=False)
+            n > 0 if k is None else n == k for n, k in zip(shape, known, strict=False)
         )
     if not fits:
-        raise InputError(f"{name!r} is not of the system's size")
+        raise InputError(f"what {name!r} takes or gives is not of the system's names and sizes")
 
 
 def _once(kind: str, names: Sequence[str]) -> None:

@@ -12,6 +12,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals
 
@@ -32,7 +33,7 @@ __all__ = [
 ]
 
 FORMAT = "nonsmooth certificate"
-VERSION = 3
+VERSION = 3 + SAVED_VERSION
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")

@@ -238,6 +238,23 @@ def test_a_forged_name_runs_nothing(name: str, folder: Path) -> None:
         assert found.exit_code == 2
 
 
+@pytest.mark.parametrize("name", [name for name in MAKE if name.endswith(".json")])
+def test_a_file_of_an_older_version_is_refused(name: str, folder: Path) -> None:
+    """So is one that holds an orbit's file of an older version."""
+    old, count = folder / "old.json", len(_with("version", content(folder / name)))
+    for k in range(count):
+        changed = content(folder / name)
+        entry = _with("version", changed)[k]
+        entry["version"] -= 1
+        for part in _with("sha256", changed):
+            part["sha256"] = checksum_of(part)
+        old.write_text(json.dumps(changed))
+        known = rf"version {entry['version']} of the format, where {entry['version'] + 1} is known"
+        with pytest.raises(InputError, match=f"{known}: use the release that wrote it"):
+            ns.load(old)
+    assert count
+
+
 def _with(name: str, entries: Any) -> list[dict[str, Any]]:
     """The objects that have an entry, those inside others first."""
     parts = entries.values() if isinstance(entries, dict) else entries
@@ -250,7 +267,11 @@ def resealed(content: dict[str, Any], change: Callable[[dict[str, Any]], None]) 
     found = json.loads(json.dumps(content))
     change(found["tables"])
     with suppress(InputError):
-        found["system"] = decode(SavedSystem, found["tables"]).name
+        name = decode(SavedSystem, found["tables"]).name
+        if "system" in found:
+            found["system"] = name
+        else:  # an orbit with kernels of its own
+            found["orbit"] = f"{name}:{found['orbit'].rpartition(':')[2]}"
     return {**found, "sha256": checksum_of(found)}
 
 
@@ -326,6 +347,72 @@ def test_data_that_are_not_in_order_are_refused_at_small_cost(where: str, folder
         assert str(refused.value).startswith(str(wrong)), entry
         assert "\n" not in str(refused.value)
         assert time.process_time() - begun < 1
+
+
+@pytest.fixture(scope="module")
+def kicked(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """The file of an orbit with kernels of its own."""
+    folder = tmp_path_factory.mktemp("kicked")
+    ns.solve(f"{declare(folder)}:loop").save(folder / "kicked.json")
+    return content(folder / "kicked.json")
+
+
+def misnamed(function: dict[str, Any]) -> None:
+    function["names"][-1] += "s"
+
+
+def exchanged(function: dict[str, Any]) -> None:
+    function["names"][:2] = function["names"][1::-1]
+
+
+def longer(function: dict[str, Any]) -> None:
+    """One more number of the last argument, which nothing needs."""
+    function["inputs"][-1] = [len(function["takes"][-1].split()) + 1]
+    function["takes"][-1] += " more"
+
+
+def higher(function: dict[str, Any]) -> None:
+    """One more entry of the last result."""
+    shape = function["outputs"][-1]
+    function["gives"].append(", ".join("0" * shape[-1]) if len(shape) == 2 else "0")
+    if len(shape) == 2:
+        shape[0] += 1
+    else:
+        function["outputs"][-1] = [shape[0] + 1] if shape else [2]
+        function["gives"][-2:] = [", ".join(function["gives"][-2:])]
+
+
+def sooner(function: dict[str, Any]) -> None:
+    function["since"] = [0] * len(function["since"])
+
+
+@pytest.mark.parametrize("change", [misnamed, exchanged, longer, higher, sooner])
+def test_functions_of_an_orbit_have_the_names_and_shapes_of_its_table(
+    change: Callable[[dict[str, Any]], None], kicked: dict[str, Any], folder: Path
+) -> None:
+    wrong, seen = folder / "wrong.json", 0
+    functions = kicked["tables"]["functions"]
+    assert {"loop_equations", "loop_trace", "loop_passage", "loop_reduced"} <= functions.keys()
+    for name in functions.keys() - {"fields", "rows", "resets"}:
+        changed = json.loads(json.dumps(functions[name]))
+        change(changed)
+        if changed == functions[name]:
+            continue
+        wrong.write_text(json.dumps(resealed(kicked, put(f"functions/{name}", changed))))
+        with pytest.raises(InputError, match=f"what '{name}' takes or gives is not of"):
+            ns.load(wrong)
+        seen += 1
+    assert seen > 1
+
+
+@pytest.mark.parametrize("name", ["loop_equations", "loop_reduced", "spectrum"])
+def test_a_function_that_an_orbit_needs_is_missed(
+    name: str, kicked: dict[str, Any], folder: Path
+) -> None:
+    less = resealed(kicked, lambda tables: tables["functions"].pop(name))
+    (folder / "wrong.json").write_text(json.dumps(less))
+    with pytest.raises(InputError, match=f"'{name}' is missing among the functions"):
+        ns.load(folder / "wrong.json")
 
 
 def test_a_system_comes_back_to_the_last_bit(folder: Path) -> None:

@@ -31,6 +31,7 @@ from nonsmooth.runtime.core.files import PARTIAL, fill_file, read_file, unwritab
 from nonsmooth.runtime.core.result_files import checksum_of, parsed
 from nonsmooth.runtime.explore.charting.grid import BLOCK, Axis, Grid, axis_of
 from nonsmooth.runtime.explore.charting.problem import ChartProblem, Variable
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
 __all__ = [
     "ATTRIBUTE",
@@ -45,7 +46,7 @@ __all__ = [
     "write_chunk",
 ]
 
-ATTRIBUTE, FORMAT = "nonsmooth", "nonsmooth chart 3"
+ATTRIBUTE, FORMAT = "nonsmooth", f"nonsmooth chart {3 + SAVED_VERSION}"
 _METADATA = "zarr.json"
 _LARGEST = 50_000_000  # bytes of metadata
 _CRC = 4  # bytes behind the content

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 from nonsmooth.runtime.core.result_files import FileFormat
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 from nonsmooth.runtime.present.files.certified_branches import (
     CertifiedBranchEntries,
     certified_branch_entries,
@@ -67,6 +68,7 @@ CASCADE = FileFormat(
     name="nonsmooth certified cascade",
     what="certified cascade",
     entries=CertifiedCascadeEntries,
+    version=1 + SAVED_VERSION,
 )
 
 

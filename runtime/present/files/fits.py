@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.valid_json import nan_as_null
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.model.kernels import known_system
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 
 __all__ = ["fit_json", "load_fit", "save_fit"]
 
@@ -26,7 +26,9 @@ class FitEntries(Fit):
     tables: SavedSystem | None
 
 
-_FIT = FileFormat(name="nonsmooth fit", what="saved fit", entries=FitEntries)
+_FIT = FileFormat(
+    name="nonsmooth fit", what="saved fit", entries=FitEntries, version=1 + SAVED_VERSION
+)
 
 
 def save_fit(fit: Fit, path: str | os.PathLike[str]) -> None:

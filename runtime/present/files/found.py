@@ -21,7 +21,7 @@ from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria, sa
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import known_orbit
 from nonsmooth.runtime.present.files.table_orbits import check_solves
@@ -127,7 +127,7 @@ FOUND = FileFormat(
     name="nonsmooth found orbits",
     what="file of found orbits",
     entries=FoundEntries,
-    version=4,
+    version=4 + SAVED_VERSION,
     most=200_000_000,
 )
 

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import check_relations, follow
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, orbit_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, orbit_in
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.orbit_numbers import (
@@ -53,7 +53,7 @@ KERNEL_ORBIT = FileFormat(
     name="nonsmooth orbit",
     what="saved orbit",
     entries=KernelOrbitEntries,
-    version=2,
+    version=2 + SAVED_VERSION,
     most=50_000_000,
 )
 _SLACK = 100  # times the residual that the stated digits allow

@@ -32,7 +32,7 @@ from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -65,7 +65,10 @@ class MotionHeader:
 
 
 MOTION = FileFormat(
-    name="nonsmooth trajectory", what="saved motion", entries=MotionHeader, version=3
+    name="nonsmooth trajectory",
+    what="saved motion",
+    entries=MotionHeader,
+    version=3 + SAVED_VERSION,
 )
 
 

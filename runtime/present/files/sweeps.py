@@ -9,7 +9,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.model.kernels import known_system
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 
 __all__ = ["load_sweep", "save_sweep"]
 
@@ -21,7 +21,9 @@ class SweepEntries(Sweep):
     tables: SavedSystem | None
 
 
-_SWEEP = FileFormat(name="nonsmooth sweep", what="saved sweep", entries=SweepEntries, version=2)
+_SWEEP = FileFormat(
+    name="nonsmooth sweep", what="saved sweep", entries=SweepEntries, version=2 + SAVED_VERSION
+)
 
 
 def save_sweep(diagram: Sweep, path: str | os.PathLike[str]) -> None:

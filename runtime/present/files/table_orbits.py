@@ -19,7 +19,7 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes_at
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
@@ -71,7 +71,7 @@ TABLE_ORBIT = FileFormat(
     name="nonsmooth composed orbit",
     what="saved orbit",
     entries=TableOrbitEntries,
-    version=2,
+    version=2 + SAVED_VERSION,
     most=50_000_000,
 )
 _SLACK = 100  # times the error that the stated digits allow

@@ -1,0 +1,91 @@
+"""A format of files whose content changes has another version."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass
+from hashlib import sha256
+from importlib import import_module
+from types import UnionType
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
+
+import pytest
+
+from nonsmooth.runtime.core.result_files import FileFormat
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.explore.charting.store import FORMAT
+from nonsmooth.runtime.model.saved_orbit import HeldOrbit
+from nonsmooth.runtime.present.files.loading import READERS
+
+# by format: the version, and a hash of the names and types of all entries. A test that fails
+# here asks for a higher version of the format, or of what all files hold of a system
+KNOWN = {
+    "nonsmooth basin certificate": (4, "94d2816c0887"),
+    "nonsmooth box certificate": (6, "9a29ce8ea32e"),
+    "nonsmooth branch": (3, "0ecfb9e49f1a"),
+    "nonsmooth census": (4, "e7dc97ad2fd4"),
+    "nonsmooth certificate": (4, "e8f68e264464"),
+    "nonsmooth certified branch": (4, "e710bf3ffbf5"),
+    "nonsmooth certified cascade": (2, "c4d7a533e3f1"),
+    "nonsmooth chaos certificate": (4, "da5ba7744476"),
+    "nonsmooth composed orbit": (3, "596388c9b299"),
+    "nonsmooth design": (1, "21fd4ff587b1"),
+    "nonsmooth event certificate": (4, "17039143ba04"),
+    "nonsmooth fit": (2, "618a46e431b0"),
+    "nonsmooth found orbits": (5, "6de3d0acac4a"),
+    "nonsmooth graph certificate": (4, "38c80f667b84"),
+    "nonsmooth locus": (2, "bbf34a2ff48e"),
+    "nonsmooth orbit": (3, "caf34d3f2b34"),
+    "nonsmooth sweep": (3, "4377ef58bf3b"),
+    "nonsmooth trajectory": (4, "66b47a0db14b"),
+}
+CHART = ("nonsmooth chart 4", "2815ae59b2b9")
+
+
+def entries_of(kind: Any) -> str:
+    """Names and types of all entries of a record, of those in it too, as one text."""
+    if isinstance(kind, type) and is_dataclass(kind) and kind is not Value:
+        hints = get_type_hints(kind, localns={"Callable": Callable}, include_extras=True)
+        known = {field.name for field in fields(kind)}
+        return f"{{{', '.join(f'{n}: {entries_of(h)}' for n, h in hints.items() if n in known)}}}"
+    arguments = get_args(kind)
+    if get_origin(kind) is Annotated:
+        return entries_of(arguments[0])
+    if get_origin(kind) in (Union, UnionType):
+        return " | ".join(map(entries_of, arguments))
+    if arguments:
+        return f"{name_of(get_origin(kind))}[{', '.join(map(entries_of, arguments))}]"
+    return name_of(kind)
+
+
+def digest(record: type) -> str:
+    return sha256(entries_of(record).encode()).hexdigest()[:12]
+
+
+def name_of(kind: Any) -> str:
+    return kind.__name__ if isinstance(kind, type) else str(kind).rpartition(".")[2]
+
+
+def formats() -> dict[str, FileFormat[Any]]:
+    modules = {reader.partition(":")[0] for reader in READERS.values()} | {"motions"}
+    found = [
+        entry
+        for module in modules
+        for entry in vars(import_module(f"nonsmooth.runtime.present.files.{module}")).values()
+        if isinstance(entry, FileFormat)
+    ]
+    return {entry.name: entry for entry in found}
+
+
+def test_every_format_is_known() -> None:
+    assert formats().keys() == {*READERS, "nonsmooth trajectory"} == KNOWN.keys()
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_a_format_of_other_entries_has_another_version(name: str) -> None:
+    found = formats()[name]
+    assert (found.version, digest(found.entries)) == KNOWN[name], entries_of(found.entries)
+
+
+def test_charts_hold_orbits_of_their_version() -> None:
+    assert (FORMAT, digest(HeldOrbit)) == CHART, entries_of(HeldOrbit)
