@@ -8,7 +8,8 @@ import numpy
 from setuptools import Extension, find_packages, setup
 from setuptools.command.build_ext import build_ext
 
-# No contraction into fused multiply-adds: every build gives the same bits.
+# No contraction into fused multiply-adds: every build gives the same bits. No traps: loops that
+# choose between two results use vectors.
 FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
 FLAGS += ["-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]  # no macro says that the first is given
 FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct

@@ -128,6 +128,16 @@ def check_global_stick(written: str) -> None:
     assert lines[8:] == ["admissible 1"]
 
 
+def test_the_page_builds_with_the_flags_of_the_package() -> None:
+    setup = (CHECKOUT / "setup.py").read_text(encoding="utf-8")
+    flags = {*re.findall(r'"(-[OfD][^"]*)"', setup)} - {"-fvisibility=hidden"}  # of shared ones
+    given = CELLS["CMakeLists.txt"].replace(")", " ").split()
+    assert len(flags) > 5
+    assert {flag.removeprefix("-D") for flag in flags} <= {*given}
+    (plain,) = re.findall(r"^!cc (.*)$", PAGE, re.MULTILINE)
+    assert "-fno-trapping-math" in plain.split()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("tool", [t for t in ("cc", "cmake") if shutil.which(t)])
 def test_the_commands_of_the_page_build_its_program(tool: str, tmp_path: Path) -> None:

@@ -18,7 +18,8 @@ from nonsmooth.runtime.model.loading.extensions import extension_in
 
 __all__ = ["compile_files", "compiler"]
 
-# No contraction into fused multiply-adds: every build gives the same bits.
+# No contraction into fused multiply-adds: every build gives the same bits. No traps: loops that
+# choose between two results use vectors.
 _FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
 _FLAGS += ["-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]  # no macro says that the first is given
 _FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
