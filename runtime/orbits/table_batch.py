@@ -87,7 +87,7 @@ class TableBatch:
         sound = np.isfinite(np.concatenate([points, dwell], axis=1)).all(axis=1)
         if start is not None:
             sound &= np.isfinite(start).all(axis=1)
-        for group in numbers_at(self.system, points, cycle.configurations):
+        for group in numbers_at(self.system, points, cycle.configurations) if count else ():
             here = cycle.at(group.structure)
             kept = sound[group.places] & finite_at(here, group.flat)
             rows, flat = group.places[kept], group.flat[kept]
