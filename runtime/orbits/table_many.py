@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
@@ -39,7 +40,7 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
 )
 
-__all__ = ["solve_itineraries"]
+__all__ = ["section_of", "solve_itineraries"]
 
 CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
 
@@ -85,15 +86,8 @@ def solve_itineraries(
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
     count = len(guess)
 
-    driven = mechanical_states(cycle)
     moving = _translates(kernels, points)
-    if moving:
-        first, rank = 0, size if driven is None else len(driven)
-        dimension = rank
-    elif driven is None:
-        first, rank, dimension = _smallest_section(cycle, kernels, points, guess, begin_at)
-    else:
-        first, rank, dimension = 0, len(driven), len(driven)
+    first, rank, dimension = section_of(cycle, kernels, points, guess, begin_at, moving=moving)
     batch = TableBatch(kernels, cycle, first, moving)
     parts = [slice(begin, begin + CHUNK) for begin in range(0, max(count, 1), CHUNK)]
 
@@ -109,7 +103,9 @@ def solve_itineraries(
     columns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
     values = None
     if multipliers:
-        values = _multipliers(found.maps, rank, dimension).reshape(*shape, dimension)
+        sorted_values = eigenvalues(found.maps)[:, :dimension]
+        sorted_values[:, rank:] *= 0  # NaN stays NaN
+        values = sorted_values.reshape(*shape, dimension)
     return Orbits(
         problem,
         {name: parameter_array(name, value) for name, value in parameters.items()},
@@ -155,18 +151,28 @@ def _spread(
         raise InputError(f"{name}: {array.shape} does not broadcast to {shape}") from None
 
 
-def _smallest_section(
+def section_of(
     cycle: ItineraryShape,
     kernels: SystemKernels,
     points: np.ndarray,
     dwell: np.ndarray,
     start: np.ndarray | None,
+    *,
+    moving: bool = False,
 ) -> tuple[int, int, int]:
-    """Return the phase that starts on the smallest section, its dimension, and the first's.
+    """Return the phase from which orbits are composed, and how many multipliers may not be zero.
 
-    They are a matter of structure: one point tells them for all.
+    The third number is how many multipliers there are, without those of a forcing. The phase
+    is the one that starts on the smallest section, or the first one of forced orbits and of
+    orbits that close up to translations (`moving`). All are a matter of structure: one point
+    tells them.
     """
+    driven = mechanical_states(cycle)
+    if driven is not None:
+        return 0, len(driven), len(driven)
     size = len(cycle.structure.states)
+    if moving:
+        return 0, size, size
     for place in range(min(len(dwell), CHUNK)):
         part = slice(place, place + 1)
         (group,) = numbers_at(kernels, points[part], cycle.configurations)
@@ -190,18 +196,3 @@ def _smallest_section(
 def _first(numbers: Numbers) -> Any:
     for part in numbers:
         yield tuple(p[0] for p in part) if isinstance(part, tuple) else part[0]
-
-
-def _multipliers(maps: np.ndarray, rank: int, dimension: int) -> np.ndarray:
-    """Return the `rank` largest eigenvalues of each map (n, k, k), then zeros up to `dimension`.
-
-    Those of a map that is not finite are NaN.
-    """
-    found = np.full((len(maps), dimension), np.nan, dtype=complex)
-    sound = np.isfinite(maps).all(axis=(-2, -1))
-    values = np.linalg.eigvals(maps[sound])
-    order = np.argsort(-np.abs(values), axis=-1, kind="stable")
-    values = np.take_along_axis(values, order, axis=-1)[:, :dimension].astype(complex)
-    values[:, rank:] = 0
-    found[sound] = values
-    return found

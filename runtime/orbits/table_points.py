@@ -10,6 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.matrices import sorted_by_size
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.structure import structure_of
@@ -18,18 +19,10 @@ from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.orbits.table_batch import TableBatch
-from nonsmooth.runtime.shooting.multipliers import ROUNDING
+from nonsmooth.runtime.orbits.table_many import section_of
+from nonsmooth.runtime.shooting.multipliers import ROUNDING, pair_margins
 from nonsmooth.runtime.shooting.newton import LEAST
-from nonsmooth.runtime.shooting.section_map import (
-    local_maps,
-    mechanical_states,
-    smallest_section,
-)
-from nonsmooth.runtime.shooting.shooting_map import (
-    ItineraryShape,
-    itinerary_shape,
-    numbers_in,
-)
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.table_newton import sizes
 
 __all__ = ["TablePoints"]
@@ -140,18 +133,11 @@ class TablePoints:
         return itinerary_shape(structure_of(self.kernels.system), phases)
 
     @cached_property
-    def _section(self) -> tuple[int, int]:
-        """The phase from which orbits are composed, and how many multipliers are not zero.
-
-        They are the reference's, and so the same wherever a point is computed.
-        """
-        driven = mechanical_states(self._cycle)
-        if driven is not None:
-            return 0, len(driven)
-        reference = self.reference
-        numbers, now = numbers_in(reference.tables.piecewise), reference.tables.shooting
-        maps = local_maps(reference.tables.cycle, numbers, now)
-        return smallest_section(maps, sizes(now, reference.dwell_times))
+    def _section(self) -> tuple[int, int, int]:
+        """The section that `section_of` finds at the reference, wherever a point is computed."""
+        point = np.array([[float(value) for value in self.reference.parameters.values()]])
+        dwell, start = self.reference.dwell_times[None], self.reference.states[:1]
+        return section_of(self._cycle, self.kernels.system, point, dwell, start)
 
     @cached_property
     def _own_start(self) -> np.ndarray:
@@ -175,8 +161,7 @@ class TablePoints:
 
 def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
     """Return margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
-    order = np.argsort(-np.abs(values), axis=-1, kind="stable")
-    values = np.take_along_axis(values, order, axis=-1)
+    values = sorted_by_size(values)
     trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]
     rest = np.abs(values)
     np.put_along_axis(rest, trivial, 0.0, axis=-1)
@@ -186,6 +171,4 @@ def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndar
         return np.asarray(margin)
     # of a reciprocal pair beside the 1 the sum keeps the digits
     pair = np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST)
-    half = np.abs(trace - 1) / 2
-    root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
-    return np.where(pair, np.where(half <= 1, 0.0, 1 - (half + root)), margin)
+    return np.where(pair, pair_margins(trace), margin)
