@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-__all__ = ["eigenvalues", "exponentials", "sorted_by_size"]
+__all__ = ["eigenvalues", "exponentials", "inverses", "sorted_by_size"]
 
 _LARGEST = 1e6  # norm of an exponent
 _NORM, _DEGREE = 0.5, 15  # the series' rest is below 0.5^16 / 16! = 7e-19
@@ -49,6 +49,17 @@ def eigenvalues(matrices: np.ndarray) -> np.ndarray:
     sound = np.isfinite(matrices).all(axis=(-2, -1))
     found[sound] = np.linalg.eigvals(matrices[sound])
     return sorted_by_size(found)
+
+
+def inverses(matrices: np.ndarray) -> np.ndarray:
+    """Inverses (k, n, n) of real or complex matrices; NaN where one is singular to the last bit."""
+    try:
+        return np.asarray(np.linalg.inv(matrices))
+    except np.linalg.LinAlgError:
+        sound = np.abs(np.linalg.det(matrices)) > 0
+        found = np.full_like(matrices, np.nan)
+        found[sound] = np.linalg.inv(matrices[sound])
+        return found
 
 
 def sorted_by_size(values: np.ndarray) -> np.ndarray:

@@ -6,8 +6,12 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from typing import TypeVar
 
 __all__ = ["check_called_off", "in_parallel", "thread_pool"]
+
+Part = TypeVar("Part")
+Result = TypeVar("Result")
 
 _here = threading.local()  # `ends`: events that call off the work of this thread
 
@@ -31,17 +35,17 @@ def thread_pool(threads: int | None) -> Iterator[ThreadPoolExecutor]:
     pool.shutdown()
 
 
-def in_parallel(work: Callable[[int], object], parts: Sequence[int], threads: int | None) -> None:
-    """Call `work` for each part, in threads where that pays.
+def in_parallel(
+    work: Callable[[Part], Result], parts: Sequence[Part], threads: int | None
+) -> list[Result]:
+    """Return what `work` gives for each part, in their order; in threads where that pays.
 
-    It stores its results itself. Python chooses the number of threads if it is None.
+    Python chooses the number of threads if it is None.
     """
     if threads == 1 or len(parts) < 2:
-        for part in parts:
-            work(part)
-        return
+        return [work(part) for part in parts]
     with thread_pool(threads) as pool:
-        list(pool.map(work, parts))
+        return list(pool.map(work, parts))
 
 
 def _begin(ends: tuple[threading.Event, ...]) -> None:

@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.complex_steps import (
     stepped,
 )
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.orbits.directions import Directions, solve_linear
+from nonsmooth.runtime.orbits.directions import Directions, check_reasons, solve_linear
 from nonsmooth.runtime.orbits.kernel_values import evaluate
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
@@ -64,13 +64,14 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     parts = evaluate(orbit, "jacobian", "parameter_jacobian")
     jacobian = np.concatenate([np.array(part, dtype=kind) for part in parts], axis=1)
     places = [names.index(name) for name in orbit.unknowns]
-    right = -jacobian[:, [names.index(name) for name in by]].T
+    right = -jacobian[:, [names.index(name) for name in by]]
     values = np.array([float(orbit.values[name]) for name in names])
     rows, sizes = natural_scales(jacobian, values)
     scaled = jacobian[:, places] * sizes[places] / rows[:, None]
-    found = solve_linear(scaled, right / rows, np.zeros(len(by)), by, orbit.name, lib)
-    found = found * sizes[places]
-    rates = dict(zip(orbit.unknowns, found.T, strict=True))
+    right = right / rows[:, None]
+    found, reasons = solve_linear(scaled[None], right[None], np.zeros((1, len(by))), lib)
+    check_reasons(reasons[0], by, orbit.name)
+    rates = dict(zip(orbit.unknowns, found[0] * sizes[places, None], strict=True))
     number = float if lib is None else lib.mp.mpf
     unit = np.vectorize(number, otypes=[kind])(np.eye(len(by), dtype=int)).reshape(len(by), -1)
     rates |= dict(zip(by, unit, strict=True))

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.threads import thread_pool
+from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, compiled_for
 from nonsmooth.runtime.model.parameter_batches import complete_arrays
 from nonsmooth.runtime.model.parameters import constrained, in_domains
@@ -99,12 +99,7 @@ def _solve_arrays(
         columns = [column if column.size == 1 else column[part] for column in every]
         _fill(kernels, columns, None if flat is None else flat[part], results, part)
 
-    if count > chunk and threads != 1:
-        with thread_pool(threads) as pool:
-            list(pool.map(work, _parts(count, chunk)))
-    else:
-        for part in _parts(count, chunk):
-            work(part)
+    in_parallel(work, list(_parts(count, chunk)), threads)
     return results.shaped(kernels, arrays, shape)
 
 

@@ -16,7 +16,7 @@ from nonsmooth.runtime.orbits.kernel_equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_many import solve_from
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
-from nonsmooth.runtime.shooting.multipliers import ROUNDING
+from nonsmooth.runtime.shooting.multipliers import ROUNDING, pair_margins
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 __all__ = ["KernelPoints"]
@@ -129,9 +129,7 @@ def _margins(
     if table["rank"] == 1:
         return np.zeros_like(trace) if table["conservative"] else np.asarray(1 - np.abs(trace))
     if table["conservative"] and len(table["section"]) == 3:
-        half = np.abs(trace - 1) / 2
-        root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
-        return np.where(half <= 1, 0.0, 1 - (half + root))
+        return pair_margins(trace)
     spectrum, _ = kernels.spectrum(points)
     matrices = kernels.evaluate("poincare_jacobian", at=(points, spectrum, unknowns))
     found = np.full(len(points), np.nan)

@@ -11,11 +11,9 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.directions import solve_linear
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.table_directions_many import (
-    solve_linear_many,
-    table_directions_many,
-)
+from nonsmooth.runtime.orbits.table_directions_many import table_directions_many
 from nonsmooth.runtime.shooting.multiplier_derivatives import (
     MapDerivatives,
     many_multiplier_derivatives,
@@ -110,7 +108,7 @@ def _on_numpy(
         jacobian, changes = kernels.evaluate("jacobian", "parameter_jacobian", at=at)
         gradient = kernels.evaluate("trace_gradient", at=at)
     size = unknowns.shape[1]
-    found[:, :size], _ = solve_linear_many(jacobian, -changes, np.zeros(points.shape))
+    found[:, :size], _ = solve_linear(jacobian, -changes, np.zeros(points.shape))
     found[:, size] = gradient[:, size:]
     found[:, size] += np.einsum("kn,knq->kq", gradient[:, :size], found[:, :size])
 

@@ -263,7 +263,7 @@ class OrbitMotionDerivatives:
         """Return whether two numbers of one size change differently, by more than rounding."""
         rates, others = one.rates.astype(float), other.rates.astype(float)
         states = sizes(self.orbit.tables.shooting, self.orbit.dwell_times)
-        by_numbers = relative_changes(self.numbers, states, self.lib)
+        by_numbers = relative_changes(self.numbers[:3], states, self.lib)
         by_times = abs(self.shifted[:, -1].astype(float)) / float(self.begins[-1])
         usual = abs(float(one.value)) * np.maximum(by_numbers, by_times)
         size = np.maximum(np.maximum(abs(rates), abs(others)), usual)

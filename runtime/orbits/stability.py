@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, Orbit
 from nonsmooth.runtime.orbits.refine import refine_kernels
 from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability, reciprocal_pair
 
 __all__ = ["assess_stability"]
 
@@ -129,18 +129,7 @@ def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
     They follow from mu + 1/mu = tr J - 1 (or tr M - 2 of the monodromy matrix M, where 1
     is double and defective), whose digits are those of the trace.
     """
-    mp = orbit.arithmetic.mp
-    root = mp.sqrt if orbit.precise else math.sqrt
-    zero, one = 0 * abs(trace), 0 * trace + 1
-    half = (trace - 1) / 2
-    if abs(half) <= 1:
-        height = root((1 - half) * (1 + half))
-        pair = [Multiplier(half, height), Multiplier(half, -height)]
-    else:
-        # the larger one first: the smaller is its reciprocal, without cancellation
-        larger = half + (1 if half > 0 else -1) * root((half - 1) * (half + 1))
-        pair = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
-    return [*pair, Multiplier(one, zero, trivial=True)]
+    return reciprocal_pair(trace, orbit.arithmetic.mp.sqrt if orbit.precise else math.sqrt)
 
 
 def _eigenvalues(orbit: Orbit) -> list[Multiplier]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cache
+from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,9 +13,10 @@ from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, step_of, stepped
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.table_derivatives import relative_rates
-from nonsmooth.runtime.orbits.directions import Directions, solve_linear
+from nonsmooth.runtime.orbits.directions import SINGULAR, Directions, check_reasons, solve_linear
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.derivatives import flows_over
@@ -30,11 +32,12 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
 __all__ = [
-    "closed_along",
+    "moved_cycles",
     "numbers_along",
     "passed",
     "relative_changes",
     "section_along",
+    "stepped_numbers",
     "table_directions",
     "working",
 ]
@@ -51,22 +54,29 @@ def numbers_along(orbit: Orbit, by: Sequence[str], lib: Mpmath | None) -> Number
     The numbers `by` are parameters, or the period, which changes none of them. `lib` is
     None in double precision.
     """
-    kernels = orbit.system
-    names = [table.name for table in kernels.parameters]
+    names = [table.name for table in orbit.system.parameters]
     steps = np.array([[int(name == other) for name in names] for other in by])
+    number = float if lib is None else lib.number
+    point = np.array([number(orbit.parameters[name]) for name in names])
+    return stepped_numbers(orbit.system, point[None], steps, lib)
+
+
+def stepped_numbers(
+    system: SystemKernels, points: np.ndarray, steps: np.ndarray, lib: Mpmath | None
+) -> Numbers:
+    """Return fields, rows and resets (k q, ...) at points (k, p), with steps (q, p) at each."""
+    every = stepped(points[:, None], steps, lib).reshape(-1, points.shape[1])
     if lib is None:
-        point = np.array([float(orbit.parameters[name]) for name in names])
-        return Numbers(*tables_at(kernels, stepped(point, steps, None)))
-    point = np.array([lib.number(orbit.parameters[name]) for name in names], dtype=object)
+        return Numbers(*tables_at(system, every))
     parts: list[list[Any]] = [[], [], []]
-    size = len(kernels.table["states"])
-    for row in stepped(point, steps, lib):
+    size = len(system.table["states"])
+    for row in every:
         for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
-            found = kernels.source(kernel)(row.tolist(), lib=lib)
+            found = system.source(kernel)(row.tolist(), lib=lib)
             part.append([[lib.mp.convert(x) for x in line] for line in found])
     shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
     fields, rows, resets = (
-        np.array(part, dtype=object).reshape(len(by), *shape)
+        np.array(part, dtype=object).reshape(len(every), *shape)
         for part, shape in zip(parts, shapes, strict=True)
     )
     return Numbers(fields, rows, resets)
@@ -109,6 +119,88 @@ def passed(
     )
 
 
+@dataclass(frozen=True, eq=False)
+class MovedCycles:
+    """Cycles of one itinerary at k points that move in q directions each, as complex steps."""
+
+    cycle: ItineraryShape  # closed up to translations
+    numbers: Numbers  # (k q, ...), with those of the closure
+    dwell: np.ndarray  # (k q, p), with steps
+    start: np.ndarray  # (k q, N), with steps
+    reasons: np.ndarray  # (k, q), why there are no changes, as `solve_linear` tells it
+    lib: Mpmath | None
+
+    @cached_property
+    def passage(self) -> Shooting:
+        """The cycles as they move."""
+        return passed(self.cycle, self.numbers, self.dwell, self.start, self.lib)
+
+    @property
+    def waits(self) -> np.ndarray:
+        """Changes (k q, p) of the dwell times."""
+        return imaginary_parts(self.dwell, self.lib)
+
+    @property
+    def starts(self) -> np.ndarray:
+        """Changes (k q, N) of the start."""
+        return imaginary_parts(self.start, self.lib)
+
+
+def moved_cycles(
+    cycle: ItineraryShape,
+    numbers: Numbers,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    lib: Mpmath | None,
+    period: np.ndarray | None = None,
+    *,
+    family: bool = False,
+) -> MovedCycles:
+    """Return how orbits at k points move with numbers of a system, each in q directions.
+
+    The `numbers` (k q, ...) have steps; `dwell` (k, p) and `start` (k, N) have none. A
+    `period` (k q,) with steps is one more equation where the others are singular, or
+    everywhere for members of a `family`.
+    """
+    (k, size), q = start.shape, len(numbers.fields) // len(start)
+    cycle, closed = closed_along(cycle, numbers)
+    times, states = (np.repeat(part, q, axis=0) for part in (dwell, start))
+    plain_times = stepped(times, 0, lib)
+    with np.errstate(all="ignore"):
+        now = passed(cycle, closed, plain_times, stepped(states, 0, lib), lib)
+        parts = (real_parts(part[:, ::q]) for part in (now.starts, now.ends, now.velocities))
+        plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
+        size_of = sizes(now._replace(**plain), dwell)
+        every_size = np.repeat(size_of, q, axis=0)
+        fixed = now._replace(starts=np.broadcast_to(states, now.starts.shape))
+        usual = np.array(
+            [
+                relative_changes([part[n * q : (n + 1) * q] for part in numbers[:3]], each, lib)
+                for n, each in enumerate(size_of)
+            ]
+        ).reshape(k, q)
+
+        def solved(total: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+            sides = linearised_closure(now, plain_times, every_size, total)
+            arithmetic = FLOATS if lib is None else lib
+            matrix, right = with_forcing(cycle, closed, fixed, every_size, *sides, arithmetic)
+            changed = imaginary_parts(right, lib).reshape(k, q, -1)
+            plain_matrix = real_parts(matrix[::q])
+            return solve_linear(plain_matrix, np.swapaxes(changed, 1, 2), usual, lib)
+
+        changes, reasons = solved(period if family else None)
+        singular = (reasons == SINGULAR).any(axis=1)
+        if period is not None and not family and singular.any():
+            given, why = solved(period)
+            changes[singular], reasons[singular] = given[singular], why[singular]
+        starts = np.swapaxes(changes, 1, 2) * size_of[:, None]
+        rates = np.swapaxes(real_parts(now.rates[:, ::q, :size]), 0, 1)
+        waits = (starts @ np.swapaxes(rates, 1, 2)).reshape(k * q, -1)
+        waits = waits + imaginary_parts(now.rates[..., size].T, lib)
+        start = stepped(states, starts.reshape(k * q, size), lib)
+    return MovedCycles(cycle, closed, stepped(times, waits, lib), start, reasons, lib)
+
+
 def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directions:
     """Return how dwell times and states move with each of some given numbers.
 
@@ -125,56 +217,39 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
             f"{orbit.name} is one of a family of orbits: give its period, and the derivatives are"
             " those at a given period"
         )
-    numbers = numbers_along(orbit, by, lib)
-    cycle, closed = closed_along(evaluation.cycle, numbers)
-    size = len(cycle.structure.states)
     dwell, start = orbit.dwell_times, evaluation.states_up_to_shift[0]
     if lib is not None:
         dwell, start = (np.array([lib.mp.mpf(x) for x in part]) for part in (dwell, start))
-    still = np.zeros((len(by), 1), dtype=int)
-    now = passed(cycle, closed, stepped(dwell, still, lib), stepped(start, still, lib), lib)
-    parts = (real_parts(part[:, 0]) for part in (now.starts, now.ends, now.velocities))
-    size_of = sizes(
-        now._replace(**dict(zip(("starts", "ends", "velocities"), parts, strict=True))), dwell
-    )
     asked = np.array([int(name == PERIOD) for name in by])
     period = stepped(dwell.sum(), asked, lib) if family else None
-    matrix, right = linearised_closure(now, stepped(dwell, still, lib), size_of, period)
-    plain_start = now._replace(starts=np.broadcast_to(start, now.starts.shape))
-    matrix, right = with_forcing(
-        cycle, closed, plain_start, np.broadcast_to(size_of, (len(by), size)),
-        matrix, right, FLOATS if lib is None else lib,
-    )  # fmt: skip
-    usual, sides = relative_changes(numbers, size_of, lib), imaginary_parts(right, lib)
-    changes = solve_linear(real_parts(matrix[0]), sides, usual, by, orbit.name, lib)
-    starts = changes * size_of
-    rates = real_parts(now.rates[:, 0, :size]) @ starts.T
-    waits = rates.T + imaginary_parts(np.moveaxis(now.rates[..., size], 0, -1), lib)
-    moved = stepped(dwell, waits, lib), stepped(start, starts, lib)
-    unknowns = np.concatenate([waits, starts], axis=1).T
-
-    @cache
-    def along() -> Shooting:
-        return passed(cycle, closed, *moved, lib)
+    numbers = numbers_along(orbit, by, lib)
+    moved = moved_cycles(
+        evaluation.cycle, numbers, dwell[None], start[None], lib, period, family=family
+    )
+    check_reasons(moved.reasons[0], by, orbit.name)
+    waits = moved.waits
+    unknowns = np.concatenate([waits, moved.starts], axis=1).T
 
     def states() -> np.ndarray:
-        return np.moveaxis(imaginary_parts(along().starts[:-1], lib), 1, 0)
+        return np.moveaxis(imaginary_parts(moved.passage.starts[:-1], lib), 1, 0)
 
     def section() -> MapDerivatives:
-        return _section(evaluation, cycle, closed, along(), lib)
+        return _section(evaluation, moved)
 
     names = orbit.problem.unknown_names
     return Directions(dict(zip(names, unknowns, strict=True)), waits, states, section)
 
 
-def relative_changes(numbers: Numbers, size_of: np.ndarray, lib: Mpmath | None) -> np.ndarray:
+def relative_changes(
+    numbers: Sequence[np.ndarray], size_of: np.ndarray, lib: Mpmath | None
+) -> np.ndarray:
     """Return the largest relative change (q,) of a system's numbers, where states have sizes (N,).
 
-    `numbers` are those of `numbers_along`; `lib` is None in double precision.
+    `numbers` are the fields, rows and resets of `numbers_along`; `lib` is None in double
+    precision.
     """
-    tables = numbers[:3]
-    values = [real_parts(part[0]).astype(float) for part in tables]
-    changes = [imaginary_parts(part, lib).astype(float) for part in tables]
+    values = [real_parts(part[0]).astype(float) for part in numbers]
+    changes = [imaginary_parts(part, lib).astype(float) for part in numbers]
     return relative_rates(values, changes, size_of.astype(float))
 
 
@@ -190,13 +265,13 @@ def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShap
     return closed_shape(cycle, len(cycle)), numbers._replace(resets=resets)
 
 
-def section_along(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> np.ndarray:
-    """Return the map (q, k, k), with steps, on the section at the start, or the stroboscopic one.
+def section_along(moved: MovedCycles) -> np.ndarray:
+    """Return the map (k q, m, m), with steps, on the section at the start, or the stroboscopic one.
 
     The stroboscopic map is that of forced motions. The multipliers 1 of translations are
-    zeros of the map. `numbers` are those of q directions, closed up to translations;
-    `now` is the orbit as it moves.
+    zeros of the map.
     """
+    cycle, numbers, now = moved.cycle, moved.numbers, moved.passage
     driven = mechanical_states(cycle)
     maps = now.variational[..., :-1]
     if driven is None:
@@ -214,17 +289,10 @@ def section_along(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> np.
     return np.array([p @ m for p, m in zip(along, maps, strict=True)])
 
 
-def _section(
-    evaluation: TableEvaluation,
-    cycle: ItineraryShape,
-    numbers: Numbers,
-    now: Shooting,
-    lib: Mpmath | None,
-) -> MapDerivatives:
+def _section(evaluation: TableEvaluation, moved: MovedCycles) -> MapDerivatives:
     """Return the section map, or the stroboscopic one of forced motions, with its derivatives."""
-    shifts = len(evaluation.translations)
-    rank = evaluation.stability.rank - shifts
-    maps = section_along(cycle, numbers, now)
+    rank = evaluation.stability.rank - len(evaluation.translations)
+    maps, lib = section_along(moved), moved.lib
     found = MapDerivatives(
         real_parts(maps[0]), imaginary_parts(maps, lib), rank, int(evaluation.family)
     )

@@ -8,25 +8,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.table_derivatives import TableRates, table_rates
-from nonsmooth.runtime.orbits.directions import CONSISTENT
 from nonsmooth.runtime.orbits.table_directions import (
-    closed_along,
-    passed,
-    relative_changes,
+    moved_cycles,
     section_along,
+    stepped_numbers,
 )
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.derivatives import cycle_maps
-from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
 from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape
-from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import (
     deciding_rows,
     directions_of,
@@ -34,7 +28,7 @@ from nonsmooth.runtime.shooting.translations import (
     taken_resets,
 )
 
-__all__ = ["ManyDirections", "solve_linear_many", "table_directions_many"]
+__all__ = ["ManyDirections", "table_directions_many"]
 
 _SAME = 1e-9  # of terms that cancel
 
@@ -227,90 +221,19 @@ def _in_python(
     timed: bool,
     maps: bool,
 ) -> ManyDirections:
-    """Return derivatives of orbits by complex steps, where each point stands q times."""
+    """Return derivatives of orbits by complex steps."""
     (k, size), q = start.shape, len(places)
-    steps = np.tile(np.eye(points.shape[1])[list(places)], (k, 1))
-    every = stepped(np.repeat(points, q, axis=0), steps, None)
-    numbers = Numbers(*tables_at(system, every))
-    cycle, closed = closed_along(cycle, numbers)
-    times, states = (np.repeat(part, q, axis=0) for part in (dwell, start))
+    numbers = stepped_numbers(system, points, np.eye(points.shape[1])[list(places)], None)
+    period = np.repeat(dwell.sum(axis=-1), q) + 0j if timed else None
+    moved = moved_cycles(cycle, numbers, dwell, start, None, period)
     with np.errstate(all="ignore"):
-        now = passed(cycle, closed, times + 0j, states + 0j, None)
-        parts = (real_parts(part) for part in (now.starts, now.ends, now.velocities))
-        plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
-        size_of = sizes(now._replace(**plain), times)
-        still = now._replace(starts=np.broadcast_to(states, now.starts.shape))
-        usual = np.array([_relative_changes(closed, size_of, point, q) for point in range(k)])
-
-        def solved(period: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-            sides = linearised_closure(now, times + 0j, size_of, period)
-            matrix, right = with_forcing(cycle, closed, still, size_of, *sides, FLOATS)
-            sides_of = imaginary_parts(right, None).reshape(k, q, -1)
-            plain_matrix = real_parts(matrix).reshape(k, q, -1, size)[:, 0]
-            return solve_linear_many(plain_matrix, np.moveaxis(sides_of, 1, 2), usual)
-
-        changes, singular = solved(None)
-        if timed and singular.any():
-            given, _ = solved(times.sum(axis=-1) + 0j)
-            changes[singular] = given[singular]
-        starts = np.moveaxis(changes, 1, 2).reshape(k * q, size) * size_of
-        rates = np.moveaxis(now.rates, 0, 1)
-        waits = (real_parts(rates[..., :size]) @ starts[..., None])[..., 0]
-        waits = waits + imaginary_parts(rates[..., size], None)
-        moved = stepped(times, waits, None), stepped(states, starts, None)
-        along = section_along(cycle, closed, passed(cycle, closed, *moved, None))
+        along = section_along(moved)
     along = along.reshape(k, q, *along.shape[1:])
     changed = imaginary_parts(along, None)
     return ManyDirections(
-        waits.reshape(k, q, -1),
-        starts.reshape(k, q, size),
+        moved.waits.reshape(k, q, -1),
+        moved.starts.reshape(k, q, size),
         np.trace(changed, axis1=-2, axis2=-1),
         real_parts(along[: k if maps else 0, 0]),
         changed[: k if maps else 0],
     )
-
-
-def _relative_changes(numbers: Numbers, size_of: np.ndarray, point: int, q: int) -> np.ndarray:
-    """Return the largest relative changes (q,) of the numbers of one point, which stand q times."""
-    own = slice(point * q, (point + 1) * q)
-    fields, rows, resets = (part[own] for part in numbers[:3])
-    one = numbers._replace(fields=fields, rows=rows, resets=resets)
-    return relative_changes(one, size_of[point * q], None)
-
-
-def solve_linear_many(
-    matrix: np.ndarray, right: np.ndarray, usual: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return solutions (k, n, q) of linear equations at many points, and where they are singular.
-
-    The matrices are (k, m, n), with m > n for equations that follow from others; `right`
-    is (k, m, q). `usual` (k, q) is the relative change of what the equations are made of:
-    a change that is tiny beside it is rounding. Solutions are NaN where equations are
-    singular or contradict each other; the bools are (k,).
-    """
-    found = np.full((len(matrix), matrix.shape[2], right.shape[2]), np.nan)
-    singular = np.full(len(matrix), True)
-    sound = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(right).all(axis=(1, 2))
-    there = np.flatnonzero(sound)
-    square = matrix[there]
-    sides = right[there]
-    if matrix.shape[1] != matrix.shape[2]:
-        orthogonal, square = np.linalg.qr(square)
-        sides = np.swapaxes(orthogonal, 1, 2) @ sides
-    try:
-        inverse = np.linalg.inv(square)
-    except np.linalg.LinAlgError:  # some matrix is singular to the last bit
-        inverse = np.linalg.pinv(square, rcond=LEAST)
-        square = np.where(np.linalg.matrix_rank(square)[:, None, None] < square.shape[1], 0, square)
-    norms = np.linalg.norm(square, axis=(1, 2)) * np.linalg.norm(inverse, axis=(1, 2))
-    regular = np.isfinite(norms) & (norms > 0) & (norms * LEAST < 1)
-    singular[there] = ~regular
-    there = there[regular]
-    found[there] = inverse[regular] @ sides[regular]
-    missed = abs(matrix[there] @ found[there] - right[there]).max(axis=1)
-    terms = (abs(matrix[there]) @ abs(found[there]) + abs(right[there])).max(axis=1)
-    wrong = missed > CONSISTENT * np.maximum(terms, usual[there])
-    kept = found[there]
-    kept[np.broadcast_to(wrong[:, None, :], kept.shape)] = np.nan
-    found[there] = kept
-    return found, singular

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
@@ -17,16 +18,13 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.orbits.table_digits import without_digits
-from nonsmooth.runtime.orbits.table_limits import first_limits
+from nonsmooth.runtime.orbits.table_batch import Composed, TableBatch
 from nonsmooth.runtime.orbits.table_problem import TableProblem
-from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
     mechanical_states,
     section_dimension,
     smallest_section,
-    stroboscopic_maps,
 )
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
@@ -37,16 +35,12 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape
 from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 from nonsmooth.runtime.shooting.translations import (
-    directions_of,
-    gauges_of,
-    projection_along,
     translations_of,
 )
 
-__all__ = ["solve_itineraries"]
+__all__ = ["section_of", "solve_itineraries"]
 
 CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
 
@@ -92,83 +86,39 @@ def solve_itineraries(
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
     count = len(guess)
 
-    driven = mechanical_states(cycle)
     moving = _translates(kernels, points)
-    if moving:
-        first, rank = 0, size if driven is None else len(driven)
-        dimension = rank
-    elif driven is None:
-        first, rank, dimension = _smallest_section(cycle, kernels, points, guess, begin_at)
-    else:
-        first, rank, dimension = 0, len(driven), len(driven)
-    found_dwell = np.empty((count, len(cycle)))
-    states = np.empty((count, len(cycle), size))
-    maps = np.empty((count, *(2 * (size if driven is None else len(driven),))))
-    residual = np.empty(count)
-    iterations, status = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.int32)
-    allowed = np.zeros(count, dtype=bool)
+    first, rank, dimension = section_of(cycle, kernels, points, guess, begin_at, moving=moving)
+    batch = TableBatch(kernels, cycle, first, moving)
+    parts = [slice(begin, begin + CHUNK) for begin in range(0, max(count, 1), CHUNK)]
 
-    def work(begin: int) -> None:
-        own = points[begin : begin + CHUNK]
-        for group in numbers_at(kernels, own, cycle.configurations):
-            part, here, at = begin + group.places, cycle.at(group.structure), None
-            flat, directions = group.flat, np.empty((len(group.flat), 0, size))
-            if moving:
-                here, flat, directions = _closed(here, flat)
-            if begin_at is not None:
-                numbers = numbers_in(here.structure, flat)
-                with np.errstate(all="ignore"):
-                    at = shoot(here, numbers, guess[part], begin_at[part], np).starts[first]
-            near = np.roll(guess[part], -first, axis=1)
-            found = solve_shape(here.rotated(first), flat, near, at, lengths[part])
-            found_dwell[part] = np.roll(found.dwell, first, axis=1)
-            states[part] = np.roll(found.starts, first, axis=1)
-            residual[part] = found.residual
-            if driven is None:
-                maps[part] = _with_translations(found.maps, directions)
-            else:
-                fields = numbers_in(group.structure, group.flat).fields
-                first_field = fields[:, cycle.configurations[0]]
-                timed = stroboscopic_maps(here, first_field, found.starts[:, 0], found.maps, driven)
-                maps[part] = _with_translations(timed, directions[..., driven])
-            iterations[part] = found.iterations
-            status[part] = without_digits(here.rotated(first), flat, found, lengths[part])
-            if admissibility:
-                sound = (status[part] == CONVERGED) & np.isfinite(points[part]).all(axis=1)
-                there = np.flatnonzero(sound)
-                at = part[there]
-                limits = first_limits(
-                    kernels,
-                    cycle.at(group.structure),
-                    points[at],
-                    group.flat[there],
-                    found_dwell[at],
-                    states[at],
-                )
-                allowed[at] = limits == NEITHER
+    def work(part: slice) -> Composed:
+        at = None if begin_at is None else begin_at[part]
+        return batch.solve(points[part], guess[part], at, lengths[part], limits=admissibility)
 
-    in_parallel(work, range(0, count, CHUNK), threads)
-    status[~np.isfinite(points).all(axis=1)] = INVALID  # also where no number depends on it
-    lost = status != CONVERGED
-    for array in (found_dwell, states, maps, residual):
-        array[lost] = np.nan
+    solved = in_parallel(work, parts, threads)
+    found = Composed(*map(np.concatenate, zip(*solved, strict=True)))
+    for array in (found.dwell, found.starts, found.maps, found.residual):
+        array[~found.converged] = np.nan
     problem = TableProblem(kernels, cycle.itinerary)
-    columns = np.concatenate([found_dwell, states[:, 0]], axis=1).T
+    columns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
+    values = None
+    if multipliers:
+        sorted_values = eigenvalues(found.maps)[:, :dimension]
+        sorted_values[:, rank:] *= 0  # NaN stays NaN
+        values = sorted_values.reshape(*shape, dimension)
     return Orbits(
         problem,
         {name: parameter_array(name, value) for name, value in parameters.items()},
         {n: x.reshape(shape) for n, x in zip(problem.unknown_names, columns, strict=True)},
-        np.trace(maps, axis1=-2, axis2=-1).reshape(shape),
-        found_dwell.sum(axis=-1).reshape(shape),
-        residual.reshape(shape),
-        iterations.reshape(shape),
-        status.reshape(shape),
-        multipliers=(
-            _multipliers(maps, rank, dimension).reshape(*shape, dimension) if multipliers else None
-        ),
-        starts=states.reshape(*shape, len(cycle), size),
+        np.trace(found.maps, axis1=-2, axis2=-1).reshape(shape),
+        found.dwell.sum(axis=-1).reshape(shape),
+        found.residual.reshape(shape),
+        found.iterations.reshape(shape),
+        found.status.reshape(shape),
+        multipliers=values,
+        starts=found.starts.reshape(*shape, len(cycle), size),
         timed=period is not None,
-        admissible=(allowed & ~lost).reshape(shape) if admissibility else None,
+        admissible=(found.limit == NEITHER).reshape(shape) if admissibility else None,
         bounds={} if admissibility else None,
     )
 
@@ -179,34 +129,6 @@ def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
         with suppress(InputError):  # of a point whose flows double precision does not tell
             return bool(len(translations_of(piecewise_at(kernels, points[place]))))
     return False
-
-
-def _closed(
-    cycle: ItineraryShape, flat: np.ndarray
-) -> tuple[ItineraryShape, np.ndarray, np.ndarray]:
-    """Return a cycle that closes up to translations, its numbers, and their directions.
-
-    Its last reset is that of the closure.
-    """
-    structure, count = cycle.structure, len(flat)
-    numbers = numbers_in(structure, flat)
-    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
-    directions = np.array([directions_of(structure, *each) for each in arrays])
-    last = numbers.resets[:, cycle.transitions[-1].reset]
-    added = np.stack([projection_along(d) @ r for d, r in zip(directions, last, strict=True)])
-    place = sum(part[0].size for part in numbers[:3])
-    parts = [flat[:, :place], added.reshape(count, -1), flat[:, place:]]
-    return closed_shape(cycle, len(cycle)), np.concatenate(parts, axis=1), directions
-
-
-def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
-    """Return maps (n, k, k) up to translations with the multipliers 1 that these have."""
-    found = maps.copy()
-    for map_, along in zip(found, directions, strict=True):
-        if len(along):
-            map_[:] = projection_along(along) @ map_
-            map_[:, gauges_of(along)] += along.T
-    return found
 
 
 def _common(shape: tuple[int, ...], dwell: Any, start: Any) -> tuple[int, ...]:
@@ -229,18 +151,28 @@ def _spread(
         raise InputError(f"{name}: {array.shape} does not broadcast to {shape}") from None
 
 
-def _smallest_section(
+def section_of(
     cycle: ItineraryShape,
     kernels: SystemKernels,
     points: np.ndarray,
     dwell: np.ndarray,
     start: np.ndarray | None,
+    *,
+    moving: bool = False,
 ) -> tuple[int, int, int]:
-    """Return the phase that starts on the smallest section, its dimension, and the first's.
+    """Return the phase from which orbits are composed, and how many multipliers may not be zero.
 
-    They are a matter of structure: one point tells them for all.
+    The third number is how many multipliers there are, without those of a forcing. The phase
+    is the one that starts on the smallest section, or the first one of forced orbits and of
+    orbits that close up to translations (`moving`). All are a matter of structure: one point
+    tells them.
     """
+    driven = mechanical_states(cycle)
+    if driven is not None:
+        return 0, len(driven), len(driven)
     size = len(cycle.structure.states)
+    if moving:
+        return 0, size, size
     for place in range(min(len(dwell), CHUNK)):
         part = slice(place, place + 1)
         (group,) = numbers_at(kernels, points[part], cycle.configurations)
@@ -264,18 +196,3 @@ def _smallest_section(
 def _first(numbers: Numbers) -> Any:
     for part in numbers:
         yield tuple(p[0] for p in part) if isinstance(part, tuple) else part[0]
-
-
-def _multipliers(maps: np.ndarray, rank: int, dimension: int) -> np.ndarray:
-    """Return the `rank` largest eigenvalues of each map (n, k, k), then zeros up to `dimension`.
-
-    Those of a map that is not finite are NaN.
-    """
-    found = np.full((len(maps), dimension), np.nan, dtype=complex)
-    sound = np.isfinite(maps).all(axis=(-2, -1))
-    values = np.linalg.eigvals(maps[sound])
-    order = np.argsort(-np.abs(values), axis=-1, kind="stable")
-    values = np.take_along_axis(values, order, axis=-1)[:, :dimension].astype(complex)
-    values[:, rank:] = 0
-    found[sound] = values
-    return found

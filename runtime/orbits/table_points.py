@@ -5,59 +5,27 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.matrices import sorted_by_size
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.parameter_batches import parameter_points
-from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT
+from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
-from nonsmooth.runtime.orbits.table_digits import without_digits
-from nonsmooth.runtime.orbits.table_limits import first_limits
-from nonsmooth.runtime.shooting.multipliers import ROUNDING
-from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, LEAST
-from nonsmooth.runtime.shooting.section_map import (
-    local_maps,
-    mechanical_states,
-    smallest_section,
-    stroboscopic_maps,
-)
-from nonsmooth.runtime.shooting.shooting_map import (
-    ItineraryShape,
-    finite_at,
-    itinerary_shape,
-    numbers_in,
-    shoot,
-)
-from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
+from nonsmooth.runtime.orbits.table_batch import TableBatch
+from nonsmooth.runtime.orbits.table_many import section_of
+from nonsmooth.runtime.shooting.multipliers import ROUNDING, pair_margins
+from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
+from nonsmooth.runtime.shooting.table_newton import sizes
 
 __all__ = ["TablePoints"]
-
-
-class _Group(NamedTuple):
-    """Points whose flows have the same modes, and their numbers."""
-
-    places: np.ndarray
-    points: np.ndarray
-    cycle: ItineraryShape
-    flat: np.ndarray
-    period: np.ndarray
-
-
-class _Solved(NamedTuple):
-    """Orbits (n, ...), with maps of the section from which they are composed."""
-
-    dwell: np.ndarray
-    starts: np.ndarray
-    maps: np.ndarray
-    status: np.ndarray
-    limit: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,25 +91,26 @@ class TablePoints:
 
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
         """See `OrbitPoints`: the usual start is the reference's."""
-        count, names = len(next(iter(values.values()))), self.unknowns
-        columns = {
-            "status": np.full(count, INVALID, dtype=int),
-            "limit": np.full(count, NO_ORBIT, dtype=int),
-            **{name: np.full(count, np.nan) for name in ("trace", "margin", "period", *names)},
-        }
-        own = np.broadcast_to(self._own_start, (count, len(names)))
-        for group in self._groups(values):
-            found = self._tried(group, (own if start is None else start)[group.places])
-            here = found.status == CONVERGED
-            at = group.places[here]
-            columns["status"][group.places] = found.status
-            columns["limit"][at] = found.limit[here]
-            columns["trace"][at], columns["margin"][at] = self._stability(group, found, here)
-            columns["period"][at] = found.dwell[here].sum(axis=-1)
-            numbers = np.concatenate([found.dwell[here], found.starts[here, 0]], axis=-1)
-            for name, column in zip(names, numbers.T, strict=True):
-                columns[name][at] = column
-        columns["admissible"] = columns["limit"] == NEITHER
+        system, declared = self.kernels.system, self.kernels.table.get("period")
+        points, _ = parameter_points(system, {p.name: values[p.name] for p in system.parameters})
+        given = np.full(len(points), np.nan) if declared is None else values[declared["name"]]
+        names, count, size = self.unknowns, len(self._cycle), len(points)
+        if start is None:
+            start = np.broadcast_to(self._own_start, (size, len(names)))
+        dwell = np.where(start[:, :count] > 0, start[:, :count], np.nan)
+        found = self._batch.solve(points, dwell, start[:, count:], given, limits=True)
+        there = found.converged
+        columns = {name: np.full(size, np.nan) for name in ("trace", "margin", "period", *names)}
+        columns["status"], columns["limit"] = found.status.astype(int), found.limit
+        columns["admissible"] = found.limit == NEITHER
+        maps, timed = found.maps[there], not np.isnan(given).all()
+        trace = np.trace(maps, axis1=-2, axis2=-1)
+        columns["trace"][there] = trace
+        columns["margin"][there] = self._margins(maps, trace, timed=timed)
+        columns["period"][there] = found.dwell[there].sum(axis=-1)
+        numbers = np.concatenate([found.dwell[there], found.starts[there, 0]], axis=-1)
+        for name, column in zip(names, numbers.T, strict=True):
+            columns[name][there] = column
         return columns
 
     def starts_of(self, columns: Columns) -> np.ndarray:
@@ -164,101 +133,35 @@ class TablePoints:
         return itinerary_shape(structure_of(self.kernels.system), phases)
 
     @cached_property
-    def _section(self) -> tuple[int, int]:
-        """The phase from which orbits are composed, and how many multipliers are not zero.
-
-        They are the reference's, and so the same wherever a point is computed.
-        """
-        driven = mechanical_states(self._cycle)
-        if driven is not None:
-            return 0, len(driven)
-        reference = self.reference
-        numbers, now = numbers_in(reference.tables.piecewise), reference.tables.shooting
-        maps = local_maps(reference.tables.cycle, numbers, now)
-        return smallest_section(maps, sizes(now, reference.dwell_times))
+    def _section(self) -> tuple[int, int, int]:
+        """The section that `section_of` finds at the reference, wherever a point is computed."""
+        point = np.array([[float(value) for value in self.reference.parameters.values()]])
+        dwell, start = self.reference.dwell_times[None], self.reference.states[:1]
+        return section_of(self._cycle, self.kernels.system, point, dwell, start)
 
     @cached_property
     def _own_start(self) -> np.ndarray:
         return np.concatenate([self.reference.dwell_times, self.reference.states[0]])
 
-    def _groups(self, values: Mapping[str, np.ndarray]) -> list[_Group]:
-        system, declared = self.kernels.system, self.kernels.table.get("period")
-        points, _ = parameter_points(system, {p.name: values[p.name] for p in system.parameters})
-        period = np.full(len(points), np.nan) if declared is None else values[declared["name"]]
-        return [
-            _Group(
-                g.places, points[g.places], self._cycle.at(g.structure), g.flat, period[g.places]
-            )
-            for g in numbers_at(system, points, self._cycle.configurations)
-        ]
+    @cached_property
+    def _batch(self) -> TableBatch:
+        return TableBatch(self.kernels.system, self._cycle, self._section[0])
 
-    def _tried(self, group: _Group, start: np.ndarray) -> _Solved:
-        """Return the orbits from one start each; NaN where there is none."""
-        cycle, count, (first, _) = group.cycle, len(group.cycle), self._section
-        size = start.shape[-1] - count
-        sound = np.isfinite(start).all(axis=-1) & (start[:, :count] > 0).all(axis=-1)
-        sound &= finite_at(cycle, group.flat) & np.isfinite(group.points).all(axis=-1)
-        rows = np.flatnonzero(sound)
-        solved = _Solved(
-            np.full((len(start), count), np.nan),
-            np.full((len(start), count, size), np.nan),
-            np.full((len(start), size, size), np.nan),
-            np.full(len(start), INVALID, dtype=int),
-            np.full(len(start), NO_ORBIT, dtype=int),
-        )
-        if not len(rows):
-            return solved
-        dwell, state, flat = start[rows, :count], start[rows, count:], group.flat[rows]
-        with np.errstate(all="ignore"):
-            if first:
-                numbers = numbers_in(cycle.structure, flat)
-                state = shoot(cycle, numbers, dwell, state, np).starts[first]
-            guess = np.roll(dwell, -first, axis=1)
-            turned, period = cycle.rotated(first), group.period[rows]
-            found = solve_shape(turned, flat, guess, state, period)
-        solved.dwell[rows] = np.roll(found.dwell, first, axis=1)
-        solved.starts[rows] = np.roll(found.starts, first, axis=1)
-        solved.maps[rows] = found.maps
-        solved.status[rows] = without_digits(turned, flat, found, period)
-        there = np.flatnonzero(solved.status == CONVERGED)
-        solved.limit[there] = first_limits(
-            self.kernels.system,
-            cycle,
-            group.points[there],
-            group.flat[there],
-            solved.dwell[there],
-            solved.starts[there],
-        )
-        return solved
-
-    def _stability(
-        self, group: _Group, found: _Solved, here: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return traces of the Poincare map and margins of the converged orbits."""
-        maps, cycle, (_, rank) = found.maps[here], group.cycle, self._section
-        if not len(maps):
-            return np.empty(0), np.empty(0)
-        driven = mechanical_states(cycle)
-        if driven is not None:
-            fields = numbers_in(cycle.structure, group.flat[here]).fields[
-                :, cycle.configurations[0]
-            ]
-            maps = stroboscopic_maps(cycle, fields, found.starts[here, 0], maps, driven)
-        trace = np.trace(maps, axis1=-2, axis2=-1)
+    def _margins(self, maps: np.ndarray, trace: np.ndarray, *, timed: bool) -> np.ndarray:
+        """Return margins (n,) of orbits with these maps (n, m, m), whose period may be given."""
+        if self._cycle.one_sided or not len(maps):
+            return np.full(len(maps), np.nan)
         values = np.linalg.eigvals(maps)
-        if cycle.one_sided:
-            return trace, np.full(len(maps), np.nan)
-        if np.isnan(group.period).all():
-            margin = 1 - np.abs(values).max(axis=-1)
+        if timed:
+            margin = _family_margins(values, trace, self._section[1])
         else:
-            margin = _family_margins(values, trace, rank)
-        return trace, np.where(np.abs(margin) <= ROUNDING, 0.0, margin)
+            margin = 1 - np.abs(values).max(axis=-1)
+        return np.where(np.abs(margin) <= ROUNDING, 0.0, margin)
 
 
 def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
     """Return margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
-    order = np.argsort(-np.abs(values), axis=-1, kind="stable")
-    values = np.take_along_axis(values, order, axis=-1)
+    values = sorted_by_size(values)
     trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]
     rest = np.abs(values)
     np.put_along_axis(rest, trivial, 0.0, axis=-1)
@@ -268,6 +171,4 @@ def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndar
         return np.asarray(margin)
     # of a reciprocal pair beside the 1 the sum keeps the digits
     pair = np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST)
-    half = np.abs(trace - 1) / 2
-    root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
-    return np.where(pair, np.where(half <= 1, 0.0, 1 - (half + root)), margin)
+    return np.where(pair, pair_margins(trace), margin)

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
+from nonsmooth.runtime.core.matrices import inverses
 
 __all__ = [
     "MapDerivatives",
@@ -160,7 +161,7 @@ def _reduced_of_many(found: MapDerivatives) -> tuple[np.ndarray, np.ndarray]:
     turned = back @ matrix @ basis
     inside, beside = turned[:, :rank, :rank], turned[:, :rank, rank:]
     changed = back[:, None] @ rates @ basis[:, None]
-    across = changed[:, :, rank:, :rank] @ _inverses(inside)[:, None]
+    across = changed[:, :, rank:, :rank] @ inverses(inside)[:, None]
     return inside, changed[:, :, :rank, :rank] + beside[:, None] @ across
 
 
@@ -168,7 +169,7 @@ def _radius_rates(matrix: np.ndarray, rates: np.ndarray, trivial: int) -> np.nda
     """Derivatives (k, q) of the largest absolute value of an eigenvalue that is not trivial."""
     values, right = np.linalg.eig(matrix)
     values = values.astype(complex)
-    slopes = np.einsum("kij,kqjl,kli->kqi", _inverses(right), rates, right)
+    slopes = np.einsum("kij,kqjl,kli->kqi", inverses(right), rates, right)
     every = np.arange(len(values))
     size = abs(values)
     largest = size.max(axis=1)
@@ -197,17 +198,6 @@ def _adjugates(matrix: np.ndarray) -> np.ndarray:
             minor = np.delete(np.delete(matrix, i, axis=1), j, axis=2)
             found[:, j, i] = (-1) ** (i + j) * np.linalg.det(minor)
     return found
-
-
-def _inverses(matrix: np.ndarray) -> np.ndarray:
-    """Inverses of many matrices; NaN where one is singular to the last bit."""
-    try:
-        return np.asarray(np.linalg.inv(matrix))
-    except np.linalg.LinAlgError:
-        sound = np.linalg.det(matrix) != 0
-        found = np.full_like(matrix, np.nan)
-        found[sound] = np.linalg.inv(matrix[sound])
-        return found
 
 
 def _reduced(

@@ -1,9 +1,12 @@
 """Multipliers: the eigenvalues of a Poincare map's Jacobian."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["ROUNDING", "Multiplier", "Stability"]
+import numpy as np
+
+__all__ = ["ROUNDING", "Multiplier", "Stability", "pair_margins", "reciprocal_pair"]
 
 ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 
@@ -58,3 +61,27 @@ class Stability:
     def rank_one(self) -> bool:
         """Whether the trace alone decides."""
         return self.rank == 1
+
+
+def reciprocal_pair(trace: Any, root: Callable[[Any], Any]) -> list[Multiplier]:
+    """Multipliers mu, 1/mu and a trivial 1, from their sum, whose digits they have.
+
+    `root` is the square root of the trace's arithmetic.
+    """
+    one, zero = 0 * trace + 1, 0 * abs(trace)
+    half = (trace - 1) / 2
+    if abs(half) <= 1:
+        height = root((1 - half) * (1 + half))
+        pair = [Multiplier(half, height), Multiplier(half, -height)]
+    else:
+        # the larger one first: the smaller is its reciprocal, without cancellation
+        larger = half + (1 if half > 0 else -1) * root((half - 1) * (half + 1))
+        pair = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
+    return [*pair, Multiplier(one, zero, trivial=True)]
+
+
+def pair_margins(trace: np.ndarray) -> np.ndarray:
+    """1 - |mu| (n,) of the larger one of each reciprocal pair beside a 1; 0 on the unit circle."""
+    half = np.abs(trace - 1) / 2
+    root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
+    return np.where(half <= 1, 0.0, 1 - (half + root))

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability, reciprocal_pair
 from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.table_newton import sizes
@@ -345,20 +345,13 @@ def _family(matrix: Any, found: list[Multiplier], trace: Any, lib: Any) -> list[
 
     So the pair keeps the trace's digits.
     """
-    one, zero = 0 * trace + 1, 0 * trace
+    if _reciprocal(matrix, len(found), lib):
+        if matrix.dtype != object:
+            return reciprocal_pair(float(trace), math.sqrt)
+        return reciprocal_pair(trace, lib.sqrt)
     nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
     rest = [m for m in found if m is not nearest]
-    if _reciprocal(matrix, len(found), lib):
-        half = (trace - 1) / 2
-        root = lib.sqrt(abs((half - 1) * (half + 1)))
-        if abs(half) <= 1:
-            rest = [Multiplier(half, root), Multiplier(half, -root)]
-        else:
-            larger = half + (root if half > 0 else -root)
-            rest = [Multiplier(larger, zero), Multiplier(1 / larger, zero)]
-        if matrix.dtype != object:
-            rest = [Multiplier(float(m.real), float(m.imaginary)) for m in rest]
-    return [*rest, Multiplier(one, zero, trivial=True)]
+    return [*rest, Multiplier(0 * trace + 1, 0 * trace, trivial=True)]
 
 
 def _modulus(multiplier: Multiplier, lib: Any) -> Any:
