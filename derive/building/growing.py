@@ -31,7 +31,6 @@ from nonsmooth.derive.declaration.configuration import Configuration, Contact
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.registry import registered
 
 __all__ = ["GrowingSystem", "is_large"]
 
@@ -200,6 +199,8 @@ class GrowingSystem(System):
         be known of those that it leads to. DeclarationError refuses an unknown configuration,
         and too many friction contacts that are reached together.
         """
+        from nonsmooth.derive.codegen.piece import emit_piece
+
         assembly, regimes = self.assembly, self._regimes(name)
         if boundaries:
             self._check_together(regimes, boundaries)
@@ -218,8 +219,7 @@ class GrowingSystem(System):
             {regime: _conditions(part, regime) for regime in part.regimes}
             for part in assembly.parts
         ]
-        source: str = registered("emit_piece")(system, fields, list(led), conditions)
-        return source
+        return emit_piece(system, fields, list(led), conditions)
 
     def composed(self, orbit: Any) -> dict[str, Any]:
         """The table of an itinerary that is composed at run time.
@@ -227,11 +227,13 @@ class GrowingSystem(System):
         DeclarationError refuses one with vanishing phases, a presentation or parameters to
         solve for.
         """
+        from nonsmooth.derive.codegen.derived import Underived
+        from nonsmooth.derive.codegen.tables import composed_table
+
         reason = "its system's configurations are made when they are first visited"
         if orbit.vanishing or orbit.presentation or orbit.solved_for:
             raise DeclarationError(f"itinerary {orbit.name!r} cannot be composed: {reason}")
-        table: dict[str, Any] = registered("table_of_composed")(orbit, reason)
-        return table
+        return composed_table(Underived(orbit, reason))
 
     def _check_together(self, regimes: Regimes, boundaries: Collection[str]) -> None:
         rubbing = [
