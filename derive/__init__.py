@@ -4,11 +4,11 @@ Read the pipeline in `nonsmooth.derive.equations.derivation.derive_equations`. T
 which uses those below it:
 
 =============  ================================================================================
+`building`     the usual oscillators in a few lines: stops, friction, sliders, forcing
 `codegen`      the emitters: kernels and tables as Python, C, ufuncs; the files of generated/
 `document`     the derivation written down: LaTeX, Markdown, HTML, PDF
 `equations`    from an itinerary to its equations, Jacobians, Poincare map, trace, reduction
 `flows`        motion inside a configuration in closed form: modal analysis, entire functions
-`building`     the usual oscillators in a few lines: stops, friction, sliders, forcing
 `systems`      the systems of the source paper, declared
 `declaration`  parameters, configurations, transitions, systems, itineraries: what is declared
 =============  ================================================================================
@@ -127,7 +127,6 @@ _HOMES = {
     ),
     # what systems and equations ask for, though it stands above them
     "codegen.emit": ("emit_library", "emit_many_points"),
-    "codegen.piece": ("emit_piece", "table_of_composed"),
     "codegen.python_file": ("emit_python",),
     "document.equation_table": (
         "equation_html",

@@ -3,19 +3,19 @@
 ====================  =========================================================
 `oscillator`          the one function: matrices and elements to a System
 `elements`            RigidStop, SoftStop, Friction, Slider, Regions, Harmonic
-`matrices`            the matrices of a chain of masses
+`matrices`            the matrices of a chain of masses; arrays of doubles
+`matrix_files`        matrices from files of other programs
 `reduction`           large structures reduced to kept coordinates and modes
 `structure_matrices`  their checked matrices, and lowest modes
-`matrix_files`        matrices from files of other programs
-`doubles`             NumPy arrays and SciPy sparse matrices as binary fractions
 `frame`               coordinates, states and parameters by name
 `parts`               the elements as local regimes
+`element_parts`       how each element becomes a part
 `assembly`            motion, reactions and boundaries of the products of regimes
+`transitions`         what follows each set of boundaries that are reached at once
+`impacts`             Newton's and Moreau's laws of impact for any mass matrix
+`resting`             contacts at rest, or that lift, land, are exhausted or recover
+`coupling`            the law of contacts that the mass matrix couples
 `growing`             systems whose configurations are made when they are visited
-`constraints`         what the elements need of the parameters
-`impacts`             Newton's law of impact for any mass matrix
-`resting`             contacts at rest: the small complementarity problem
-`loads`               contacts with friction that lift, land, are exhausted or recover
 ====================  =========================================================
 """
 

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from functools import cached_property
+from itertools import combinations, product
 
 import sympy as sp
 
-from nonsmooth.derive.building.frame import Frame, along
-from nonsmooth.derive.building.parts import FrictionPart, Part, StopPart, SwitchPart
-from nonsmooth.derive.building.remembering import remembered
-from nonsmooth.derive.declaration.algebra import inverse
+from nonsmooth.derive.building.frame import Frame, along, remembered
+from nonsmooth.derive.building.parts import FrictionPart, Holder, Part, StopPart, SwitchPart
+from nonsmooth.derive.declaration.algebra import cancel, inverse
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import Dynamics, FirstOrder, SecondOrder
 
-__all__ = ["Assembly", "Holder", "Regimes"]
+__all__ = ["Assembly", "Regimes", "changed"]
 
 Regimes = tuple[str, ...]
-Holder = FrictionPart | StopPart
+
+
+def changed(regimes: Regimes, changes: Mapping[int, str]) -> Regimes:
+    """The regimes with some of them replaced, by the indices of their parts."""
+    return tuple(changes.get(i, regime) for i, regime in enumerate(regimes))
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +31,7 @@ class Assembly:
 
     A part is active in a regime in which it holds its direction at a constant velocity: a
     contact that sticks and a stop in contact. The reactions of active parts follow from the
-    constrained motion.
+    constrained motion. Parts are known by their indices.
     """
 
     frame: Frame
@@ -39,56 +43,73 @@ class Assembly:
     # law of coupled stops that are reached at once: "sequence", "moreau" or None
     simultaneous_impacts: str | None = None
 
+    @cached_property
+    def switches(self) -> dict[int, SwitchPart]:
+        """The parts whose regimes follow each other independently of the others."""
+        return {i: part for i, part in enumerate(self.parts) if isinstance(part, SwitchPart)}
+
+    @cached_property
+    def frictions(self) -> dict[int, FrictionPart]:
+        """The contacts with friction."""
+        return {i: part for i, part in enumerate(self.parts) if isinstance(part, FrictionPart)}
+
+    @cached_property
+    def stops(self) -> dict[int, StopPart]:
+        """The rigid stops."""
+        return {i: part for i, part in enumerate(self.parts) if isinstance(part, StopPart)}
+
+    @cached_property
+    def holders(self) -> dict[int, Holder]:
+        """Friction contacts and rigid stops, the parts that may be active, in their order."""
+        holders: dict[int, Holder] = {**self.frictions, **self.stops}
+        return dict(sorted(holders.items()))
+
     def name(self, regimes: Regimes) -> str:
         """Name of a configuration: its regimes joined by hyphens, or `free` without elements."""
         return "-".join(regimes) or "free"
-
-    def holder(self, index: int) -> Holder:
-        """The part of that index, which must be friction or a rigid stop."""
-        part = self.parts[index]
-        if isinstance(part, SwitchPart):
-            raise TypeError(f"{part.name} never holds")
-        return part
-
-    def friction(self, index: int) -> FrictionPart:
-        """The part of that index, which must be a contact with friction."""
-        part = self.parts[index]
-        assert isinstance(part, FrictionPart)
-        return part
-
-    def stop(self, index: int) -> StopPart:
-        """The part of that index, which must be a rigid stop."""
-        part = self.parts[index]
-        assert isinstance(part, StopPart)
-        return part
-
-    @property
-    def holders(self) -> tuple[int, ...]:
-        """Indices of friction contacts and rigid stops, the parts that may be active."""
-        return tuple(i for i, p in enumerate(self.parts) if not isinstance(p, SwitchPart))
 
     def pressed(self, index: int, regimes: Regimes) -> bool:
         """Whether the soft stop that bears a friction contact's normal load is in contact.
 
         It is true of a contact whose load no stop bears.
         """
-        bearer = self.friction(index).bearer
+        bearer = self.frictions[index].bearer
         return bearer is None or regimes[bearer] == "contact"
 
     def active(self, regimes: Regimes) -> tuple[int, ...]:
-        """Indices of the parts that hold their direction."""
-        return tuple(i for i in self.holders if regimes[i] == self.holder(i).holding)
+        """The parts that hold their direction."""
+        return tuple(i for i, part in self.holders.items() if regimes[i] == part.holding)
 
     @remembered
     def coupling(self, first: int, second: int) -> sp.Expr:
         """Acceleration along the direction of one part by a unit force along that of another."""
-        rows = self.holder(first).direction, self.holder(second).direction
+        rows = self.holders[first].direction, self.holders[second].direction
         return sp.cancel((rows[0] * self.frame.inverse * rows[1].T)[0])
 
-    def rows(self, indices: Sequence[int]) -> sp.Matrix:
+    @cached_property
+    def coupled(self) -> bool:
+        """Whether a contact law decides on the parts that may hold.
+
+        It does if the mass matrix couples friction contacts to each other or to stops. A
+        contact whose direction is held by stops alone needs no law with the stops, as it takes
+        whatever force there is. There is no law at all if the belt of such a contact may or may
+        not have the velocity zero.
+        """
+        stops = self.rows(self.stops)
+        free = {i for i in self.frictions if stops.col_join(self.rows([i])).rank() > stops.rank()}
+        stopped = self.frictions.keys() - free
+        if any(self.frame.sign(self.frictions[i].speed) is None for i in stopped):
+            return False
+        return any(
+            self.coupling(i, j) != 0
+            for i, j in combinations(self.holders, 2)
+            if {i, j} <= self.frictions.keys() or {i, j} & free
+        )
+
+    def rows(self, indices: Iterable[int]) -> sp.Matrix:
         """Matrix (k, n) of the directions of k parts."""
         size = len(self.frame.positions)
-        return sp.Matrix.vstack(sp.zeros(0, size), *(self.holder(i).direction for i in indices))
+        return sp.Matrix.vstack(sp.zeros(0, size), *(self.holders[i].direction for i in indices))
 
     @remembered
     def independent(self, indices: tuple[int, ...]) -> bool:
@@ -98,6 +119,18 @@ class Assembly:
         return bool(rows.extract(list(range(rows.rows)), columns).rank() == len(indices))
 
     @remembered
+    def responses(self, indices: tuple[int, ...]) -> tuple[sp.Matrix, sp.Matrix]:
+        """Answers to k parts whose directions are independent.
+
+        The accelerations (n x k) by unit forces along their directions, and the forces (k x k)
+        that give their directions unit accelerations.
+        """
+        rows = self.rows(indices)
+        spread = self.frame.inverse * rows.T
+        inner = (rows * spread).applyfunc(cancel)
+        return sp.ImmutableMatrix(spread), inner.inv().applyfunc(cancel)
+
+    @remembered
     def _drift(self, index: int, active: tuple[int, ...]) -> sp.Expr | None:
         """Velocity along a direction, less that of its belt, which the active directions fix.
 
@@ -105,9 +138,9 @@ class Assembly:
         """
         if not active or self.independent((*active, index)):
             return None
-        part, rows = self.holder(index), self.rows(active)
+        part, rows = self.holders[index], self.rows(active)
         weights = part.direction * rows.T * (rows * rows.T).inv()
-        speeds = sp.Matrix([self.holder(i).speed for i in active])
+        speeds = sp.Matrix([self.holders[i].speed for i in active])
         return sp.cancel((weights * speeds)[0] - part.speed)
 
     def drift(self, index: int, regimes: Regimes) -> sp.Expr | None:
@@ -136,54 +169,32 @@ class Assembly:
         """
         if not self.independent(self.active(regimes)):
             return False
-        for i, (part, regime) in enumerate(zip(self.parts, regimes, strict=True)):
-            if not isinstance(part, FrictionPart):
-                continue
-            if self.pressed(i, regimes):
-                if regime == "lifted" and not part.lifts:
-                    return False
-            elif regime != "lifted":
+        for i, part in self.frictions.items():
+            lifted, side = regimes[i] == "lifted", part.slides(regimes[i])
+            if lifted and self.pressed(i, regimes) and not part.lifts:
                 return False
-            side = part.slides(regime)
+            if not lifted and not self.pressed(i, regimes):
+                return False
             drift = self.drift(i, regimes) if side else None
             if drift is not None and self.frame.sign(drift) == -side:
                 return False
         return True
 
-    @remembered
-    def impulse(
-        self, stop: int, kept: tuple[int, ...]
-    ) -> tuple[sp.Matrix, tuple[sp.Expr, ...]] | None:
-        """Change of velocities (n x 1) by an impact, and the impulse of each kept stop.
-
-        Both are for a unit velocity of approach. None if the kept stops leave the struck mass
-        no way to move.
-        """
-        part, every = self.stop(stop), self.frame.inverse
-        spread, answers = every * part.direction.T, sp.zeros(0, 1)
-        if kept:
-            rows = self.rows(kept)
-            inner = (rows * every * rows.T).applyfunc(sp.cancel)
-            answers = -(inner.inv() * rows * spread).applyfunc(sp.cancel)
-            spread = spread + every * rows.T * answers
-        effective = sp.cancel((part.direction * spread)[0])
-        if effective == 0:
-            return None
-        impulse = (1 + part.restitution) / effective
-        change = (-impulse * spread).applyfunc(sp.cancel)
-        return sp.ImmutableMatrix(change), tuple(sp.cancel(a * impulse) for a in answers)
+    def possible(self, options: Iterable[Iterable[str]]) -> Iterator[Regimes]:
+        """The combinations that exist with one of the given regimes of each part."""
+        return filter(self.exists, product(*options))
 
     @property
     def products(self) -> tuple[Regimes, ...]:
         """All combinations of regimes that are possible."""
-        return tuple(r for r in product(*(p.regimes for p in self.parts)) if self.exists(r))
+        return tuple(self.possible(part.regimes for part in self.parts))
 
     def _switched(self, regimes: Regimes) -> sp.Matrix:
         """Generalized forces (n x 1), without those of friction contacts and rigid stops."""
         total = sp.Matrix(self.smooth)
-        for part, regime in zip(self.parts, regimes, strict=True):
-            if isinstance(part, SwitchPart) and regime in part.forces:
-                total += part.forces[regime]
+        for i, part in self.switches.items():
+            if regimes[i] in part.forces:
+                total += part.forces[regimes[i]]
         return total
 
     def unheld(self, regimes: Regimes) -> tuple[sp.Expr, ...]:
@@ -194,19 +205,19 @@ class Assembly:
     def _forces(self, regimes: Regimes) -> sp.Matrix:
         """Generalized forces (n x 1), without the reactions of active parts."""
         total = self._switched(regimes)
-        for part, regime in zip(self.parts, regimes, strict=True):
-            if isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
+        for i, part in self.frictions.items():
+            if (force := part.push(regimes[i])) is not None:
                 total += force * part.direction.T
         return total.expand()
 
-    def _held(self, active: Sequence[int]) -> dict[int, tuple[int, sp.Expr]] | None:
-        """Coordinate and weight of each active part, by its index.
+    def places(self, indices: Iterable[int]) -> dict[int, tuple[int, sp.Expr]] | None:
+        """Coordinate and weight of the direction of each part, by its index.
 
-        None if a part holds a combination of coordinates.
+        None if a direction is a combination of coordinates.
         """
         found = {}
-        for i in active:
-            weights = self.holder(i).direction.todok()
+        for i in indices:
+            weights = self.holders[i].direction.todok()
             if len(weights) != 1:
                 return None
             (((_, place), weight),) = weights.items()
@@ -214,39 +225,35 @@ class Assembly:
         return found
 
     @remembered
-    def _spread(self, free: tuple[int, ...]) -> sp.Matrix:
-        """Inverse of the mass matrix of the free coordinates, the others being held."""
-        return inverse(self.frame.mass.extract(free, free))
-
-    @remembered
     def _motion(self, regimes: Regimes) -> tuple[sp.Matrix, dict[int, sp.Expr]]:
         """Accelerations (n x 1), and the reaction of each active part along its direction."""
         frame, active, forces = self.frame, self.active(regimes), self._forces(regimes)
-        held = self._held(active)
+        held = self.places(active)
         if held is None:
-            rows = self.rows(active)
-            spread = frame.inverse * rows.T
-            inner = (rows * spread).applyfunc(sp.cancel)
-            reaction = -(inner.inv().applyfunc(sp.cancel) * (spread.T * forces))
-            acceleration = frame.inverse * (forces + rows.T * reaction)
+            spread, resisting = self.responses(active)
+            reaction = -(resisting * (spread.T * forces))
+            acceleration = frame.inverse * forces + spread * reaction
             reactions = dict(zip(active, reaction, strict=True))
-        else:
+        else:  # rows and columns of held coordinates are left out
             fixed = [place for place, _ in held.values()]
-            free = [j for j in range(len(frame.positions)) if j not in fixed]
+            free = tuple(j for j in range(len(frame.positions)) if j not in fixed)
+            spread = self._spread(free) if fixed else frame.inverse
             acceleration = sp.zeros(len(frame.positions), 1)
-            if free:
-                spread = self._spread(tuple(free)) if fixed else frame.inverse
-                for j, value in zip(free, spread * forces.extract(free, [0]), strict=True):
-                    acceleration[j] = value
+            for j, value in zip(free, spread * forces.extract(free, [0]), strict=True):
+                acceleration[j] = value
             reactions = {
                 i: (along(frame.mass.row(place), acceleration) - forces[place]) / weight
                 for i, (place, weight) in held.items()
             }
-        acceleration = acceleration.applyfunc(lambda f: frame.tidy(sp.expand(f)))
         return (
-            sp.ImmutableMatrix(acceleration),
+            sp.ImmutableMatrix(acceleration.applyfunc(lambda f: frame.tidy(sp.expand(f)))),
             {i: frame.tidy(sp.expand(f)) for i, f in reactions.items()},
         )
+
+    @remembered
+    def _spread(self, free: tuple[int, ...]) -> sp.Matrix:
+        """Inverse of the mass matrix of the free coordinates, the others being held."""
+        return inverse(self.frame.mass.extract(free, free))
 
     def reaction(self, index: int, regimes: Regimes) -> sp.Expr:
         """Force of an active part on the oscillator along the part's direction."""
@@ -258,8 +265,8 @@ class Assembly:
 
     def excesses(self, index: int, regimes: Regimes) -> tuple[sp.Expr, sp.Expr]:
         """Excess of a sticking contact's force over its limit, forward and backward."""
-        part, force = self.friction(index), self.reaction(index, regimes)
-        return force - part.limit, -force - part.limit
+        limit, force = self.frictions[index].limit, self.reaction(index, regimes)
+        return force - limit, -force - limit
 
     def dynamics(self, regimes: Regimes) -> Dynamics:
         """Motion in one configuration, of second order if that is possible.
@@ -267,9 +274,8 @@ class Assembly:
         It is not if the system has states beside positions and velocities, or if a combination
         of coordinates is held.
         """
-        frame, active = self.frame, self.active(regimes)
-        held = self._held(active)
-        size = len(frame.positions)
+        frame = self.frame
+        held = self.places(self.active(regimes))
         if held is not None and not frame.others:
             forces = self._forces(regimes)
             zero = dict.fromkeys(frame.states, sp.S.Zero)
@@ -279,18 +285,15 @@ class Assembly:
                 tuple(forces.xreplace(zero)),
                 -frame.matrix_of(forces, frame.velocities),
                 {
-                    frame.positions[place]: self.holder(i).speed / weight
+                    frame.positions[place]: self.holders[i].speed / weight
                     for i, (place, weight) in held.items()
                 },
             )
         own = dict(self.rates)
-        for part, regime in zip(self.parts, regimes, strict=True):
-            if isinstance(part, SwitchPart) and regime in part.rates:
-                state, rate = part.rates[regime]
-                own[state] = rate
+        own |= [part.rates[regimes[i]] for i, part in self.switches.items()
+                if regimes[i] in part.rates]  # fmt: skip
         rates = [*frame.velocities, *self._motion(regimes)[0]]
         rates += [own.get(state, sp.S.Zero) for state in frame.others]
-        assert len(rates) == 2 * size + len(frame.others)
         offset = tuple(frame.terms(rate)[1] for rate in rates)
         return FirstOrder(frame.matrix_of(rates, frame.states), offset)
 
@@ -299,14 +302,14 @@ class Assembly:
         dynamics = self.dynamics(regimes)
         constraints: list[sp.Expr] = []
         for i in self.active(regimes):
-            holder = self.holder(i)
+            holder = self.holders[i]
             if isinstance(holder, StopPart):
                 constraints.append(holder.gap)
             if isinstance(dynamics, FirstOrder):
                 constraints.append(self.frame.velocity(holder.direction) - holder.speed)
-        for part, regime in zip(self.parts, regimes, strict=True):
-            if isinstance(part, SwitchPart) and regime in part.constraints:
-                constraints.append(part.constraints[regime])
+        for i, part in self.switches.items():
+            if regimes[i] in part.constraints:
+                constraints.append(part.constraints[regimes[i]])
         boundaries = tuple(b for i in range(len(self.parts)) for b in self.boundaries(i, regimes))
         return Configuration(self.name(regimes), dynamics, boundaries, tuple(constraints))
 
@@ -325,43 +328,37 @@ class Assembly:
         if regime == "contact":
             return (Boundary(names[0], -self.pressure(index, regimes)),)
         drift = self.drift(index, regimes)
+        sign = None if drift is None else self.frame.sign(drift)
         if isinstance(part, StopPart):
-            fixed = drift is not None and self.frame.sign(drift) in (0, -1)
-            return () if fixed else (Boundary(names[0], part.gap),)
+            return () if sign in (0, -1) else (Boundary(names[0], part.gap),)
         if not self.pressed(index, regimes):
             return ()
         losses = part.losses(regime)
-        if regime not in part.outcomes or (
-            drift is not None and self.frame.sign(drift) is not None
-        ):
+        if regime not in part.outcomes or sign is not None:
             return losses
-        sign = -part.slides(regime)
-        return (Boundary(names[0], sign * part.relative, acts_when="reached"), *losses)
+        relative = -part.slides(regime) * part.relative
+        return (Boundary(names[0], relative, acts_when="reached"), *losses)
 
     def contacts(self, products: Sequence[Regimes]) -> tuple[Contact, ...]:
         """Forces of the surroundings on the oscillator, one record a part with a direction."""
         found = []
-        for index, part in enumerate(self.parts):
+        for i, part in enumerate(self.parts):
             if part.direction is None:
                 continue
-            forces: dict[str, sp.Expr] = {}
-            sign, kind, surface = 1, "friction", sp.S.Zero
-            for regimes in products:
-                regime, name = regimes[index], self.name(regimes)
-                if isinstance(part, SwitchPart):
-                    if regime in part.pushes:
-                        forces[name] = part.pushes[regime]
-                elif regime == part.holding:
-                    forces[name] = self.reaction(index, regimes)
-                elif isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
-                    forces[name] = force
-            if isinstance(part, SwitchPart):
-                kind = part.kind
-            elif isinstance(part, StopPart):
-                sign, kind = part.sign, "stop"
-                forces = {name: sign * force for name, force in forces.items()}
-            else:
-                surface = part.speed
-            velocity = self.frame.velocity(sign * part.direction)
-            found.append(Contact(f"{part.name}-{kind}", velocity, forces, surface))
+            forces = {self.name(regimes): self._push(i, regimes) for regimes in products}
+            found.append(
+                Contact(
+                    f"{part.name}-{part.kind}",
+                    self.frame.velocity(part.sign * part.direction),
+                    {name: force for name, force in forces.items() if force is not None},
+                    part.speed,
+                )
+            )
         return tuple(found)
+
+    def _push(self, index: int, regimes: Regimes) -> sp.Expr | None:
+        """Force of a part on the oscillator along its declared direction; None without one."""
+        part = self.parts[index]
+        if index in self.active(regimes):
+            return part.sign * self.reaction(index, regimes)
+        return part.push(regimes[index])

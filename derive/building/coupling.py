@@ -3,51 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations, product
+from itertools import product
 
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
-from nonsmooth.derive.building.parts import Exit, FrictionPart, Part, StopPart, SwitchPart
-from nonsmooth.derive.building.pins import pins
-from nonsmooth.derive.building.resting import unsettled
+from nonsmooth.derive.building.parts import FrictionPart, Holder, StopPart
+from nonsmooth.derive.building.resting import pins, unsettled
 from nonsmooth.derive.declaration.contact_law import ContactLaw, LawContact
 
-__all__ = ["contact_law", "coupled"]
-
-
-def coupled(assembly: Assembly) -> bool:
-    """Whether a contact law decides on the parts that may hold.
-
-    It does if the mass matrix couples friction contacts to each other or to stops. A
-    contact whose direction is held by stops alone needs no law with the stops, as it takes
-    whatever force there is. There is no law at all if the belt of such a contact may or may
-    not have the velocity zero.
-    """
-    rubbing = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
-    stops = assembly.rows([i for i in assembly.holders if i not in rubbing])
-    stopped = [i for i in rubbing if stops.col_join(assembly.rows([i])).rank() == stops.rank()]
-    if any(assembly.frame.sign(assembly.friction(i).speed) is None for i in stopped):
-        return False
-    return any(
-        assembly.coupling(i, j) != 0
-        for i, j in combinations(assembly.holders, 2)
-        if {i, j} <= {*rubbing} or {i, j} & ({*rubbing} - {*stopped})
-    )
+__all__ = ["contact_law"]
 
 
 def contact_law(assembly: Assembly, products: Sequence[Regimes]) -> ContactLaw | None:
     """The contact law of the parts that may hold; None where each is decided by itself."""
-    if not coupled(assembly):
+    if not assembly.coupled:
         return None
-    holders = assembly.holders
-    others = [i for i in range(len(assembly.parts)) if i not in holders]
-
-    def switched(regimes: Regimes) -> str:
-        return "-".join(regimes[i] for i in others)
-
+    holders = list(assembly.holders)
     names = {regimes: assembly.name(regimes) for regimes in products}
-    exits = {switched(regimes): _exits(assembly, others, regimes) for regimes in products}
+    others = {regimes: "-".join(regimes[i] for i in assembly.switches) for regimes in products}
+    exits = {others[regimes]: _exits(assembly, regimes) for regimes in products}
     own: dict[str, Mapping[sp.Symbol, sp.Expr]] = {"": {}}
     for found in exits.values():
         own |= {joined: reset for joined, (_, reset) in found.items()}
@@ -55,43 +30,35 @@ def contact_law(assembly: Assembly, products: Sequence[Regimes]) -> ContactLaw |
               for regimes in products}  # fmt: skip
     arrivals, limits = _events(assembly)
     return ContactLaw(
-        tuple(_contact(assembly.parts[i], assembly) for i in holders),
+        tuple(map(_contact, assembly.holders.values())),
         sp.Matrix(len(holders), len(holders),
                   lambda a, b: assembly.coupling(holders[a], holders[b])),
         {name: tuple(regimes[i] for i in holders) for regimes, name in names.items()},
-        {name: switched(regimes) for regimes, name in names.items()},
-        {switched(regimes): assembly.unheld(regimes) for regimes in products},
+        {name: others[regimes] for regimes, name in names.items()},
+        {others[regimes]: assembly.unheld(regimes) for regimes in products},
         arrivals,
         limits,
         {before: {joined: after for joined, (after, _) in found.items()}
          for before, found in exits.items()},
-        {name: tuple(holders.index(i) for i in unsettled(assembly, regimes))
+        {name: tuple(map(holders.index, unsettled(assembly, regimes)))
          for regimes, name in names.items()},
         {"": own} | {name: {joined: dict(reset) | places[regimes] for joined, reset in own.items()}
                      for regimes, name in names.items()},
     )  # fmt: skip
 
 
-def _contact(part: Part, assembly: Assembly) -> LawContact:
+def _contact(part: Holder) -> LawContact:
     if isinstance(part, StopPart):
         return LawContact(part.name, False, part.approach, part.gap)
-    assert isinstance(part, FrictionPart)
-    kinetic, slipping, overshooting = (
-        sp.expand(force)
-        for force in (part.kinetic * part.load, part.force("slip"), part.force("overshoot"))
-    )
-    return LawContact(
-        part.name, True, part.relative, sp.S.Zero, sp.expand(part.limit), kinetic,
-        slipping, overshooting,
-    )  # fmt: skip
+    forces = (part.limit, part.kinetic * part.load, part.push("slip"), part.push("overshoot"))
+    return LawContact(part.name, True, part.relative, sp.S.Zero, *map(sp.expand, forces))
 
 
 def _events(assembly: Assembly) -> tuple[dict[str, int], dict[str, int]]:
     """Index of a contact by each boundary at which it comes to rest, and by each of its limits."""
     arrivals: dict[str, int] = {}
     limits: dict[str, int] = {}
-    for place, index in enumerate(assembly.holders):
-        part = assembly.holder(index)
+    for place, part in enumerate(assembly.holders.values()):
         for regime in part.outcomes:
             found = limits if regime == "stick" else arrivals
             found |= dict.fromkeys(part.names(regime), place)
@@ -100,26 +67,21 @@ def _events(assembly: Assembly) -> tuple[dict[str, int], dict[str, int]]:
     return arrivals, limits
 
 
-def _exits(
-    assembly: Assembly, others: Sequence[int], regimes: Regimes
-) -> dict[str, tuple[str, dict[sp.Symbol, sp.Expr]]]:
-    """Regimes and reset of the other parts behind each set of their boundaries.
+def _exits(assembly: Assembly, regimes: Regimes) -> dict[str, tuple[str, dict[sp.Symbol, sp.Expr]]]:
+    """Regimes and reset of the switching parts behind each set of their boundaries.
 
     The key is the set's names, sorted and joined by "+"; the value has the regimes, joined
     by hyphens, and the reset.
     """
-    options: list[list[Exit | None]] = []
-    for i in others:
-        part = assembly.parts[i]
-        assert isinstance(part, SwitchPart)
-        options.append([None, *part.exits[regimes[i]]])
+    switches = assembly.switches
+    options = ([None, *part.exits[regimes[i]]] for i, part in switches.items())
     found = {}
     for chosen in product(*options):
         taken = [exit_ for exit_ in chosen if exit_ is not None]
-        after = [exit_.target if exit_ else regimes[i]
-                 for i, exit_ in zip(others, chosen, strict=True)]  # fmt: skip
-        reset = {s: e for exit_ in taken for s, e in exit_.reset.items()}
         if taken:
+            after = (exit_.target if exit_ else regimes[i]
+                     for i, exit_ in zip(switches, chosen, strict=True))  # fmt: skip
             joined = "+".join(sorted(exit_.boundary.name for exit_ in taken))
+            reset = {s: e for exit_ in taken for s, e in exit_.reset.items()}
             found[joined] = ("-".join(after), reset)
     return found

@@ -19,9 +19,10 @@ from nonsmooth.derive.building.elements import (
 from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import Exit, FrictionPart, Part, StopPart, SwitchPart
 from nonsmooth.derive.declaration.configuration import Boundary
+from nonsmooth.derive.declaration.parameter import is_rational
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["part_of", "slider_state", "states_of"]
+__all__ = ["constraints_of", "part_of", "states_of"]
 
 
 @singledispatch
@@ -43,12 +44,31 @@ def states_of(element: Element) -> tuple[sp.Symbol, ...]:
 
 @states_of.register
 def _slider_states(slider: Slider) -> tuple[sp.Symbol, ...]:
-    return (slider_state(slider),)
+    return (sp.Symbol(f"s_{slider.name.replace('-', '_')}", real=True),)
 
 
-def slider_state(slider: Slider) -> sp.Symbol:
-    """Symbol of a slider's position."""
-    return sp.Symbol(f"s_{slider.name.replace('-', '_')}", real=True)
+def constraints_of(frame: Frame, parts: Sequence[Part]) -> tuple[sp.Expr, ...]:
+    """Expressions of the parameters that must not be negative but may be so on their domains.
+
+    DeclarationError refuses one that is negative on the whole domain, that is no rational
+    function, or that depends on the state.
+    """
+    found = dict[sp.Expr, None]()
+    for part in parts:
+        for what, value in part.needed.items():
+            where, value = f"element {part.name!r}: {what}", sp.expand(value)
+            if value.free_symbols & set(frame.states):
+                raise DeclarationError(f"{where} depends on the state")
+            sign = frame.sign(value)
+            if sign == -1:
+                raise DeclarationError(f"{where} is negative: {value}")
+            if sign is None and not value.is_nonnegative:
+                if not is_rational(value):
+                    raise DeclarationError(
+                        f"{where} is {value}, of unknown sign: make it a parameter of its own"
+                    )
+                found[value] = None
+    return tuple(found)
 
 
 def _into(element: RigidStop | SoftStop, frame: Frame) -> tuple[int, sp.Matrix, sp.Expr, sp.Expr]:
@@ -62,8 +82,10 @@ def _into(element: RigidStop | SoftStop, frame: Frame) -> tuple[int, sp.Matrix, 
 @part_of.register
 def _rigid_stop(element: RigidStop, frame: Frame, elements: Sequence[Element]) -> StopPart:
     sign, row, gap, approach = _into(element, frame)
-    restitution = frame.expression(element.restitution)
-    return StopPart(element.name, row, gap, approach, restitution, sign)
+    restitution, needed = frame.expression(element.restitution), {}
+    if all(p.symbol != restitution or p.upper > 1 for p in frame.parameters):
+        needed = {"restitution": restitution, "what restitution leaves of 1": 1 - restitution}
+    return StopPart(element.name, row, gap, approach, restitution, sign, needed)
 
 
 def _push(element: SoftStop, frame: Frame) -> sp.Expr:
@@ -76,12 +98,13 @@ def _push(element: SoftStop, frame: Frame) -> sp.Expr:
 def _soft_stop(element: SoftStop, frame: Frame, elements: Sequence[Element]) -> SwitchPart:
     sign, row, gap, _ = _into(element, frame)
     name, push = element.name, _push(element, frame)
+    stiffness, damping = map(frame.expression, (element.stiffness, element.damping))
     reaches = Exit(Boundary(f"{name}-reaches-stop", gap), "contact")
     exits: dict[str, tuple[Exit, ...]] = {"free": (reaches,)}
     if element.released == "gap":
         exits["contact"] = (Exit(Boundary(f"{name}-leaves-stop", -gap), "free"),)
     else:
-        if frame.sign(damping := frame.expression(element.damping)) not in (1, -1):
+        if frame.sign(damping) not in (1, -1):
             raise DeclarationError(
                 f"element {name!r}: its damping {damping} may be zero, and its force then vanishes"
                 " as the gap opens: make it a parameter whose domain leaves out 0, or take"
@@ -100,6 +123,7 @@ def _soft_stop(element: SoftStop, frame: Frame, elements: Sequence[Element]) -> 
         sign * row,
         {"contact": -sign * push},
         "stop",
+        needed={"stiffness": stiffness, "damping": damping},
     )
 
 
@@ -176,9 +200,8 @@ def _load(
 @part_of.register
 def _slider(element: Slider, frame: Frame, elements: Sequence[Element]) -> SwitchPart:
     row = frame.row(element.coordinate, f"element {element.name!r}")
-    stiffness, limit = frame.expression(element.stiffness), frame.expression(element.limit)
-    state, velocity = slider_state(element), frame.velocity(row)
-    position = frame.position(row)
+    stiffness, limit = map(frame.expression, (element.stiffness, element.limit))
+    (state,), position, velocity = states_of(element), frame.position(row), frame.velocity(row)
     spring, name = stiffness * (position - state), element.name
     turns = f"{name}-turns"
     return SwitchPart(
@@ -206,6 +229,7 @@ def _slider(element: Slider, frame: Frame, elements: Sequence[Element]) -> Switc
         "slider",
         {"forward": (state, velocity), "backward": (state, velocity)},
         {"forward": spring - limit, "backward": spring + limit},
+        {"stiffness": stiffness, "limit": limit},
     )
 
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from nonsmooth.derive.building.doubles import is_array, values_of_doubles
+from nonsmooth.derive.building.matrices import is_array, values_of_doubles
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.errors import DeclarationError
 

@@ -2,28 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
-from functools import cached_property
-from typing import Any
+from functools import cached_property, update_wrapper
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import sympy as sp
 
-from nonsmooth.derive.building.doubles import (
-    is_array,
-    matrix_of_doubles,
-    values_of_doubles,
-)
 from nonsmooth.derive.building.elements import Direction, RigidStop
-from nonsmooth.derive.building.remembering import remembered
-from nonsmooth.derive.declaration.algebra import affine_terms, cancel, frozen, inverse
+from nonsmooth.derive.building.matrices import is_array, square, values_of_doubles
+from nonsmooth.derive.declaration.algebra import (
+    affine_terms,
+    cancel,
+    frozen,
+    inverse,
+    is_affine,
+)
 from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
 from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Frame", "along", "inferred_parameters", "velocity_name"]
+__all__ = ["Frame", "along", "inferred_parameters", "remembered"]
 
 _LISTED = 12
+_Arguments = ParamSpec("_Arguments")
+_Result = TypeVar("_Result")
+
+
+def remembered(
+    method: Callable[Concatenate[Any, _Arguments], _Result],
+) -> Callable[Concatenate[Any, _Arguments], _Result]:
+    """The method with its results stored in the object, one for each tuple of arguments.
+
+    Unlike `functools.cache` it does not keep its objects alive.
+    """
+    place = f"_remembered_{method.__name__}"
+
+    def call(owner: Any, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Result:
+        known: dict[Any, _Result] = owner.__dict__.setdefault(place, {})
+        key = (args, tuple(kwargs.items()))
+        if key not in known:
+            known[key] = method(owner, *args, **kwargs)
+        return known[key]
+
+    return update_wrapper(call, method)
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +88,10 @@ class Frame:
         """Column (n x 1) of values given in order or by coordinate; zero where none is given."""
         names = [str(s) for s in self.positions]
         if isinstance(given, Mapping):
-            self._check_coordinates(given, what)
+            for name in given:
+                if name not in names:
+                    listed = ", ".join(names[:_LISTED]) + ", ..." * (len(names) > _LISTED)
+                    raise DeclarationError(f"{what}: unknown coordinate {name!r} (known: {listed})")
             given = [given.get(name, 0) for name in names]
         if is_array(given):
             given = values_of_doubles(given, what)
@@ -118,8 +143,7 @@ class Frame:
     def affine(self, function: Any, where: str) -> sp.Expr:
         """An affine function of the state; DeclarationError refuses another one."""
         function = self.expression(function)
-        slopes, _ = self.terms(function)
-        if any(slope.free_symbols & self._known for slope in slopes.values()):
+        if not is_affine(function, self._known):
             raise DeclarationError(f"{where}: {function} is not affine in the state")
         return function
 
@@ -155,64 +179,28 @@ class Frame:
             return 1
         return -1 if is_positive(-expression, self.parameters) else None
 
-    def _check_coordinates(self, names: Iterable[str], what: str) -> None:
-        known = [str(s) for s in self.positions]
-        for name in names:
-            if name not in known:
-                listed = ", ".join(known[:_LISTED]) + (", ..." if len(known) > _LISTED else "")
-                raise DeclarationError(f"{what}: unknown coordinate {name!r} (known: {listed})")
-
 
 def along(row: sp.Matrix, values: Sequence[sp.Expr]) -> sp.Expr:
     """Sum of the values, weighted by the entries of a row."""
     return sp.Add(*(weight * values[j] for (_, j), weight in row.todok().items()))
 
 
-def square(given: Any, what: str, size: int, resolved: Any = exact) -> sp.Matrix:
-    """A matrix of the given size, each entry passed through `resolved`."""
-    if is_array(given):
-        matrix = matrix_of_doubles(given, what)
-    else:
-        try:
-            matrix = given.as_mutable() if isinstance(given, sp.MatrixBase) else sp.Matrix(given)
-        except (TypeError, ValueError):
-            raise DeclarationError(f"{what} is no matrix: {given!r}") from None
-    if matrix.shape != (size, size):
-        raise DeclarationError(
-            f"{what} is {matrix.rows} x {matrix.cols}, not {size} x {size} as there are coordinates"
-        )
-    return matrix.applyfunc(resolved)
-
-
-def velocity_name(coordinate: str) -> str:
-    """Name of a coordinate's velocity: x1 has v1, phi has v_phi."""
-    return f"v{coordinate[1:]}" if coordinate.startswith("x") else f"v_{coordinate}"
-
-
 def inferred_parameters(
-    given: Iterable[Parameter], states: Iterable[str], *sources: Any
+    given: Iterable[Parameter], states: Iterable[str], elements: Sequence[Any], *sources: Any
 ) -> tuple[Parameter, ...]:
-    """The given parameters, and one for every other symbol of the sources.
+    """The given parameters, and one for every other symbol of sources and elements.
 
     A symbol's assumptions give its domain: positive, nonnegative, negative or real. One
     without them is positive, and a coefficient of restitution lies in [0, 1].
     """
-    found = {p.name: p for p in given}
-    names = {*states, *found}
+    found: dict[str, Parameter | None] = {**dict.fromkeys(states), **{p.name: p for p in given}}
     restitutions = {
-        s.name
-        for source in sources
-        if isinstance(source, Sequence)
-        for element in source
-        if isinstance(element, RigidStop)
-        for s in [exact(element.restitution)]
-        if s.is_Symbol
+        exact(element.restitution) for element in elements if isinstance(element, RigidStop)
     }
-    for symbol in _symbols(sources):
-        if symbol.name not in names:
-            names.add(symbol.name)
-            found[symbol.name] = _inferred(symbol, symbol.name in restitutions)
-    return tuple(found.values())
+    for symbol in _symbols([*sources, *elements]):
+        if symbol.name not in found:
+            found[symbol.name] = _inferred(symbol, symbol.name in map(str, restitutions))
+    return tuple(p for p in found.values() if p is not None)
 
 
 def _inferred(symbol: sp.Symbol, restitution: bool) -> Parameter:

@@ -10,18 +10,16 @@ itineraries ask for them.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cached_property
-from itertools import chain
 from math import prod
 from typing import Any
 
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
-from nonsmooth.derive.building.coupling import coupled
-from nonsmooth.derive.building.parts import FrictionPart, StopPart, SwitchPart
+from nonsmooth.derive.building.coupling import contact_law
+from nonsmooth.derive.building.parts import FrictionPart, Part
 from nonsmooth.derive.building.transitions import (
     transitions_alone,
     transitions_at,
@@ -31,23 +29,14 @@ from nonsmooth.derive.declaration.configuration import Configuration, Contact
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
-from nonsmooth.derive.registry import registered
 
-__all__ = ["GrowingSystem", "is_large"]
+__all__ = ["GrowingSystem", "is_large", "whole"]
 
 _LARGEST = 10_000  # coordinates times sets of boundaries, of what is listed at once
 _MOST = 4096  # configurations that are listed when they are asked for
+# what a growing system has of its own; the rest is made when it is asked for
+_GIVEN = ("name", "description", "states", "parameters", "constraints", "forcing", "law", "model")
 _MOST_TOGETHER = 7  # parts with friction at rest whose boundaries are reached at one instant
-
-
-@dataclass(frozen=True)
-class _Identity:
-    """The declarations by which two growing systems are compared."""
-
-    name: str
-    description: str
-    assembly: Assembly
-    constraints: tuple[sp.Expr, ...]
 
 
 def is_large(assembly: Assembly) -> bool:
@@ -57,22 +46,46 @@ def is_large(assembly: Assembly) -> bool:
     that the mass matrix couples are excluded: one law decides on them, which knows all
     configurations.
     """
-    return _sets(assembly) * len(assembly.frame.positions) > _LARGEST and not coupled(assembly)
+    sets = prod(sum(1 + _exits(part, regime) for regime in part.regimes) for part in assembly.parts)
+    return sets * len(assembly.frame.positions) > _LARGEST and not assembly.coupled
 
 
-def _sets(assembly: Assembly) -> int:
-    """Approximate number of sets of boundaries in all configurations."""
-    return prod(sum(1 + _exits(part, regime) for regime in part.regimes) for part in assembly.parts)
+def _exits(part: Part, regime: str) -> int:
+    losses = part.losses(regime) if isinstance(part, FrictionPart) else ()
+    return len(part.names(regime)) + len(losses)
 
 
-def _exits(part: Any, regime: str) -> int:
-    if isinstance(part, SwitchPart):
-        return len(part.exits[regime])
-    if isinstance(part, StopPart):
-        return 1
-    if regime == "stick":
-        return len(part.names(regime))
-    return len(part.losses(regime)) + (regime in part.outcomes)
+def listed(
+    name: str,
+    description: str,
+    assembly: Assembly,
+    constraints: Sequence[sp.Expr],
+    products: Sequence[Regimes],
+    transitions: Iterable[Transition],
+    kind: type[System] = System,
+) -> System:
+    """The system of some combinations of regimes, with given transitions."""
+    return kind(
+        name=name,
+        description=description,
+        states=assembly.frame.states,
+        parameters=assembly.frame.parameters,
+        configurations=tuple(map(assembly.configuration, products)),
+        transitions=tuple(transitions),
+        constraints=tuple(constraints),
+        contacts=assembly.contacts(products),
+        forcing=assembly.phases,
+        law=contact_law(assembly, products),
+    )
+
+
+def whole(
+    name: str, description: str, assembly: Assembly, constraints: Sequence[sp.Expr]
+) -> System:
+    """The system of all combinations of regimes that exist."""
+    products = assembly.products
+    every = (found for regimes in products for found in transitions_from(assembly, regimes))
+    return listed(name, description, assembly, constraints, products, every)
 
 
 class GrowingSystem(System):
@@ -88,18 +101,10 @@ class GrowingSystem(System):
     def __init__(
         self, name: str, description: str, assembly: Assembly, constraints: Sequence[sp.Expr]
     ) -> None:
-        for attribute, value in (
-            ("name", name),
-            ("description", description),
-            ("assembly", assembly),
-            ("states", assembly.frame.states),
-            ("parameters", assembly.frame.parameters),
-            ("constraints", tuple(constraints)),
-            ("forcing", assembly.phases),
-            ("law", None),
-        ):
-            object.__setattr__(self, attribute, value)
-        self._system((), (), ())  # names, parameters and constraints are checked
+        object.__setattr__(self, "assembly", assembly)
+        checked = listed(name, description, assembly, constraints, (), ())
+        for attribute in _GIVEN:
+            object.__setattr__(self, attribute, getattr(checked, attribute))
 
     def __eq__(self, other: object) -> bool:
         """Whether the declarations are equal."""
@@ -116,9 +121,9 @@ class GrowingSystem(System):
         return f"<System {self.name!r} of up to {self._count:,} configurations>"
 
     @property
-    def identity(self) -> _Identity:
+    def identity(self) -> tuple[str, str, Assembly, tuple[sp.Expr, ...]]:
         """The declarations that distinguish the system from every other."""
-        return _Identity(self.name, self.description, self.assembly, self.constraints)
+        return self.name, self.description, self.assembly, self.constraints
 
     @property
     def configurations(self) -> tuple[Configuration, ...]:
@@ -146,28 +151,11 @@ class GrowingSystem(System):
                 f"system {self.name!r} has up to {self._count:,} configurations, too many to list"
                 f" (at most {_MOST:,}): simulate, solve and find_orbits make those that they visit"
             )
-        if "_listed" not in vars(self):
-            products = self.assembly.products
-            every = (transitions_from(self.assembly, regimes) for regimes in products)
-            found = self._system(
-                tuple(map(self.assembly.configuration, products)),
-                tuple(chain.from_iterable(every)),
-                self.assembly.contacts(products),
-            )
-            object.__setattr__(self, "_listed", found)
-        listed: System = vars(self)["_listed"]
-        return listed
+        return self._listed
 
-    def _system(
-        self,
-        configurations: tuple[Configuration, ...],
-        transitions: tuple[Transition, ...],
-        contacts: tuple[Contact, ...],
-    ) -> System:
-        return System(
-            self.name, self.description, self.states, self.parameters, configurations, transitions,
-            self.constraints, contacts, self.forcing,
-        )  # fmt: skip
+    @cached_property
+    def _listed(self) -> System:
+        return whole(*self.identity)
 
     def configuration(self, name: str) -> Configuration:
         """The configuration of that name, made now; DeclarationError refuses an unknown one."""
@@ -190,7 +178,7 @@ class GrowingSystem(System):
 
     def has(self, name: str) -> bool:
         """Whether the system has a configuration of that name."""
-        return any(map(self.assembly.exists, self._split(name, 0)))
+        return any(self._readings(name))
 
     def piece(self, name: str, boundaries: Collection[str] = ()) -> str:
         """Source of a Python module for one configuration and what follows its boundaries.
@@ -200,26 +188,22 @@ class GrowingSystem(System):
         be known of those that it leads to. DeclarationError refuses an unknown configuration,
         and too many friction contacts that are reached together.
         """
+        from nonsmooth.derive.codegen.piece import emit_piece
+
         assembly, regimes = self.assembly, self._regimes(name)
         if boundaries:
             self._check_together(regimes, boundaries)
             found = tuple(transitions_at(assembly, regimes, boundaries))
         else:
             found = tuple(transitions_alone(assembly, regimes))
-        own = assembly.configuration(regimes)
         along = dict.fromkeys(c.along for t in found for c in t.conditions if c.along != name)
         fields = {each: assembly.dynamics(self._regimes(each)) for each in along}
         led = dict.fromkeys(t.target for t in found if t.target not in {name, *along})
-        system = _Piece(
-            self.name, self.description, self.states, self.parameters, (own,), found,
-            self.constraints, assembly.contacts([regimes]), self.forcing,
-        )  # fmt: skip
+        system = listed(*self.identity, [regimes], found, _Piece)
         conditions = [
-            {regime: _conditions(part, regime) for regime in part.regimes}
-            for part in assembly.parts
+            {regime: part.conditions(regime) for regime in part.regimes} for part in assembly.parts
         ]
-        source: str = registered("emit_piece")(system, fields, list(led), conditions)
-        return source
+        return emit_piece(system, fields, list(led), conditions)
 
     def composed(self, orbit: Any) -> dict[str, Any]:
         """The table of an itinerary that is composed at run time.
@@ -227,18 +211,19 @@ class GrowingSystem(System):
         DeclarationError refuses one with vanishing phases, a presentation or parameters to
         solve for.
         """
+        from nonsmooth.derive.codegen.derived import Underived
+        from nonsmooth.derive.codegen.tables import composed_table
+
         reason = "its system's configurations are made when they are first visited"
         if orbit.vanishing or orbit.presentation or orbit.solved_for:
             raise DeclarationError(f"itinerary {orbit.name!r} cannot be composed: {reason}")
-        table: dict[str, Any] = registered("table_of_composed")(orbit, reason)
-        return table
+        return composed_table(Underived(orbit, reason))
 
     def _check_together(self, regimes: Regimes, boundaries: Collection[str]) -> None:
         rubbing = [
             i
-            for i, part in enumerate(self.assembly.parts)
-            if isinstance(part, FrictionPart)
-            and any(b.name in boundaries for b in self.assembly.boundaries(i, regimes))
+            for i in self.assembly.frictions
+            if any(b.name in boundaries for b in self.assembly.boundaries(i, regimes))
         ]
         if len(rubbing) > _MOST_TOGETHER:
             raise DeclarationError(
@@ -247,29 +232,27 @@ class GrowingSystem(System):
             )
 
     def _regimes(self, name: str) -> Regimes:
-        for regimes in self._split(name, 0):
-            if self.assembly.exists(regimes):
-                return regimes
+        for regimes in self._readings(name):
+            return regimes
         raise DeclarationError(
             f"system {self.name!r} has no configuration {name!r} (their names are the regimes of"
             f" its elements, as {self.assembly.name(tuple(r[0] for _, r in self.regimes))!r})"
         )
 
-    def _split(self, name: str, place: int) -> Iterator[Regimes]:
-        """All ways to read a name as regimes of the parts from an index on.
+    def _readings(self, name: str) -> Iterator[Regimes]:
+        """The existing combinations of regimes that bear a name.
 
         There may be several, as regimes may contain hyphens.
         """
-        if place == len(self.regimes):
-            if not name:
-                yield ()
-            return
-        last = place + 1 == len(self.regimes)
-        for regime in self.regimes[place][1]:
-            head = regime if last else f"{regime}-"
-            if name.startswith(head):
-                for rest in self._split(name[len(head) :], place + 1):
-                    yield (regime, *rest)
+        readings: list[tuple[Regimes, str]] = [((), f"{name}-")]
+        for part in self.assembly.parts:
+            readings = [
+                ((*read, regime), rest.removeprefix(f"{regime}-"))
+                for read, rest in readings
+                for regime in part.regimes
+                if rest.startswith(f"{regime}-")
+            ]
+        return filter(self.assembly.exists, (read for read, rest in readings if not rest))
 
 
 class _Piece(System):
@@ -277,24 +260,3 @@ class _Piece(System):
 
     def __post_init__(self) -> None:
         """Check nothing, since the elements were checked when the system was declared."""
-
-
-def _conditions(part: Any, regime: str) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """Functions of the state that are not positive in a regime, and those that vanish in it."""
-    if isinstance(part, SwitchPart):
-        vanishing = (part.constraints[regime],) if regime in part.constraints else ()
-        return tuple(e.boundary.function for e in part.exits[regime]), vanishing
-    if isinstance(part, StopPart):
-        return ((part.gap,), ()) if regime == "free" else ((), (part.gap, part.approach))
-    pressed = (-part.load,) if part.lifts else ()
-    if regime == "lifted":
-        return ((part.load,), ()) if part.lifts else ((), ())
-    if regime == "stick":
-        return pressed, (part.relative,)
-    side = -part.slides(regime) * part.relative
-    if not part.exhausts:
-        return (side, *pressed), ()
-    short = part.sliding(part.relative, part.load)[
-        regime if regime.startswith("exhausted-") else f"exhausted-{regime}"
-    ]
-    return (side, *pressed, -short if regime.startswith("exhausted-") else short), ()

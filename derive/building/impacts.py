@@ -11,14 +11,13 @@ impact leaves undecided is a boundary at which the next configuration starts, an
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import chain, combinations, permutations, product
+from itertools import chain, combinations, compress, permutations, product
 
 import sympy as sp
 
-from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.assembly import Assembly, Regimes, changed
 from nonsmooth.derive.building.frame import along
-from nonsmooth.derive.building.parts import FrictionPart, StopPart
-from nonsmooth.derive.building.resting import changed
+from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.transition import Condition
 
 __all__ = ["impacts"]
@@ -42,34 +41,37 @@ def impacts(
     `reached` are stops at which the mass may arrive, `moved` all parts that have reached a
     boundary, and `landing` friction contacts that regain their normal load.
     """
-    velocities, law = sp.Matrix(assembly.frame.velocities), assembly.simultaneous_impacts
-    orders = [tuple(reached)]
-    if _interact(assembly, regimes, reached):
-        if law == "moreau":
-            for struck, (conditions, following, after) in _at_once(assembly, regimes, reached):
-                for impact in _settled(
-                    assembly, conditions, regimes, following, after, struck, moved, landing
-                ):
-                    yield 0, impact
-            return
-        if law is None:
-            orders = list(permutations(reached))
+    for number, struck, impact in _ordered(assembly, regimes, reached):
+        for conditions, following, after in _settled(
+            assembly, regimes, impact, struck, moved, landing
+        ):
+            yield number, (conditions, following, after)
+
+
+def _ordered(
+    assembly: Assembly, regimes: Regimes, reached: Sequence[int]
+) -> Iterator[tuple[int, Sequence[int], _Impact]]:
+    """Number of the order, stops that are struck, and impact, friction being left as it was."""
+    velocities = sp.Matrix(assembly.frame.velocities)
+    law = assembly.simultaneous_impacts if _interact(assembly, regimes, reached) else "sequence"
+    if law == "moreau":
+        for struck, impact in _at_once(assembly, regimes, reached, velocities):
+            yield 0, struck, impact
+        return
+    orders = [tuple(reached)] if law == "sequence" else list(permutations(reached))
     for number, order in enumerate(orders, start=len(orders) > 1):
         for strikes in product((True, False), repeat=len(order)):
-            struck = [i for i, strike in zip(order, strikes, strict=True) if strike]
+            struck = tuple(compress(order, strikes))
             if struck:
-                for conditions, following, after in _struck(assembly, regimes, struck, velocities):
-                    for impact in _settled(
-                        assembly, conditions, regimes, following, after, struck, moved, landing
-                    ):
-                        yield number, impact
+                for impact in _struck(assembly, regimes, struck, velocities):
+                    yield number, struck, impact
 
 
 def _closed(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> list[int]:
-    """Indices of the stops in contact that the mass matrix couples to some of the given ones."""
+    """The stops in contact that the mass matrix couples to some of the given ones."""
     return [
         i
-        for i in assembly.holders
+        for i in assembly.stops
         if regimes[i] == "contact" and any(assembly.coupling(stop, i) != 0 for stop in stops)
     ]
 
@@ -83,40 +85,35 @@ def _interact(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> boo
     )
 
 
+def _subsets(items: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """All subsets, the largest first."""
+    for count in range(len(items), -1, -1):
+        yield from combinations(items, count)
+
+
 def _at_once(
-    assembly: Assembly, regimes: Regimes, reached: Sequence[int]
-) -> Iterator[tuple[list[int], _Impact]]:
+    assembly: Assembly, regimes: Regimes, reached: Sequence[int], velocities: sp.Matrix
+) -> Iterator[tuple[Sequence[int], _Impact]]:
     """Impacts by Moreau's law, one for every set of stops that take an impulse."""
-    velocities, inverse = sp.Matrix(assembly.frame.velocities), assembly.frame.inverse
     closed = _closed(assembly, regimes, reached)
-    stops = [*reached, *closed]
     # what is in contact has no velocity
-    wanted = {
-        i: sp.S.Zero
-        if i in closed
-        else (1 + assembly.stop(i).restitution) * (assembly.stop(i).direction * velocities)[0]
-        for i in stops
-    }
-    for count in range(len(stops), 0, -1):
-        for struck in map(list, combinations(stops, count)):
-            rows = assembly.rows(struck)
-            inner = (rows * inverse * rows.T).applyfunc(sp.cancel)
-            if inner.det() == 0 or not set(struck) & set(reached):
-                continue
-            right = sp.Matrix([wanted[i] for i in struck])
-            impulses = (inner.inv() * right).applyfunc(sp.expand)
-            touching = _touching(assembly, regimes, next(i for i in struck if i in reached))
-            conditions = [Condition(impulse, touching) for impulse in impulses]
-            for i in stops:
-                if i not in struck:
-                    left = (assembly.stop(i).direction * inverse * rows.T * impulses)[0]
-                    conditions.append(Condition(sp.expand(wanted[i] - left), touching, holds=False))
-            following = regimes
-            for i in closed:
-                if i not in struck:
-                    following = changed(following, i, "free")
-            after = (velocities - inverse * rows.T * impulses).expand()
-            yield struck, (tuple(conditions), following, after)
+    wanted = dict.fromkeys([*reached, *closed], sp.S.Zero)
+    for i in reached:
+        part = assembly.stops[i]
+        wanted[i] = (1 + part.restitution) * (part.direction * velocities)[0]
+    for struck in _subsets([*wanted]):
+        if not set(struck) & set(reached) or not assembly.independent(struck):
+            continue
+        spread, resisting = assembly.responses(struck)
+        impulses = (resisting * sp.Matrix([wanted[i] for i in struck])).applyfunc(sp.expand)
+        touching = _touching(assembly, regimes, next(i for i in struck if i in reached))
+        conditions = [Condition(impulse, touching) for impulse in impulses]
+        for i in wanted:
+            if i not in struck:
+                left = (assembly.stops[i].direction * spread * impulses)[0]
+                conditions.append(Condition(sp.expand(wanted[i] - left), touching, holds=False))
+        following = changed(regimes, {i: "free" for i in closed if i not in struck})
+        yield struck, (tuple(conditions), following, (velocities - spread * impulses).expand())
 
 
 def _struck(
@@ -127,34 +124,31 @@ def _struck(
         yield (), regimes, velocities
         return
     stop, *others = stops
-    part = assembly.stop(stop)
+    part = assembly.stops[stop]
     approach = along(part.direction, velocities)
     arrives = Condition(approach, _touching(assembly, regimes, stop))
     closed = _closed(assembly, regimes, [stop])
-    for kept in chain.from_iterable(combinations(closed, k) for k in range(len(closed), -1, -1)):
-        found = assembly.impulse(stop, kept)
-        if found is None:
-            continue
-        change, pushes = found
-        signs = [assembly.frame.sign(push) for push in pushes]
-        if any(sign in (0, -1) for sign in signs):
-            continue
-        holds = [
-            Condition(push * approach, arrives.along)
-            for push, sign in zip(pushes, signs, strict=True)
-            if sign is None
-        ]
-        following = regimes
-        for i in closed:
-            if i not in kept:
-                following = changed(following, i, "free")
-        after = sp.Matrix(velocities)
-        for (place, _), step in change.todok().items():
-            after[place] = sp.expand(after[place] + step * approach)
-        for more, final, last in _struck(assembly, following, others, after):
-            yield (arrives, *holds, *more), final, last
-        if not holds:
-            return
+    for kept in _subsets(closed):
+        if not assembly.independent((stop, *kept)):
+            continue  # they leave the struck mass no way to move
+        spread, resisting = assembly.responses((stop, *kept))
+        impulses = ((1 + part.restitution) * resisting.col(0)).applyfunc(cancel)
+        holds = []
+        for push in impulses[1:]:
+            sign = assembly.frame.sign(push)
+            if sign in (0, -1):
+                break
+            if sign is None:
+                holds.append(Condition(push * approach, arrives.along))
+        else:
+            following = changed(regimes, {i: "free" for i in closed if i not in kept})
+            after, steps = sp.Matrix(velocities), -(spread * impulses).applyfunc(cancel)
+            for (place, _), step in steps.todok().items():
+                after[place] = sp.expand(after[place] + step * approach)
+            for more, final, last in _struck(assembly, following, others, after):
+                yield (arrives, *holds, *more), final, last
+            if not holds:
+                return
 
 
 def _touching(assembly: Assembly, regimes: Regimes, stop: int) -> str:
@@ -162,26 +156,19 @@ def _touching(assembly: Assembly, regimes: Regimes, stop: int) -> str:
 
     The other parts keep their regimes if such a configuration exists.
     """
-    wanted = changed(regimes, stop, "contact")
-    if assembly.exists(wanted):
-        return assembly.name(wanted)
-    others = [
-        ("contact" if i == stop else "free",)
-        if isinstance(part, StopPart)
-        else part.regimes
-        if isinstance(part, FrictionPart)
-        else (regimes[i],)
-        for i, part in enumerate(assembly.parts)
-    ]
-    return assembly.name(next(c for c in product(*others) if assembly.exists(c)))
+    wanted = changed(regimes, {stop: "contact"})
+    if not assembly.exists(wanted):
+        others: dict[int, tuple[str, ...]] = dict.fromkeys(assembly.stops, ("free",))
+        others |= {i: part.regimes for i, part in assembly.frictions.items()}
+        others[stop] = ("contact",)
+        wanted = next(assembly.possible(others.get(i, (r,)) for i, r in enumerate(regimes)))
+    return assembly.name(wanted)
 
 
 def _settled(
     assembly: Assembly,
-    conditions: tuple[Condition, ...],
     before: Regimes,
-    following: Regimes,
-    after: sp.Matrix,
+    impact: _Impact,
     struck: Sequence[int],
     moved: Sequence[int],
     landing: Sequence[int],
@@ -190,23 +177,18 @@ def _settled(
 
     The sign of each relative velocity and load that has jumped decides.
     """
-    velocities = assembly.frame.velocities
-    jump = [
-        sp.S.Zero if new == old else sp.expand(new - old)
-        for new, old in zip(after, velocities, strict=True)
-    ]
+    conditions, following, after = impact
+    velocities, touching = assembly.frame.velocities, conditions[0].along
     behind = dict(zip(velocities, after, strict=True))
-    touching = conditions[0].along
-    members = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
-    options: list[tuple[tuple[str, tuple[Condition, ...]], ...]] = []
-    for i in members:
-        part = assembly.friction(i)
+    jump = [sp.expand(new - old) for old, new in behind.items()]
+    options: list[list[tuple[str, tuple[Condition, ...]]]] = []
+    for i, part in assembly.frictions.items():
         step = sp.expand(along(part.direction, jump))
         load = sp.expand(part.load.xreplace(behind))
         loads = part.lifts and sp.expand(load - part.load) != 0
         lifted = following[i] == "lifted" and not (loads or i in landing)
         if lifted or (step == 0 and not loads and i not in landing):
-            options.append((("stick" if i in moved else following[i], ()),))
+            options.append([("stick" if i in moved else following[i], ())])
             continue
         # a direction at rest moves on with the jump alone
         relative = sp.expand(step if before[i] == "stick" or i in moved else part.relative + step)
@@ -222,17 +204,14 @@ def _settled(
                 ways.append((regime, (Condition(function, touching),)))
         else:
             ways.append(("stick", ()))
-        options.append(tuple(ways))
+        options.append(ways)
+    opened = {i: "free" for i in moved if i in assembly.stops and before[i] == "contact"}
     for chosen in product(*options):
-        regimes, more = following, conditions
-        for i, (regime, condition) in zip(members, chosen, strict=True):
-            regimes, more = changed(regimes, i, regime), more + condition
-        for i in moved:
-            if before[i] == "contact" and isinstance(assembly.parts[i], StopPart):
-                regimes = changed(regimes, i, "free")
-        if not assembly.exists(regimes):
-            continue
-        yield more, regimes, after
+        regimes_of = {i: way[0] for i, way in zip(assembly.frictions, chosen, strict=True)}
+        regimes = changed(following, regimes_of | opened)
+        if assembly.exists(regimes):
+            more = chain.from_iterable(condition for _, condition in chosen)
+            yield (*conditions, *more), regimes, after
 
 
 def _sign_behind(assembly: Assembly, relative: sp.Expr, struck: Sequence[int]) -> int | None:
@@ -242,13 +221,11 @@ def _sign_behind(assembly: Assembly, relative: sp.Expr, struck: Sequence[int]) -
     """
     if len(struck) > 1:
         return None
-    part = assembly.stop(struck[0])
-    first = next(j for j, weight in enumerate(part.direction) if weight != 0)
-    symbol = assembly.frame.velocities[first]
-    others = part.approach.coeff(symbol)
-    value = sp.expand(
-        relative.subs(symbol, (_APPROACH - (part.approach - others * symbol)) / others)
-    )
+    part = assembly.stops[struck[0]]
+    symbol = assembly.frame.velocities[min(place for _, place in part.direction.todok())]
+    weight = part.approach.coeff(symbol)
+    value = relative.subs(symbol, (_APPROACH - (part.approach - weight * symbol)) / weight)
+    value = sp.expand(value)
     if value.free_symbols & set(assembly.frame.states):
         return None
     return assembly.frame.sign(value)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import chain, combinations
 from math import prod
 from reprlib import repr
@@ -11,14 +12,11 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly
-from nonsmooth.derive.building.constraints import constraints_of
-from nonsmooth.derive.building.coupling import contact_law
-from nonsmooth.derive.building.element_parts import part_of, states_of
+from nonsmooth.derive.building.element_parts import constraints_of, part_of, states_of
 from nonsmooth.derive.building.elements import Element, Harmonic
-from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
-from nonsmooth.derive.building.growing import GrowingSystem, is_large
-from nonsmooth.derive.building.parts import FrictionPart
-from nonsmooth.derive.building.transitions import transitions_from
+from nonsmooth.derive.building.frame import Frame, inferred_parameters
+from nonsmooth.derive.building.growing import GrowingSystem, is_large, whole
+from nonsmooth.derive.building.matrices import square
 from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
 from nonsmooth.derive.declaration.names import check_unique
 from nonsmooth.derive.declaration.parameter import Parameter
@@ -97,43 +95,6 @@ def oscillator(
     >>> [c.name for c in system.configurations]
     ['free', 'contact']
     """
-    assembly = _assembled(
-        coordinates, mass, stiffness, damping, load, forcing, elements, parameters,
-        simultaneous_impacts,
-    )  # fmt: skip
-    plural = "" if len(coordinates) == 1 else "s"
-    described = f"oscillator with {len(coordinates)} coordinate{plural}"
-    constraints = constraints_of(assembly.frame, elements, assembly.parts)
-    if is_large(assembly):
-        most = prod(len(part.regimes) for part in assembly.parts)
-        described += f", its configurations (up to {most:,}) made when they are visited"
-        return GrowingSystem(name, description or described, assembly, constraints)
-    products = assembly.products
-    return System(
-        name=name,
-        description=description or described,
-        states=assembly.frame.states,
-        parameters=assembly.frame.parameters,
-        configurations=tuple(assembly.configuration(regimes) for regimes in products),
-        transitions=tuple(t for regimes in products for t in transitions_from(assembly, regimes)),
-        constraints=constraints,
-        contacts=assembly.contacts(products),
-        forcing=assembly.phases,
-        law=contact_law(assembly, products),
-    )
-
-
-def _assembled(
-    coordinates: Sequence[str],
-    mass: Any,
-    stiffness: Any,
-    damping: Any,
-    load: Any,
-    forcing: Sequence[Harmonic],
-    elements: Sequence[Element],
-    parameters: Sequence[Parameter],
-    simultaneous_impacts: str | None,
-) -> Assembly:
     if simultaneous_impacts not in (None, "sequence", "moreau"):
         raise DeclarationError(
             f"simultaneous_impacts is {simultaneous_impacts!r}, not 'sequence' or 'moreau'"
@@ -142,45 +103,59 @@ def _assembled(
     kinds = tuple(kind for kind in part_of.registry if kind is not object)
     _check_list("elements", elements, kinds, ", ".join(kind.__name__ for kind in kinds))
     _check_list("parameters", parameters, (Parameter,), 'Parameter("k", "stiffness")')
-    coordinates, size = list(coordinates), len(coordinates)
-    if size == 0:
+    if len(coordinates) == 0:
         raise DeclarationError("an oscillator needs a coordinate")
     check_unique(coordinates, "coordinate")
     check_unique([element.name for element in elements], "element")
-    positions = tuple(sp.Symbol(n, real=True) for n in coordinates)
-    velocities = tuple(sp.Symbol(velocity_name(n), real=True) for n in coordinates)
-    phases = tuple(
-        (sp.Symbol(f"c{k}", real=True), sp.Symbol(f"s{k}", real=True))
-        for k in range(1, len(forcing) + 1)
+    phases = tuple((_state(f"c{k}"), _state(f"s{k}")) for k in range(1, len(forcing) + 1))
+    positions, velocities = (
+        tuple(map(_state, names)) for names in (coordinates, map(_velocity, coordinates))
     )
     others = (*chain.from_iterable(phases), *chain.from_iterable(map(states_of, elements)))
-    states = [str(s) for s in (*positions, *velocities, *others)]
-    matrix = square(mass, "mass", size)
+    states = map(str, (*positions, *velocities, *others))
+    matrix = square(mass, "mass", len(positions))
     declared = inferred_parameters(
-        parameters, states, matrix, stiffness, damping, load, list(forcing), list(elements)
+        parameters, states, elements, matrix, stiffness, damping, load, list(forcing)
     )
-    bare = Frame(positions, velocities, others, declared, matrix)
-    frame = Frame(positions, velocities, others, declared, _mass(bare.matrix(matrix, "mass")))
+    frame = Frame(positions, velocities, others, declared, matrix)
+    frame = replace(frame, mass=_mass(frame.matrix(matrix, "mass")))
+    if stiffness is None:
+        raise DeclarationError("stiffness is missing")
     forces = (
         frame.column(load, "load")
-        - frame.matrix(_given(stiffness, "stiffness"), "stiffness") * sp.Matrix(positions)
+        - frame.matrix(stiffness, "stiffness") * sp.Matrix(positions)
         - frame.matrix(damping, "damping") * sp.Matrix(velocities)
     )
     rates: list[tuple[sp.Symbol, sp.Expr]] = []
-    for harmonic, (cosine, sine) in zip(forcing, phases, strict=True):
-        frequency = frame.expression(harmonic.frequency)
-        phase = frame.expression(harmonic.phase)
-        turned = sp.cos(phase) * cosine - sp.sin(phase) * sine
-        forces += frame.column(harmonic.cosine, "cosine amplitudes") * turned
-        turned = sp.cos(phase) * sine + sp.sin(phase) * cosine
-        forces += frame.column(harmonic.sine, "sine amplitudes") * turned
-        rates += [(cosine, -frequency * sine), (sine, frequency * cosine)]
+    for harmonic, (c, s) in zip(forcing, phases, strict=True):
+        frequency, phase = map(frame.expression, (harmonic.frequency, harmonic.phase))
+        cosine = frame.column(harmonic.cosine, "cosine amplitudes")
+        sine = frame.column(harmonic.sine, "sine amplitudes")
+        forces += cosine * (sp.cos(phase) * c - sp.sin(phase) * s)
+        forces += sine * (sp.cos(phase) * s + sp.sin(phase) * c)
+        rates += [(c, -frequency * s), (s, frequency * c)]
     parts = tuple(part_of(element, frame, elements) for element in elements)
     assembly = Assembly(
         frame, parts, sp.ImmutableMatrix(forces), phases, tuple(rates), simultaneous_impacts
     )
     _check_independence(assembly)
-    return assembly
+    plural = "" if len(coordinates) == 1 else "s"
+    described = f"oscillator with {len(coordinates)} coordinate{plural}"
+    constraints = constraints_of(frame, parts)
+    if is_large(assembly):
+        most = prod(len(part.regimes) for part in parts)
+        described += f", its configurations (up to {most:,}) made when they are visited"
+        return GrowingSystem(name, description or described, assembly, constraints)
+    return whole(name, description or described, assembly, constraints)
+
+
+def _state(name: str) -> sp.Symbol:
+    return sp.Symbol(name, real=True)
+
+
+def _velocity(coordinate: str) -> str:
+    """Name of a coordinate's velocity: x1 has v1, phi has v_phi."""
+    return f"v{coordinate[1:]}" if coordinate.startswith("x") else f"v_{coordinate}"
 
 
 def _check_list(argument: str, given: Any, kinds: tuple[type, ...], written: str) -> None:
@@ -208,23 +183,15 @@ def _mass(matrix: sp.Matrix) -> sp.Matrix:
     return matrix
 
 
-def _given(stiffness: Any, what: str) -> Any:
-    if stiffness is None:
-        raise DeclarationError(f"{what} is missing")
-    return stiffness
-
-
 def _check_independence(assembly: Assembly) -> None:
     """Refuse two friction contacts that move alike: how they share their force is indefinite."""
-    for i, j in combinations(assembly.holders, 2):
-        first, second = assembly.parts[i], assembly.parts[j]
-        if isinstance(first, FrictionPart) and isinstance(second, FrictionPart):
-            rows = assembly.rows((i, j))
-            if rows.rank() < 2:
-                place = next(k for k, weight in enumerate(first.direction) if weight != 0)
-                ratio = second.direction[place] / first.direction[place]
-                if sp.cancel(second.speed - ratio * first.speed) == 0:
-                    raise DeclarationError(
-                        f"elements {first.name!r} and {second.name!r} rub in one direction at one"
-                        " velocity: join them into one"
-                    )
+    for first, second in combinations(assembly.frictions.values(), 2):
+        rows = first.direction.col_join(second.direction)
+        if rows.rank() < 2:
+            place = min(place for _, place in first.direction.todok())
+            ratio = second.direction[place] / first.direction[place]
+            if sp.cancel(second.speed - ratio * first.speed) == 0:
+                raise DeclarationError(
+                    f"elements {first.name!r} and {second.name!r} rub in one direction at one"
+                    " velocity: join them into one"
+                )

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary
 
 __all__ = [
+    "Conditions",
     "Exit",
     "FrictionPart",
+    "Holder",
     "Part",
     "StopPart",
     "SwitchPart",
-    "exit_of",
 ]
+
+# functions of the state that are not positive in a regime, and those that vanish in it
+Conditions = tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]
 
 
 @dataclass(frozen=True)
@@ -44,6 +49,23 @@ class SwitchPart:
     rates: Mapping[str, tuple[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     # by regime: a function of the state that vanishes
     constraints: Mapping[str, sp.Expr] = field(default_factory=dict)
+    # what must not be negative, by the words for it: expressions of the parameters
+    needed: Mapping[str, sp.Expr] = field(default_factory=dict)
+    sign: ClassVar[int] = 1
+    speed: ClassVar[sp.Expr] = sp.S.Zero
+
+    def push(self, regime: str) -> sp.Expr | None:
+        """Force on the oscillator along the direction; None in a regime without one."""
+        return self.pushes.get(regime)
+
+    def names(self, regime: str) -> tuple[str, ...]:
+        """Names of the boundaries of a regime."""
+        return tuple(exit_.boundary.name for exit_ in self.exits[regime])
+
+    def conditions(self, regime: str) -> Conditions:
+        """What tells that a state belongs to a regime."""
+        vanishing = (self.constraints[regime],) if regime in self.constraints else ()
+        return tuple(exit_.boundary.function for exit_ in self.exits[regime]), vanishing
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +83,10 @@ class FrictionPart:
     lifts: bool  # whether the load may vanish where the contact is pressed
     bearer: int | None  # index of the soft stop whose push is the load
     exhausts: bool  # whether the kinetic force may fall to zero under a positive load
-    holding: str = "stick"
-    outcomes: tuple[str, ...] = ("slip", "stick", "overshoot")
+    holding: ClassVar[str] = "stick"
+    outcomes: ClassVar[tuple[str, ...]] = ("slip", "stick", "overshoot")
+    kind: ClassVar[str] = "friction"
+    sign: ClassVar[int] = 1
 
     @property
     def regimes(self) -> tuple[str, ...]:
@@ -89,35 +113,63 @@ class FrictionPart:
         exhausted = {"exhausted-slip": -kinetic - slope, "exhausted-overshoot": slope - kinetic}
         return (exhausted if self.exhausts else {}) | {"slip": -relative, "overshoot": relative}
 
-    def force(self, regime: str) -> sp.Expr | None:
+    def push(self, regime: str) -> sp.Expr | None:
         """Kinetic force on the oscillator along the direction; None in a regime without one."""
         kinetic, slope = self.kinetic * self.load, self.falling * self.relative
         return {"slip": kinetic + slope, "overshoot": slope - kinetic}.get(regime)
 
     def slides(self, regime: str) -> int:
         """Sign of the relative velocity in a regime; 0 where it sticks or is lifted."""
-        side = regime.removeprefix("exhausted-")
-        return -1 if side == "slip" else 1 if side == "overshoot" else 0
+        return {"slip": -1, "overshoot": 1}.get(regime.removeprefix("exhausted-"), 0)
 
     def losses(self, regime: str) -> tuple[Boundary, ...]:
         """Boundaries at which the force of a contact that does not stick ends or returns."""
-        name, lifts = self.name, Boundary(f"{self.name}-lifts", -self.load)
+        if regime == "stick":
+            return ()
         if regime == "lifted":
-            return (Boundary(f"{name}-lands", self.load),) if self.lifts else ()
-        if regime.startswith("exhausted"):
-            short = self.sliding(self.relative, self.load)[regime]
-            recovers = Boundary(f"{name}-recovers", -short)
-            return (recovers, lifts) if self.lifts else (recovers,)
-        if self.exhausts:  # at or before the load is lost
-            short = self.sliding(self.relative, self.load)[f"exhausted-{regime}"]
-            return (Boundary(f"{name}-exhausts", short),)
-        return (lifts,) if self.lifts else ()
+            return (Boundary(f"{self.name}-lands", self.load),) if self.lifts else ()
+        if self.exhausts and regime in self.outcomes:  # at or before the load is lost
+            return self._exhaustion(regime)
+        lifts = (Boundary(f"{self.name}-lifts", -self.load),) if self.lifts else ()
+        return (*self._exhaustion(regime), *lifts)
+
+    def _exhaustion(self, regime: str) -> tuple[Boundary, ...]:
+        """The boundary at which the kinetic force vanishes, or returns."""
+        if not (self.exhausts and self.slides(regime)):
+            return ()
+        functions = self.sliding(self.relative, self.load)
+        if regime in self.outcomes:
+            return (Boundary(f"{self.name}-exhausts", functions[f"exhausted-{regime}"]),)
+        return (Boundary(f"{self.name}-recovers", -functions[regime]),)
 
     def names(self, regime: str) -> tuple[str, ...]:
         """Names of the boundaries at which a relative velocity or a limit of force is reached."""
         if regime == "stick":
             return (f"{self.name}-breaks-forward", f"{self.name}-breaks-backward")
-        return (f"{self.name}-reaches-belt",)
+        return (f"{self.name}-reaches-belt",) if regime in self.outcomes else ()
+
+    def conditions(self, regime: str) -> Conditions:
+        """What tells that a state belongs to a regime."""
+        if regime == "lifted":
+            return tuple(boundary.function for boundary in self.losses(regime)), ()
+        pressed = (-self.load,) if self.lifts else ()
+        if regime == "stick":
+            return pressed, (self.relative,)
+        exhaustion = (boundary.function for boundary in self._exhaustion(regime))
+        return (-self.slides(regime) * self.relative, *pressed, *exhaustion), ()
+
+    @property
+    def needed(self) -> dict[str, sp.Expr]:
+        """What must not be negative, by the words for it."""
+        found = {
+            "kinetic friction": self.kinetic,
+            "static friction less the kinetic": self.static - self.kinetic,
+        }
+        if self.exhausts:
+            found["the slope of falling friction"] = self.falling
+        if not self.loses_load:
+            found["the normal load"] = self.load
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,19 +182,25 @@ class StopPart:
     approach: sp.Expr  # velocity along the direction
     restitution: sp.Expr
     sign: int  # 1 or -1: that of the direction relative to the declared one
-    speed: sp.Expr = sp.S.Zero  # velocity of the direction in contact
-    regimes: tuple[str, ...] = ("free", "contact")
-    holding: str = "contact"
-    outcomes: tuple[str, ...] = ("free", "contact")
+    needed: Mapping[str, sp.Expr]  # what must not be negative, by the words for it
+    speed: ClassVar[sp.Expr] = sp.S.Zero  # velocity of the direction in contact
+    regimes: ClassVar[tuple[str, ...]] = ("free", "contact")
+    holding: ClassVar[str] = "contact"
+    outcomes: ClassVar[tuple[str, ...]] = ("free", "contact")
+    kind: ClassVar[str] = "stop"
+
+    def push(self, regime: str) -> sp.Expr | None:
+        """None, as a stop pushes by its reaction alone."""
+        return None
 
     def names(self, regime: str) -> tuple[str, ...]:
         """Names of the boundaries of a regime."""
         return (f"{self.name}-{'reaches' if regime == 'free' else 'leaves'}-stop",)
 
+    def conditions(self, regime: str) -> Conditions:
+        """What tells that a state belongs to a regime."""
+        return ((self.gap,), ()) if regime == "free" else ((), (self.gap, self.approach))
 
-Part = SwitchPart | FrictionPart | StopPart
 
-
-def exit_of(part: SwitchPart, regime: str, boundary: str) -> Exit:
-    """The exit of a part's regime through the boundary of that name."""
-    return next(e for e in part.exits[regime] if e.boundary.name == boundary)
+Holder = FrictionPart | StopPart
+Part = SwitchPart | Holder

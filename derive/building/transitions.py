@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from itertools import product
 
-import sympy as sp
-
-from nonsmooth.derive.building.assembly import Assembly, Regimes
-from nonsmooth.derive.building.coupling import coupled
+from nonsmooth.derive.building.assembly import Assembly, Regimes, changed
 from nonsmooth.derive.building.impacts import impacts
-from nonsmooth.derive.building.loads import landed, loaded
-from nonsmooth.derive.building.parts import FrictionPart, StopPart, SwitchPart, exit_of
-from nonsmooth.derive.building.pins import pins
-from nonsmooth.derive.building.resting import at_rest, changed, unsettled
-from nonsmooth.derive.declaration.transition import Condition, Transition
+from nonsmooth.derive.building.resting import at_rest, landed, loaded, pins, still, unsettled
+from nonsmooth.derive.declaration.transition import Transition
 
 __all__ = ["transitions_alone", "transitions_at", "transitions_from"]
 
@@ -24,16 +18,14 @@ def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transitio
     events = [[None, *_reachable(assembly, i, regimes)] for i in range(len(assembly.parts))]
     for sets in product(*events):
         reached = {i: names for i, names in enumerate(sets) if names is not None}
-        if reached and not _exclusive(assembly, regimes, reached):
-            yield from _event(assembly, regimes, reached)
+        yield from _event(assembly, regimes, reached)
 
 
 def transitions_alone(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
     """The transitions for every set of boundaries that one part reaches alone."""
     for i in range(len(assembly.parts)):
         for names in _reachable(assembly, i, regimes):
-            if not _exclusive(assembly, regimes, {i: names}):
-                yield from _event(assembly, regimes, {i: names})
+            yield from _event(assembly, regimes, {i: names})
 
 
 def transitions_at(
@@ -46,9 +38,7 @@ def transitions_at(
         for names in _reachable(assembly, i, regimes):
             if names <= left and len(names) > len(reached.get(i, ())):
                 reached[i] = names
-    if frozenset[str]().union(*reached.values()) == left and not _exclusive(
-        assembly, regimes, reached
-    ):
+    if frozenset[str]().union(*reached.values()) == left:
         yield from _event(assembly, regimes, reached)
 
 
@@ -58,10 +48,9 @@ def _reachable(assembly: Assembly, index: int, regimes: Regimes) -> list[frozens
     Each boundary is a set of its own; all those of a friction contact form one more if its
     load may vanish, where they meet.
     """
-    part = assembly.parts[index]
     names = [b.name for b in assembly.boundaries(index, regimes)]
     found = [frozenset({name}) for name in names]
-    if len(names) > 1 and isinstance(part, FrictionPart) and part.loses_load:
+    if len(names) > 1 and index in assembly.frictions and assembly.frictions[index].loses_load:
         found.append(frozenset(names))
     return found
 
@@ -74,10 +63,10 @@ def _exclusive(assembly: Assembly, regimes: Regimes, reached: Mapping[int, froze
     """
     for i, names in reached.items():
         if len(names) > 1:
-            part = assembly.friction(i)
+            part = assembly.frictions[i]
             if not part.lifts and part.bearer not in reached:
                 return True
-    stops = [i for i in reached if isinstance(assembly.parts[i], StopPart) and regimes[i] == "free"]
+    stops = (i for i in reached if i in assembly.stops and regimes[i] == "free")
     return not assembly.independent(tuple(stops))
 
 
@@ -85,22 +74,25 @@ def _event(
     assembly: Assembly, source: Regimes, reached: Mapping[int, frozenset[str]]
 ) -> Iterator[Transition]:
     """The transitions for one set of boundaries: impacts first, then those of parts at rest."""
-    regimes, own = source, dict[sp.Symbol, sp.Expr]()
-    for i, boundaries in reached.items():
-        part = assembly.parts[i]
-        if isinstance(part, SwitchPart):
-            exit_ = exit_of(part, source[i], *boundaries)
-            regimes, own = changed(regimes, i, exit_.target), own | dict(exit_.reset)
+    if not reached or _exclusive(assembly, source, reached):
+        return
+    taken = {
+        i: exit_
+        for i, names in reached.items()
+        if i in assembly.switches
+        for exit_ in assembly.switches[i].exits[source[i]]
+        if exit_.boundary.name in names
+    }
+    own = {state: image for exit_ in taken.values() for state, image in exit_.reset.items()}
+    regimes = changed(source, {i: exit_.target for i, exit_ in taken.items()})
     regimes, landing = loaded(assembly, source, regimes, reached)
-    moved = [i for i in reached if i in assembly.holders and regimes[i] == source[i]]
-    moved = [i for i in moved if i not in landing]
+    moved = [
+        i for i in reached if i in assembly.holders and regimes[i] == source[i] and i not in landing
+    ]
     stops = [i for i in moved if source[i] == "free"]
     leads, names = assembly.name(source), frozenset[str]().union(*reached.values())
     frame = assembly.frame
-    known_velocities = [
-        *assembly.active(source),
-        *(i for i in moved if isinstance(assembly.parts[i], FrictionPart)),
-    ]
+    known_velocities = [*assembly.active(source), *(i for i in moved if i in assembly.frictions)]
     approaches = [assembly.approach(i, known_velocities) for i in stops]
     if -1 in approaches:  # a mass that is carried away does not arrive
         return
@@ -113,40 +105,21 @@ def _event(
         return
     for sides, settled, rest in landed(assembly, regimes, landing):
         resting = [*moved, *rest]
-        if resting and coupled(assembly):  # the law decides
+        if resting and assembly.coupled:  # the law decides
             continue
-        doubtful = [
-            i
-            for i in unsettled(assembly, source)
-            if resting and i not in moved and settled[i] == source[i]
-        ]
-        unknown = [i for i in doubtful if frame.sign(assembly.drift(i, source)) is None]
-        still = tuple(
-            Condition(sign * assembly.friction(i).relative, leads, holds=False)
-            for i in unknown
-            for sign in (-1, 1)
-        )
-        for conditions, target in at_rest(assembly, settled, resting, doubtful):
-            every = sides + still + conditions
-            yield _resting(assembly, source, leads, names, target, every, own, resting)
+        doubtful, unknown = [], []
+        for i in unsettled(assembly, source) if resting else ():
+            if i not in moved and settled[i] == source[i]:
+                doubtful.append(i)
+                if frame.sign(assembly.drift(i, source)) is None:
+                    unknown.append(i)
+        ways = [(doubtful, [c for i in unknown for c in still(assembly.frictions[i], leads)])]
         if unknown:
-            known = [i for i in doubtful if i not in unknown]
-            for conditions, target in at_rest(assembly, settled, resting, known):
-                every = sides + conditions
-                yield _resting(assembly, source, leads, names, target, every, own, resting)
-
-
-def _resting(
-    assembly: Assembly,
-    source: Regimes,
-    leads: str,
-    names: frozenset[str],
-    target: Regimes,
-    conditions: tuple[Condition, ...],
-    own: Mapping[sp.Symbol, sp.Expr],
-    moved: Sequence[int],
-) -> Transition:
-    """A transition without impact, whose reset puts parts that begin to hold in their place."""
-    begun = [i for i in assembly.active(target) if i in moved or source[i] != target[i]]
-    reset = dict(own) | pins(assembly, begun, target, impact=False)
-    return Transition(leads, names, assembly.name(target), conditions, reset)
+            ways.append(([i for i in doubtful if i not in unknown], []))
+        for nominal, held in ways:
+            for conditions, target in at_rest(assembly, settled, resting, nominal):
+                active = assembly.active(target)
+                begun = [i for i in active if i in resting or source[i] != target[i]]
+                reset = own | pins(assembly, begun, target, impact=False)
+                every = (*sides, *held, *conditions)
+                yield Transition(leads, names, assembly.name(target), every, reset)

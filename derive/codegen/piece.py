@@ -17,17 +17,15 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.derived import Underived
 from nonsmooth.derive.codegen.python_file import text_hash
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import composed_table, system_table
+from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.declaration.algebra import affine_terms
 from nonsmooth.derive.declaration.dynamics import Dynamics
-from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 
-__all__ = ["emit_piece", "table_of_composed"]
+__all__ = ["emit_piece"]
 
 _Entries = dict[tuple[int, int], sp.Expr]
 _Conditions = Mapping[str, tuple[Sequence[sp.Expr], Sequence[sp.Expr]]]
@@ -97,11 +95,6 @@ def emit_piece(
         f'DERIVATION = "{derivation}"\n\n'
         f"globals().update(json.loads({tables!r}))\n\n\n{body}\n"
     )
-
-
-def table_of_composed(orbit: Itinerary, reason: str) -> dict[str, Any]:
-    """The table of an orbit that is composed at run time, with the reason for that."""
-    return composed_table(Underived(orbit, reason))
 
 
 def _fields(system: System, dynamics: Iterable[Dynamics]) -> _Entries:

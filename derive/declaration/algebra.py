@@ -14,6 +14,7 @@ __all__ = [
     "factor",
     "frozen",
     "inverse",
+    "is_affine",
     "is_surely_positive_definite",
     "symbols_of",
 ]
@@ -56,6 +57,12 @@ def affine_terms(
                 found.setdefault(symbol, []).append(sp.diff(term, symbol))
             rest.append(term.xreplace(dict.fromkeys(here, sp.S.Zero)))
     return {s: sp.Add(*parts) for s, parts in found.items()}, sp.Add(*rest)
+
+
+def is_affine(function: sp.Expr, states: Set[sp.Symbol]) -> bool:
+    """Whether a function is affine in the states."""
+    slopes, _ = affine_terms(function, states)
+    return not any(slope.free_symbols & states for slope in slopes.values())
 
 
 def frozen(matrix: sp.Matrix) -> sp.ImmutableMatrix:

@@ -29,7 +29,8 @@ def fingerprint(*declarations: Any) -> str:
 def _text(value: Any) -> str:
     """A text that differs for different values, with all their parts."""
     if is_dataclass(value) and not isinstance(value, type):
-        value = getattr(value, "identity", value)  # of a system that is not listed
+        if hasattr(value, "identity"):  # of a system that is not listed
+            return _text(value.identity)
         inside = ", ".join(f"{f.name}={_text(getattr(value, f.name))}" for f in fields(value))
         return f"{type(value).__name__}({inside})"
     if isinstance(value, Mapping | sp.Dict):

@@ -14,7 +14,12 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import affine_terms, cancel, is_surely_positive_definite
+from nonsmooth.derive.declaration.algebra import (
+    affine_terms,
+    cancel,
+    is_affine,
+    is_surely_positive_definite,
+)
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
 from nonsmooth.derive.declaration.contact_law import ContactLaw
 from nonsmooth.derive.declaration.dynamics import SecondOrder
@@ -360,9 +365,7 @@ class System:
     def _check_affine(self, function: sp.Expr, where: str) -> None:
         check_finite(function, where)
         self._check_symbols(function.free_symbols, where)
-        states = frozenset(self.states)
-        slopes, _ = affine_terms(function, states)
-        if any(slope.free_symbols & states for slope in slopes.values()):
+        if not is_affine(function, frozenset(self.states)):
             raise DeclarationError(f"{where}: {function} is not affine in the state")
 
     def _check_symbols(

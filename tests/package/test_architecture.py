@@ -2,7 +2,7 @@
 
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from types import ModuleType, SimpleNamespace
@@ -10,14 +10,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy as sp
 import typer
 from typer.testing import CliRunner
 
 import nonsmooth as ns
 import nonsmooth.derive
 from nonsmooth.derive import Boundary
-from nonsmooth.derive.building.constraints import needed_of
 from nonsmooth.derive.building.element_parts import part_of
 from nonsmooth.derive.building.elements import Element
 from nonsmooth.derive.building.frame import Frame
@@ -94,14 +92,8 @@ def _piecewise_spring(
             "slack": (Exit(Boundary(f"{element.name}-tightens", position), "tight"),),
             "tight": (Exit(Boundary(f"{element.name}-slackens", -position), "slack"),),
         },
+        needed={"stiffness": frame.expression(element.stiffness)},
     )
-
-
-@needed_of.register
-def _not_negative(
-    element: PiecewiseSpring, part: SwitchPart, frame: Frame
-) -> Iterator[tuple[str, sp.Expr]]:
-    yield "stiffness", frame.expression(element.stiffness)
 
 
 def test_a_new_element_is_a_class_and_its_part() -> None:
