@@ -89,7 +89,7 @@ def describe_system(system: System) -> Document:
     constants = tuple(p.symbol for p in system.parameters) + spectrum.symbols
     notation = Notation(system.states, constants).with_responses(flows.values())
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
-    naming = Naming(notation.with_names(centres.names), system)
+    naming = Naming(notation, system)
     complete = len(flows) == len(names) and not any(map(is_response, flows.values()))
     configurations = configuration_section(naming, names, {})
     if not complete:
@@ -228,4 +228,4 @@ def naming_of(
     ).with_responses(flows.values())
     taken = (*constants, *states, *notation.unknowns)
     centres = name_centres(flows.values(), map(notation.symbol, taken))
-    return Naming(notation.with_names(centres.names), system, itinerary.source), centres
+    return Naming(notation, system, itinerary.source), centres

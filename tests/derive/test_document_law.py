@@ -68,7 +68,7 @@ def facts_of(system: System, seed: int) -> Facts:
     constants = (*(p.symbol for p in system.parameters), *spectrum.symbols)
     notation = Notation(system.states, constants).with_responses(flows.values())
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
-    naming = Naming(notation.with_names(centres.names), system)
+    naming = Naming(notation, system)
     return Facts(system, naming, spectrum, centres, drawn(system, seed))
 
 

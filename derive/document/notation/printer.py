@@ -13,6 +13,7 @@ from sympy.printing.latex import LatexPrinter
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
+from nonsmooth.derive.symbols import meaning_of
 
 if TYPE_CHECKING:
     from nonsmooth.derive.document.notation.symbols import Notation
@@ -186,7 +187,7 @@ class Printer(LatexPrinter):
         notation, symbols = self.notation, total.free_symbols
         if not symbols & set(notation.projectors) or any(map(notation.is_function, symbols)):
             return False
-        return bool(term.free_symbols <= {*notation.projectors, *notation.names})
+        return all(s in notation.projectors or is_written(s) for s in term.free_symbols)
 
     @_kept
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
@@ -277,7 +278,7 @@ class Printer(LatexPrinter):
         """Whether a sum can take up a minus sign in front of it."""
         if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
             return False
-        if factor.free_symbols & set(self.notation.names):
+        if any(map(is_written, factor.free_symbols)):
             return False
         return any(self.term(a)[0] < 0 for a in factor.args)
 
@@ -307,14 +308,19 @@ class Printer(LatexPrinter):
             # without brackets of its own it ends a product
             bracketed = isinstance(self.notation.functions.get(base), ExponentialDifference)
             return _FUNCTIONS + (0 if bracketed else 1), str(factor)
-        written = self.notation.names.get(base, "")
-        if base.is_Function or base == sp.E or written.endswith(r"\right)"):
+        bracketed = is_written(base) and self._print(base).endswith(r"\right)")
+        if base.is_Function or base == sp.E or bracketed:
             return _FUNCTIONS, str(factor)
-        if "_by_" in str(base):
+        if meaning_of(base) == "derivative":
             return 4, str(factor)
         if base in self.notation.constants:
             return 1, str(factor)
         return 2, str(factor)
+
+
+def is_written(symbol: sp.Basic) -> bool:
+    """Whether a symbol is one that the document itself introduces."""
+    return meaning_of(symbol) == "written"
 
 
 def _is_root_of_fraction(factor: sp.Expr) -> bool:

@@ -95,7 +95,7 @@ def _centres(
             ),
             Formula(
                 tuple(
-                    Line(named.names[s], "=", notation.pieces(sp.factor(e)), s, e)
+                    Line(notation.symbol(s), "=", notation.pieces(sp.factor(e)), s, e)
                     for s, e in named.values.items()
                 )
             ),

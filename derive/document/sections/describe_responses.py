@@ -18,6 +18,7 @@ from nonsmooth.derive.document.sections.describe_motions import motion_blocks, s
 from nonsmooth.derive.document.views.motions import Displacements
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["response_flows"]
 
@@ -68,7 +69,11 @@ def _displacements(
     factors = naming.notation.responses.factors
     return Displacements(
         {
-            f: sp.Symbol(f"{letters.displacement}{number}_displacement", real=True)
+            f: Symbol(
+                "written",
+                f"{letters.displacement}{number}_displacement",
+                rf"{letters.displacement}_{{{number}}}\left(t\right)",
+            )
             for number, f in enumerate(factors, start=1)
             if len(f) == 2 and f[1] != 0
         },

@@ -14,6 +14,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.flows.modal import Flow
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["Centres", "centre_of", "name_centres"]
 
@@ -25,7 +26,6 @@ class Centres:
     # by configuration, N x 1: symbols of the coordinates that are not zero
     columns: Mapping[str, sp.Matrix]
     values: Mapping[sp.Symbol, sp.Expr]  # expression of each symbol
-    names: Mapping[sp.Symbol, str]  # LaTeX of each symbol
 
     def written(self, flow: Flow) -> Flow:
         """The flow with the symbols of its centre in place of the parameters."""
@@ -51,7 +51,6 @@ def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
     used = set(taken)
     columns: dict[str, sp.Matrix] = {}
     values: dict[sp.Symbol, sp.Expr] = {}
-    names: dict[sp.Symbol, str] = {}
     letters = ("d", "c", r"\bar{x}")
     letter = next(
         x for x in letters if not any(u.startswith(f"{x}_") for u in used) or x == letters[-1]
@@ -62,11 +61,11 @@ def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
         for place, value in enumerate(centre):
             if value == 0:
                 continue
-            symbol = sp.Symbol(f"centre_of_{configuration}_{place}", real=True)
+            latex = f"{letter}_{{{which}{place + 1}}}"
+            symbol = Symbol("written", f"centre_of_{configuration}_{place}", latex)
             column[place], values[symbol] = symbol, value
-            names[symbol] = f"{letter}_{{{which}{place + 1}}}"
         columns[configuration] = sp.ImmutableMatrix(column)
-    return Centres(columns, values, names)
+    return Centres(columns, values)
 
 
 def centre_of(flow: Flow) -> sp.Matrix | None:

@@ -10,9 +10,11 @@ from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.document.notation.arrange import grouped_by
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.saltation import saltation_matrix
+from nonsmooth.derive.symbols import Symbol, meaning_of
 
-__all__ = ["MonodromyTrace", "keeps_volume", "monodromy_trace", "saltations"]
+__all__ = ["FACTOR", "MonodromyTrace", "keeps_volume", "monodromy_trace", "saltations"]
 
+FACTOR = Symbol("written", "kappa", r"\kappa")
 # more products of functions of time are not written out
 _MOST_TERMS = 12
 
@@ -22,8 +24,7 @@ class MonodromyTrace:
     """Trace of a monodromy matrix as a sum of terms."""
 
     terms: tuple[sp.Expr, ...]
-    # (LaTeX, expression) of symbols for entries of saltation matrices or a long factor
-    names: dict[sp.Symbol, tuple[str, sp.Expr]]
+    names: dict[sp.Symbol, sp.Expr]  # symbols for entries of saltation matrices or a long factor
 
 
 def saltations(view: View) -> tuple[sp.Matrix, ...]:
@@ -59,16 +60,16 @@ def keeps_volume(view: View) -> bool:
 
 def monodromy_trace(view: View) -> MonodromyTrace | None:
     """Trace of the monodromy matrix in functions of the dwell times; None if it is too long."""
-    names: dict[sp.Symbol, tuple[str, sp.Expr]] = {}
+    names: dict[sp.Symbol, sp.Expr] = {}
     product = sp.eye(len(view.naming.system.states))
     for index, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), 1):
         named = matrix.as_mutable()
         for i in range(matrix.rows):
             for j in range(matrix.cols):
                 if not matrix[i, j].is_number:
-                    symbol = sp.Symbol(f"saltation_{index}_{i}{j}", real=True)
                     latex = rf"\left(S_{{{index}}}\right)_{{{i + 1}{j + 1}}}"
-                    named[i, j], names[symbol] = symbol, (latex, matrix[i, j])
+                    symbol = Symbol("written", f"saltation_{index}_{i}{j}", latex)
+                    named[i, j], names[symbol] = symbol, matrix[i, j]
         product = named * link.transfer * product
     total = sp.expand(product.trace())
     functions = [s for s in total.free_symbols if view.naming.notation.is_function(s)]
@@ -85,8 +86,8 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
     keys = [outer for entry, outer in groups if entry == 1]
     factor = _long(keys)
     if factor is not None:
-        symbol, other = sp.Symbol("kappa", real=True), next(k for k in keys if k != factor)
-        names[symbol] = (r"\kappa", factor)
+        symbol, other = FACTOR, next(k for k in keys if k != factor)
+        names[symbol] = factor
         sign = 1 if sp.expand(factor + other - 1) == 0 else -1
         groups = {
             (e, symbol if k == factor else 1 - symbol if k == other else k): (
@@ -128,7 +129,7 @@ def _long(keys: list[sp.Expr]) -> sp.Expr | None:
 def _resets(view: View) -> dict[sp.Symbol, sp.Expr]:
     """Expressions that the chain assigns behind the transitions, by their symbols."""
     assignments = (a for s in view.equations.chain.stages for a in s.assignments)
-    return {s: e for s, e in assignments if str(s).endswith("_reset")}
+    return {s: e for s, e in assignments if meaning_of(s) == "reset"}
 
 
 def _solved(view: View, condition: sp.Expr) -> dict[sp.Symbol, sp.Expr]:

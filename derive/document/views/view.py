@@ -54,7 +54,7 @@ class View:
     def map_coordinates(self) -> str:
         """Coordinates of the Poincaré map, listed in words."""
         chain, notation = self.equations.chain, self.naming.notation
-        listed = [f"${notation.symbol(name)}$" for name in chain.coordinates if name != PHASE]
+        listed = [f"${notation.symbol(q)}$" for q in chain.coordinates if q != PHASE]
         return enumeration([*listed, *(["the phase of the forcing"] if chain.forcing else [])])
 
     @cached_property
@@ -152,27 +152,28 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
     taken = [plain.symbol(s) for s in (*constants, *all_states, *equations.unknowns)]
     centres = name_centres(flows, taken)
     section = equations.chain.section
+    reduction = equations.reduction
+    reduced = (*reduction.unknowns, *(e.unknown for e in reduction.eliminations))
     notation = Notation(
         all_states,
         (*constants, *centres.values),
         functions_of(equations),
-        equations.unknowns,
+        tuple(dict.fromkeys((*equations.unknowns, *reduced))),
         dict(zip(section.coordinates, section.places, strict=True))
         | dict(zip(start.coordinates, start.places, strict=True)),
         tuple(s for s in spectrum.symbols if s in entries - frequencies),
-        centres.names,
         behind=_marks(equations),
     ).with_responses(flows)
     return Naming(notation, system, itinerary.source), centres
 
 
-def _marks(equations: EquationSystem) -> dict[str, str]:
-    """Mark of the state behind each phase, by the name of its dwell time."""
+def _marks(equations: EquationSystem) -> dict[sp.Symbol, str]:
+    """Mark of the state behind each phase, by its dwell time."""
     found = {}
     for number, link in enumerate(equations.chain.links, start=1):
         # that of a forced orbit is taken apart behind the transition
         changed = equations.chain.forcing is not None and link.reset != sp.eye(link.reset.rows)
-        found[str(link.dwell)] = f"({number}){'+' if changed else ''}"
+        found[link.dwell] = f"({number}){'+' if changed else ''}"
     return found
 
 
