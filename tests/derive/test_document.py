@@ -39,7 +39,7 @@ from nonsmooth.derive.document.describe import (
 )
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.notation.arrange import by_function
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.views.centres import name_centres
 from nonsmooth.derive.document.writers.hypertext import to_html
 from nonsmooth.derive.document.writers.latex import compile_pdf, to_latex

@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.document.notation.arrange import by_function, signed
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.writers.mathml import mathml
 from nonsmooth.derive.symbols import Symbol, derivative
 from tests.formulas.latex import read_latex

@@ -1,37 +1,58 @@
-"""Notation: how symbols and expressions of the derivation are written in LaTeX.
+"""How the symbols of the derivation are written in LaTeX.
 
 A name of a declaration is letters and digits: Greek names become Greek letters, digits an index,
 the second of two letters joins the index (``us1`` is u_{s1}, ``ta`` is t_a, ``z10`` is z_{10}).
-A symbol of the derivation is written by what it means: values of a flow's functions as what they
-are, cos(omega_1 tau_1), and all others as `Notation.symbol` says.
+A symbol of the derivation is written by what it means, as the table says.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 
 from nonsmooth.derive.declaration import algebra
-from nonsmooth.derive.document.notation.printer import Printer
-from nonsmooth.derive.document.notation.responses import Responses, responses_of
+from nonsmooth.derive.document.notation.letters import Responses, free, head, responses_of
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
-__all__ = ["Notation", "identifier"]
+__all__ = ["Symbols", "grouped_by", "is_written"]
 
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
     " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 )
-_GREEK = tuple(_GREEK_NAMES.split())
+_GREEK = _GREEK_NAMES.split()
 _WORDS = {"gap": r"\Delta", "mean": r"\mu", "spread": r"\delta"}
-# of linear equations, characteristic factors and rates: the first that the declaration leaves free
-_LINEAR = {
+# LaTeX by meaning: a number is a part of the symbol, a word a letter that is free
+_WRITTEN = {
+    "state": "<0>^{(<1>)}",
+    "reset": "<0>^{(<1>)+}",
+    "derivative": r"\partial_{<1>} <0>",
+    "carried": r"<0>|_{\Phi}",
+    "on boundary": r"<0>|_{\Sigma}",
+    "delay": "<0>",
+    "cosine part": "a_{<0>}",
+    "sine part": "b_{<0>}",
+    "constant part": "c_{<0>}",
+    "amplitude": "A_{<0>}",
+    "rate": "<rate>_{<0>}",
+    "cosine": r"\cos \theta_{<0>}",
+    "sine": r"\sin \theta_{<0>}",
+    "divisor": "<coefficient>_{<0>}",
+    "coefficient": "<coefficient>_{<0>}",
+    "right": "<right>_{<0>}",
+    "determinant": "<determinant>",
+    "numerator": "<numerator>_{<0>}",
+    "without": "<0>^{[<1>]}",
+    "equation": "F_{<0>}",
+    "offset": "c_{<0>,<1><2>}",
+}
+# the first that the declaration leaves free
+_LETTERS = {
     "coefficient": ("a", r"\alpha", r"\mathsf{a}"),
     "right": ("b", r"\beta", r"\mathsf{b}"),
     "determinant": ("D", r"\Delta", r"\mathsf{D}"),
@@ -39,7 +60,6 @@ _LINEAR = {
     "factor": (r"\gamma", r"\varrho", r"\mathsf{c}"),
     "rate": ("s", "g", r"\mathsf{s}"),
 }
-_RETURN = {"cosine part": "a", "sine part": "b", "constant part": "c", "amplitude": "A"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[^{}]*\})?")
 # meanings of what a state is along an orbit, and of its derivatives
@@ -49,9 +69,9 @@ _SUM = rf"{_WORD}(?:\s*[-+*/]\s*{_WORD})*"
 _EXPRESSION = re.compile(rf"(?<![-\w])(?:{_SUM}|\({_SUM}\))(?:\s*[-+*/]\s*(?:{_WORD}|\({_SUM}\)))*")
 
 
-@dataclass(frozen=True)
-class Notation:
-    """LaTeX of the symbols and expressions of one document."""
+@dataclass(eq=False)
+class Symbols:
+    """The symbols of one document."""
 
     states: tuple[sp.Symbol, ...]
     constants: tuple[sp.Symbol, ...]  # parameters and the spectrum
@@ -61,86 +81,35 @@ class Notation:
     # coordinates of the start, and the index of the state of each
     start: Mapping[sp.Symbol, int] = field(default_factory=dict)
     projectors: tuple[sp.Symbol, ...] = ()  # symbols of the spectrum that are entries of projectors
-    # numbers of the factors of impulse responses
-    responses: Responses = field(default_factory=Responses)
     # mark of a state behind a phase, ``(2)`` or ``(2)+``, by its dwell time
     behind: Mapping[sp.Symbol, str] = field(default_factory=dict)
-
-    def with_responses(self, flows: Iterable[Flow]) -> Notation:
-        """The same notation, with numbers for the factors of the flows' impulse responses."""
-        symbols = (*self.states, *self.constants, *self.unknowns)
-        return replace(self, responses=responses_of(flows, map(self.symbol, symbols)))
+    flows: tuple[Flow, ...] = ()  # those whose impulse responses have numbers
 
     def symbol(self, symbol: sp.Symbol) -> str:
         """LaTeX of a symbol."""
-        if symbol in self.functions:
-            return self.latex(self.functions[symbol])
         if not isinstance(symbol, Symbol):
             return identifier(symbol.name)
-        parts = symbol.parts
-        first = self.symbol(parts[0]) if parts and isinstance(parts[0], sp.Symbol) else ""
+        parts = [self._part(part) for part in symbol.parts]
         match symbol.meaning:
             case "written":
-                return str(parts[1])
-            case "derivative":
-                return rf"\partial_{{{self.symbol(parts[1])}}} {first}"
-            case "state":
-                return f"{first}^{{({parts[1]})}}"
-            case "reset":
-                return f"{first}^{{({parts[1]})+}}"
-            case "on boundary":
-                return rf"{first}|_{{\Sigma}}"
-            case "carried":
-                return rf"{first}|_{{\Phi}}"
-            case "delay":
-                return first
-            case "without":
-                return f"{first}^{{[{parts[1]}]}}"
-            case "times":
-                return _indexed(first, self.symbol(parts[1]))
+                return str(symbol.parts[1])
             case "constant":
-                return _barred(first)
-            case "divisor":
-                return f"{self.letter('coefficient')}_{{{first}}}"
+                return _barred(parts[0])
+            case "times":
+                return _indexed(*parts)
             case "part":
-                place, coordinate, dwell = parts
+                place, coordinate, dwell = symbol.parts
                 state = f"{self.symbol(self.states[place])}^{{{self.behind[dwell]}}}"
-                bare = coordinate == 1
-                return _barred(state) if bare else _indexed(state, self.symbol(coordinate))
-            case "cosine" | "sine":
-                return rf"\{symbol.meaning[:3]} \theta_{{{first}}}"
-            case "offset":
-                return identifier(symbol.name)
-            case "equation":
-                return f"F_{{{parts[0]}}}"
-            case meaning if meaning in _RETURN:
-                return f"{_RETURN[meaning]}_{{{first}}}"
-            case "rate":
-                return f"{self.letter('rate')}_{{{first or parts[0]}}}"
-            case "spectrum" if parts[0] not in _LINEAR:
-                return identifier(symbol.name)
-            case "spectrum":
+                return _barred(state) if coordinate == 1 else _indexed(state, parts[1])
+            case "spectrum" if parts[0] in _LETTERS:
                 return f"{self.letter(parts[0])}_{{{parts[1]}}}"
-            case "coefficient" | "right" | "numerator":
-                index = str(parts[0]).replace("_", ",")
-                return f"{self.letter(symbol.meaning)}_{{{index}}}"
-            case "determinant":
-                return self.letter("determinant")
+            case meaning if meaning in _WRITTEN:
+                return re.sub(
+                    "<(\\w+)>",
+                    lambda m: parts[int(m[1])] if m[1].isdigit() else self.letter(m[1]),
+                    _WRITTEN[meaning],
+                )
         return identifier(symbol.name)
-
-    def latex(self, expression: Any) -> str:
-        """LaTeX of an expression or a matrix; that of a 1 x 1 matrix is that of its entry."""
-        if getattr(expression, "shape", None) == (1, 1):
-            expression = expression[0]
-        return str(self._printer.doprint(expression))
-
-    def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
-        """LaTeX of a sum, cut in front of every sign at which a line may break."""
-        return self._printer.pieces(sp.sympify(expression))
-
-    def cut(self, term: sp.Expr, text: str, *, leading: bool) -> tuple[str, ...]:
-        """LaTeX of a term of a sum, with its sign, cut where it is too wide for a line."""
-        return self._printer.cut(term, text, leading=leading)
 
     def prose(self, text: str) -> str:
         """Text in which the names of symbols, and arithmetic with them, are set as formulas."""
@@ -170,14 +139,11 @@ class Notation:
             return expression
         if any(p.exp == sp.Rational(1, 2) and p.base.is_Add for p in expression.atoms(sp.Pow)):
             return expression
-        collected: dict[sp.Expr, sp.Expr] = {}
-        for term in sp.Add.make_args(sp.expand(expression)):
-            moving = sorted(term.free_symbols - set(self.constants), key=str)
-            factor, monomial = term.as_independent(*moving, as_Add=False)
-            collected[monomial] = collected.get(monomial, sp.Integer(0)) + factor
+        expression = sp.expand(expression)
+        moving = expression.free_symbols - set(self.constants)
         grouped: dict[sp.Expr, dict[sp.Expr, sp.Expr]] = {}
-        for monomial, factor in collected.items():
-            states = sorted((s for s in monomial.free_symbols if self.is_state(s)), key=str)
+        for monomial, factor in grouped_by(expression, moving).items():
+            states = filter(self.is_state, monomial.free_symbols)
             rest, state = monomial.as_independent(*states, as_Add=False)
             inner = grouped.setdefault(state, {})
             inner[rest] = inner.get(rest, sp.Integer(0)) + algebra.factor(algebra.cancel(factor))
@@ -194,32 +160,23 @@ class Notation:
         parts = [f * s if f.is_number else sp.Mul(f, s) for f, s in sums.items()]
         return sp.factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
 
-    def is_state(self, symbol: sp.Symbol) -> bool:
-        """Whether a symbol is a state, also at the start or behind a phase, or its derivative."""
-        return symbol in self.start or inside(symbol, *_OF_STATES) in self.states
+    def place(self, symbol: sp.Symbol) -> int | None:
+        """Index of the state that a symbol is, at the start, behind a phase, or differentiated."""
+        state = inside(symbol, *_OF_STATES)
+        return self.start.get(symbol, self.states.index(state) if state in self.states else None)
 
-    def place(self, symbol: sp.Symbol) -> int:
-        """Index of the state to which a symbol belongs."""
-        if symbol in self.start:
-            return self.start[symbol]
-        return self.states.index(inside(symbol, *_OF_STATES))
+    def is_state(self, symbol: sp.Symbol) -> bool:
+        """Whether a symbol is a state in this sense."""
+        return self.place(symbol) is not None
 
     def is_function(self, symbol: sp.Symbol) -> bool:
         """Whether a symbol stands for a value of a function, and needs no brackets behind it."""
         known = self.functions.get(symbol)
         return (known is not None and known.is_Function) or meaning_of(symbol) in ("cosine", "sine")
 
-    def letter(self, meaning: str) -> str:
-        """Letter of linear equations, characteristic factors and rates."""
-        return self._linear[meaning]
-
-    def term(self, term: sp.Expr) -> tuple[int, str]:
-        """Sign and LaTeX of a term of a sum."""
-        return self._printer.term(term)
-
-    def factor(self, factor: sp.Expr) -> tuple[int, str]:
-        """Sign and LaTeX of a factor; a sum is set in brackets."""
-        return self._printer.factor(factor)
+    def _part(self, part: object) -> str:
+        """LaTeX of a part of a symbol."""
+        return self.symbol(part) if isinstance(part, sp.Symbol) else str(part).replace("_", ",")
 
     def _is_name(self, word: str) -> bool:
         known = word in self._known and (len(word) > 1 or word.isupper())
@@ -234,18 +191,29 @@ class Notation:
     def _known(self) -> dict[str, sp.Symbol]:
         return {str(s): s for s in (*self.unknowns, *self.constants, *self.states)}
 
-    @cached_property
-    def _linear(self) -> dict[str, str]:
-        """Letters for linear equations, characteristic factors and rates, by a name's stem."""
-        taken = {identifier(name).partition("_")[0] for name in self._known}
-        return {
-            role: next((c for c in choices if c not in taken), choices[-1])
-            for role, choices in _LINEAR.items()
-        }
+    def letter(self, meaning: str) -> str:
+        """Letter of linear equations, characteristic factors or rates."""
+        return free(_LETTERS[meaning], {head(identifier(name)) for name in self._known})
 
     @cached_property
-    def _printer(self) -> Printer:
-        return Printer(self)
+    def responses(self) -> Responses:
+        """Numbers of the factors of impulse responses."""
+        return responses_of(self.flows, map(self.symbol, self._known.values()))
+
+
+def grouped_by(expression: sp.Expr, symbols: Iterable[sp.Symbol]) -> dict[sp.Expr, sp.Expr]:
+    """Coefficient of each monomial in the symbols; the sum has to be expanded."""
+    collected: dict[sp.Expr, sp.Expr] = {}
+    symbols = list(symbols)
+    for term in sp.Add.make_args(expression):
+        coefficient, monomial = term.as_independent(*symbols, as_Add=False)
+        collected[monomial] = collected.get(monomial, sp.Integer(0)) + coefficient
+    return {m: c for m, c in collected.items() if c != 0}
+
+
+def is_written(symbol: sp.Basic) -> bool:
+    """Whether a symbol is one that the document itself introduces."""
+    return meaning_of(symbol) == "written"
 
 
 def _indexed(latex: str, index: str) -> str:

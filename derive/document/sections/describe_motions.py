@@ -8,9 +8,8 @@ import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.layout import LINE_WIDTH, width
-from nonsmooth.derive.document.notation.letters import Letters
-from nonsmooth.derive.document.notation.responses import Factors
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.letters import Factors, Letters
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.motions import (
     Displacements,

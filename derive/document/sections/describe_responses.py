@@ -9,11 +9,10 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.document.notation.characteristic import polynomial_pieces
-from nonsmooth.derive.document.notation.letters import Letters, letters_of
-from nonsmooth.derive.document.notation.responses import Factors
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.arrange import polynomial_pieces
+from nonsmooth.derive.document.notation.letters import Factors, Letters
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.sections.describe_motions import motion_blocks, steady_blocks
 from nonsmooth.derive.document.views.motions import Displacements
 from nonsmooth.derive.flows.entire import ExponentialDifference

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.document.notation.responses import is_response
+from nonsmooth.derive.document.notation.letters import free, is_response
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol
 
@@ -48,13 +48,9 @@ def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
     if any(map(is_response, shown)):
         shown = []  # motions are written coordinate by coordinate, about no centre
     found = {f.configuration: c for f in shown if (c := centre_of(f)) and not c.is_zero_matrix}
-    used = set(taken)
     columns: dict[str, sp.Matrix] = {}
     values: dict[sp.Symbol, sp.Expr] = {}
-    letters = ("d", "c", r"\bar{x}")
-    letter = next(
-        x for x in letters if not any(u.startswith(f"{x}_") for u in used) or x == letters[-1]
-    )
+    letter = free(("d", "c", r"\bar{x}"), {u.partition("_")[0] for u in taken if "_" in u})
     for configuration, centre in found.items():
         which = "" if len(found) == 1 else rf"\text{{{configuration}}},"
         column = sp.zeros(*centre.shape)

@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.document.notation.arrange import grouped_by
+from nonsmooth.derive.document.notation.symbols import grouped_by
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.saltation import saltation_matrix
 from nonsmooth.derive.symbols import Symbol, meaning_of
 
-__all__ = ["FACTOR", "MonodromyTrace", "keeps_volume", "monodromy_trace", "saltations"]
+__all__ = [
+    "FACTOR",
+    "MonodromyTrace",
+    "keeps_volume",
+    "monodromy_trace",
+    "saltations",
+    "solved_for_a_state",
+]
 
 FACTOR = Symbol("written", "kappa", r"\kappa")
 # more products of functions of time are not written out
@@ -46,7 +54,8 @@ def saltations(view: View) -> tuple[sp.Matrix, ...]:
             }
             matrix = matrix.subs(images, simultaneous=True)
             condition = condition.subs(images, simultaneous=True)
-        at_boundary = _solved(view, sp.expand(condition))
+        states = sorted(filter(view.naming.notation.is_state, condition.free_symbols), key=str)
+        at_boundary = solved_for_a_state(sp.expand(condition), states)
         found.append(
             sp.ImmutableMatrix(matrix.subs(at_boundary).applyfunc(lambda e: factor(cancel(e))))
         )
@@ -101,11 +110,8 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
     terms: list[sp.Expr] = []
     for entry, parts in joined.items():
         terms += parts if entry == 1 else [sp.Mul(entry, sp.Add(*parts))]
-    return MonodromyTrace(tuple(terms), {s: n for s, n in names.items() if _within(s, terms)})
-
-
-def _within(symbol: sp.Symbol, terms: list[sp.Expr]) -> bool:
-    return any(symbol in term.free_symbols for term in terms)
+    used = set().union(*(term.free_symbols for term in terms))
+    return MonodromyTrace(tuple(terms), {s: e for s, e in names.items() if s in used})
 
 
 def _split(coefficient: sp.Expr, projectors: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, sp.Expr]:
@@ -132,15 +138,13 @@ def _resets(view: View) -> dict[sp.Symbol, sp.Expr]:
     return {s: e for s, e in assignments if meaning_of(s) == "reset"}
 
 
-def _solved(view: View, condition: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
-    """A switching condition solved for one state, by the state's symbol.
+def solved_for_a_state(condition: sp.Expr, states: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """A switching condition solved for one of the states, by the state's symbol.
 
-    A state with a number as its coefficient is preferred.
+    The first with a number as its coefficient is preferred.
     """
-    notation = view.naming.notation
-    states = sorted((s for s in condition.free_symbols if notation.is_state(s)), key=str)
-    if not states:
+    slopes = {s: slope for s in states if (slope := sp.diff(condition, s)) != 0}
+    if not slopes:
         return {}
-    state = min(states, key=lambda s: not sp.diff(condition, s).is_number)
-    slope = sp.diff(condition, state)
-    return {state: sp.expand(-(condition - slope * state) / slope)}
+    state = min(slopes, key=lambda s: not slopes[s].is_number)
+    return {state: sp.expand(-(condition - slopes[state] * state) / slopes[state])}
