@@ -17,7 +17,7 @@ from nonsmooth import Orbit
 from nonsmooth.derive import EquationSystem, Itinerary, derive_equations
 from nonsmooth.derive.document.blocks import Document, Line
 from nonsmooth.derive.document.describe import describe_orbit
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.views.centres import Centres
 from nonsmooth.derive.document.views.view import view_of
 from nonsmooth.derive.equations.explicit import Angle

@@ -17,8 +17,9 @@ from nonsmooth.derive.codegen.c import Scope, c_declaration, print_c
 from nonsmooth.derive.codegen.kernels import direction_kernels
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.codegen.solver import inputs_of, lane_sources
-from nonsmooth.derive.equations.equation_system import EquationSystem, spectral_derivative
+from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.symbols import derivative
 
 __all__ = ["DIRECTIONS", "directions_prototype", "directions_source"]
 
@@ -145,7 +146,7 @@ def directions_source(orbit: EquationSystem) -> str:
     entries = orbit.spectrum.symbols
     found = [
         *entries,
-        *(spectral_derivative(s, p) for s in entries for p in orbit.spectrum.parameters),
+        *(derivative(s, p) for s in entries for p in orbit.spectrum.parameters),
     ]
     given = (*orbit.parameters, *orbit.unknowns, *found)
     bodies = (spectrum, equations, trace)

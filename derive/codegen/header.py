@@ -213,7 +213,7 @@ def _orbit_comment(orbit: EquationSystem) -> str:
     facts = {
         "phases": phases,
         "state": [", ".join(_state_texts(orbit))],
-        "section": [", ".join(orbit.chain.coordinates) or "a point"],
+        "section": [", ".join(map(str, orbit.chain.coordinates)) or "a point"],
         "residual": [f"[{i}] {meaning}" for i, (meaning, _) in enumerate(orbit.equations)],
         "guess, reduced": [", ".join(f"[{i}] {n}" for i, n in enumerate(reduced_names(orbit)))],
         "bounds": [", ".join(f"[{i}] {p}" for i, p in enumerate(orbit.open_parameters))],

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.equations.equation_system import EquationSystem, spectral_derivative
+from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import (
     Argument,
     Kernel,
@@ -22,6 +22,7 @@ from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
+from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = [
     "direction_kernels",
@@ -37,10 +38,10 @@ def spectrum_kernel(spectrum: Spectrum) -> Kernel:
     """Kernel of a system's spectrum and its derivatives by the parameters it depends on."""
     parameters = spectrum.parameters
     stage = Stage("spectrum", spectrum.entries)
-    seeds = {str(p): {p: sp.Integer(1)} for p in parameters}
+    seeds = {p: {p: sp.Integer(1)} for p in parameters}
     stages, moving = differentiate([stage], seeds)
     derivatives = tuple(
-        sp.sympify(moving[str(p)].get(s, 0)) for s in spectrum.symbols for p in parameters
+        sp.sympify(moving[p].get(s, 0)) for s in spectrum.symbols for p in parameters
     )
     return Kernel(
         "spectrum",
@@ -87,11 +88,7 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     derivatives = Argument(
         "spectrum_derivatives",
         (len(orbit.spectrum.symbols), len(orbit.spectrum.parameters)),
-        tuple(
-            spectral_derivative(s, p)
-            for s in orbit.spectrum.symbols
-            for p in orbit.spectrum.parameters
-        ),
+        tuple(derivative(s, p) for s in orbit.spectrum.symbols for p in orbit.spectrum.parameters),
     )
     point = (parameters, spectrum, unknowns)
     flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
@@ -196,7 +193,7 @@ def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
         return None
     # the start is a result, and among the unknowns an argument: it takes other names
     states = orbit.system.states
-    starts = {turn.start[i]: sp.Symbol(f"{states[i]}_0", real=True) for i in turn.sought}
+    starts = {turn.start[i]: Symbol("state", states[i], 0) for i in turn.sought}
     stages = [
         Stage(s.title, tuple((starts.get(x, x), e.xreplace(starts)) for x, e in s.assignments))
         for s in merged((*turn.map_stages, *turn.start_stages), orbit.chain.stages)

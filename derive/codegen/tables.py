@@ -87,7 +87,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "reduced": reduced_names(orbit),
         "eliminated": {str(e.unknown): e.rule for e in reduction.eliminations},
         "rank": reduction.rank,
-        "section": list(orbit.chain.coordinates),
+        "section": list(map(str, orbit.chain.coordinates)),
         "conservative": orbit.conservative,
         "required": {str(p): str(value) for p, value in orbit.required.items()},
         "vanishing": list(itinerary.vanishing),

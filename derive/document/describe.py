@@ -23,10 +23,9 @@ from nonsmooth.derive.document.blocks import (
     Paragraph,
     Table,
 )
-from nonsmooth.derive.document.notation.letters import letters_of
-from nonsmooth.derive.document.notation.responses import is_response
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.notation.letters import is_response
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.document.sections.describe_admissible import admissibility_section
 from nonsmooth.derive.document.sections.describe_contacts import (
     constraint_paragraphs,
@@ -56,8 +55,8 @@ from nonsmooth.derive.document.sections.describe_system import (
 from nonsmooth.derive.document.sections.describe_trace import trace_section
 from nonsmooth.derive.document.sections.describe_transitions import transition_section
 from nonsmooth.derive.document.views.centres import Centres, name_centres
-from nonsmooth.derive.document.views.closed_forms import closed_flows
 from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.views.motions import closed_flows
 from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.reference_orbit import reference_orbit
@@ -87,9 +86,9 @@ def describe_system(system: System) -> Document:
     names = [c.name for c in system.configurations]
     spectrum, flows = closed_flows(system, names)
     constants = tuple(p.symbol for p in system.parameters) + spectrum.symbols
-    notation = Notation(system.states, constants).with_responses(flows.values())
+    notation = Notation(system.states, constants, flows=tuple(flows.values()))
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
-    naming = Naming(notation.with_names(centres.names), system)
+    naming = Naming(notation, system)
     complete = len(flows) == len(names) and not any(map(is_response, flows.values()))
     configurations = configuration_section(naming, names, {})
     if not complete:
@@ -225,7 +224,8 @@ def naming_of(
         constants,
         unknowns=(*section.coordinates, *dwell_times),
         start=dict(zip(section.coordinates, section.places, strict=True)),
-    ).with_responses(flows.values())
+        flows=tuple(flows.values()),
+    )
     taken = (*constants, *states, *notation.unknowns)
     centres = name_centres(flows.values(), map(notation.symbol, taken))
-    return Naming(notation.with_names(centres.names), system, itinerary.source), centres
+    return Naming(notation, system, itinerary.source), centres

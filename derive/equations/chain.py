@@ -19,6 +19,7 @@ from nonsmooth.derive.equations.program import Stage, assign
 from nonsmooth.derive.equations.section import Section, reset_matrix
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
+from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = [
     "PHASE",
@@ -31,7 +32,7 @@ __all__ = [
     "sensitivities",
 ]
 
-PHASE = "phase"  # of the forcing, as a coordinate of the Poincare map
+PHASE = Symbol("phase")  # of the forcing, as a coordinate of the Poincare map
 
 
 @dataclass(frozen=True)
@@ -82,10 +83,10 @@ class Chain:
         return self.links[-1].following
 
     @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of the coordinates of the Poincare map."""
-        names = [str(self.section.coordinates[place]) for place in self._unforced]
-        return (*names, PHASE) if self.forcing else tuple(names)
+    def coordinates(self) -> tuple[sp.Symbol, ...]:
+        """The coordinates of the Poincare map."""
+        found = tuple(self.section.coordinates[place] for place in self._unforced)
+        return (*found, PHASE) if self.forcing else found
 
     @property
     def _unforced(self) -> list[int]:
@@ -122,7 +123,9 @@ def follow(
 ) -> Chain:
     """The chain of an itinerary, from its start through all phases and transitions."""
     states = system.states
-    begin, values = assign("start on the section", [f"{s}_0" for s in states], start.state)
+    begin, values = assign(
+        "start on the section", [Symbol("state", s, 0) for s in states], start.state
+    )
     stages, state, links = [begin], sp.Matrix(values), []
     for index, phase in enumerate(itinerary.phases):
         flow, dwell = flows[phase.configuration], dwell_symbol(phase.dwell_time)
@@ -130,7 +133,7 @@ def follow(
         stages.append(derived_time(dwell, duration))
         naming, functions = name_functions(flow, dwell, duration if duration == 0 else dwell)
         end = flow.matrix(functions) * state + flow.offset(functions)
-        names = [f"{s}_{index + 1}" for s in states]
+        names = [Symbol("state", s, index + 1) for s in states]
         title = f"{phase.configuration} for {dwell}, until {phase.boundary}"
         step, values = assign(title, names, end)
         after = sp.Matrix(values)
@@ -139,7 +142,7 @@ def follow(
         transition = itinerary.transition_after(system, index)
         jump, values = assign(
             f"transition to {transition.target}",
-            [f"{n}_reset" for n in names],
+            [Symbol("reset", s, index + 1) for s in states],
             transition.reset_of(after, states),
         )
         following = sp.Matrix(values)
@@ -181,7 +184,8 @@ def sensitivities(
         moved = sp.Matrix(link.transfer * matrix)
         for column, unknown in enumerate(unknowns):
             moved[:, column] += sp.diff(link.duration, unknown) * link.velocity
-        names = [f"{s}_{index + 1}_by_{u}" for s in states for u in unknowns]
+        behind = [Symbol("state", s, index + 1) for s in states]
+        names = [derivative(s, u) for s in behind for u in unknowns]
         step, values = assign(f"derivatives of the state after {link.dwell}", names, moved)
         ends.append(sp.Matrix(len(states), columns, values))
         matrix = link.reset * ends[-1]
@@ -199,23 +203,24 @@ def poincare_jacobian(
     """
     matrix, stages, columns = chain.directions, [], chain.coordinates
     for index, link in enumerate(chain.links):
-        names = [f"carried_{s}_{index + 1}_by_{q}" for s in states for q in columns]
+        behind = [Symbol("state", s, index + 1) for s in states]
+        names = [derivative(Symbol("carried", s), q) for s in behind for q in columns]
         step, values = assign(f"Phi along {link.dwell}", names, link.transfer * matrix)
         carried = sp.Matrix(len(states), len(columns), values)
         velocity = link.velocity
         rate, (speed,) = assign(
             f"rate of the exit boundary after {link.dwell}",
-            [f"rate_{index + 1}"],
+            [Symbol("rate", index + 1)],
             [(link.normal * velocity)[0]],
         )
         delays = [-(link.normal * carried[:, j])[0] / speed for j in range(len(columns))]
         delay, values = assign(
             f"derivatives of the time to the boundary after {link.dwell}",
-            [f"delay_{link.dwell}_by_{q}" for q in columns],
+            [derivative(Symbol("delay", link.dwell), q) for q in columns],
             delays,
         )
         projected = carried + velocity * sp.Matrix(1, len(columns), values)
-        names = [f"{s}_{index + 1}_on_boundary_by_{q}" for s in states for q in columns]
+        names = [derivative(Symbol("on boundary", s), q) for s in behind for q in columns]
         landing, values = assign(
             f"perturbation on the boundary after {link.dwell}", names, link.reset * projected
         )
@@ -245,4 +250,5 @@ def name_functions(
         name = "_".join([stem, *frequency, str(dwell)])
         names.append(f"{name}_{position}" if name in names else name)
     values = [function.subs(TIME, dwell if time is None else time) for function in flow.basis]
-    return assign(f"functions of {dwell} in {flow.configuration}", names, values)
+    symbols = [Symbol("function", name) for name in names]
+    return assign(f"functions of {dwell} in {flow.configuration}", symbols, values)

@@ -9,7 +9,7 @@ higher degree, are left to determine.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -22,8 +22,9 @@ from nonsmooth.derive.equations.reduction import Elimination, Reduction
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import Spectrum
+from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["LinearSolution", "eliminate_coordinates", "reference_values", "solve_linear"]
+__all__ = ["LinearSolution", "eliminate_coordinates", "entry", "reference_values", "solve_linear"]
 
 _Equation = tuple[str, sp.Expr]
 
@@ -273,9 +274,14 @@ def _bound(
     return sp.sqrt(sp.prod([sp.Add(*row) for row in rows], sp.Integer(1)))
 
 
-def _entry(row: int, column: int, size: int) -> str:
-    """Name of a matrix entry; its indices are set apart if they have several digits."""
-    return f"coefficient{row + 1}{'_' if size > 9 else ''}{column + 1}"
+def entry(row: int, column: int, size: int) -> Symbol:
+    """Symbol of a matrix entry; its indices are set apart if they have several digits."""
+    return Symbol("coefficient", f"{row + 1}{'_' if size > 9 else ''}{column + 1}")
+
+
+def _sides(symbol: Symbol, kept: Iterable[sp.Symbol]) -> list[Symbol]:
+    """A symbol that is affine in what is kept: its constant, and the coefficient of each."""
+    return [symbol, *(Symbol("times", symbol, q) for q in kept)]
 
 
 def _tables(
@@ -290,15 +296,16 @@ def _tables(
     zero = dict.fromkeys((*coordinates, *kept), 0)
     naming, values = assign(
         "coefficients of the linear equations",
-        [_entry(i, j, size) for i in range(size) for j in range(size)],
+        [entry(i, j, size) for i in range(size) for j in range(size)],
         [sp.diff(e, q) for _, e in equations for q in coordinates],
     )
     stages, columns = [naming], []
-    for suffix, unknown in (("", None), *((f"_times_{q}", q) for q in kept)):
+    sides = [_sides(Symbol("right", i + 1), kept) for i in range(size)]
+    for names, unknown in zip(zip(*sides, strict=True), (None, *kept), strict=True):
         parts = [e.subs(zero) if unknown is None else sp.diff(e, unknown) for _, e in equations]
         other, right = assign(
             "right-hand sides of the linear equations",
-            [f"right{i + 1}{suffix}" for i in range(size)],
+            names,
             [-part for part in parts],
         )
         stages.append(other)
@@ -315,19 +322,19 @@ def _cramer(
 ) -> LinearSolution:
     """Linear equations solved by Cramer's rule."""
     naming, matrix, columns = _tables(equations, coordinates, kept)
-    determinant = sp.Symbol("determinant", real=True)
+    determinant = Symbol("determinant")
     naming.append(
         Stage("determinant of the linear equations", ((determinant, sp.expand(matrix.det())),))
     )
     numerators = dict.fromkeys(coordinates, sp.Integer(0))
-    for unknown, column in zip((None, *kept), columns, strict=True):
+    sides = [_sides(Symbol("numerator", j + 1), kept) for j in range(len(coordinates))]
+    for place, (unknown, column) in enumerate(zip((None, *kept), columns, strict=True)):
         replaced = [matrix.copy() for _ in coordinates]
         for j, numerator in enumerate(replaced):
             numerator[:, j] = column
-        suffix = "" if unknown is None else f"_times_{unknown}"
         minors, values = assign(
             "numerators of Cramer's rule",
-            [f"numerator{j + 1}{suffix}" for j in range(len(coordinates))],
+            [side[place] for side in sides],
             [sp.expand(m.det()) for m in replaced],
         )
         naming.append(minors)
@@ -358,10 +365,8 @@ def _successively(
             f"the start solves {size} linear equations, and no reference tells in which order"
         )
     rows, places = list(range(size)), list(range(size))
-    sides = ["", *(f"_times_{q}" for q in kept)]
     entries = [
-        [*(_entry(k, m, size) for m in places), *(f"right{k + 1}{side}" for side in sides)]
-        for k in rows
+        [*(entry(k, m, size) for m in places), *_sides(Symbol("right", k + 1), kept)] for k in rows
     ]
     pivots: list[sp.Expr] = []
     order: list[tuple[int, int]] = []
@@ -375,7 +380,7 @@ def _successively(
         cells = [(k, m) for k in rows for m in (*places, *range(size, width))]
         for k, m in cells:
             numbers[k, m] -= numbers[k, j] * numbers[i, m] / numbers[i, j]
-            names.append(f"{entries[k][m]}_without{len(order)}")
+            names.append(Symbol("without", entries[k][m], len(order)))
             values.append(table[k, m] - table[k, j] * table[i, m] / table[i, j])
         step, found = assign(f"without {coordinates[j]}", names, values)
         for cell, value in zip(cells, found, strict=True):
@@ -388,15 +393,16 @@ def _successively(
             (table[i, m] - sum(table[i, n] * known[n][m - size] for n in known)) / table[i, j]
             for m in range(size, width)
         ]
-        names = [f"{coordinates[j]}_constant", *(f"{coordinates[j]}_times_{q}" for q in kept)]
-        step, known[j] = assign(f"parts of {coordinates[j]}", names, parts)
+        solved = coordinates[j]
+        names = [Symbol("constant", solved), *(Symbol("times", solved, q) for q in kept)]
+        step, known[j] = assign(f"parts of {solved}", names, parts)
         naming.append(step)
         constant, *rates = known[j]
-        numerators[coordinates[j]] = constant + sum(
+        numerators[solved] = constant + sum(
             (r * q for r, q in zip(rates, kept, strict=True)), sp.Integer(0)
         )
     naming.append(Stage("the start", tuple((q, numerators[q]) for q in coordinates)))
-    determinant = sp.Symbol("determinant", real=True)
+    determinant = Symbol("determinant")
     naming.append(Stage("determinant of the linear equations", ((determinant, sp.Mul(*pivots)),)))
     found_stages = tuple(s for s in naming if s.assignments)
     bound = _bound(equations, coordinates, stages)

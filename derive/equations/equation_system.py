@@ -28,6 +28,7 @@ from nonsmooth.derive.equations.section import Section, section_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.registry import registered
+from nonsmooth.derive.symbols import derivative
 
 __all__ = [
     "BoundaryFunction",
@@ -228,11 +229,9 @@ class EquationSystem:
         """Stages and entries of the derivatives of the equations by the unknowns."""
         itinerary = self.itinerary
         if itinerary.reversor or itinerary.solved_for or itinerary.period is not None:
-            seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+            seeds = {u: {u: sp.Integer(1)} for u in self.unknowns}
             stages, moving = differentiate(self.stages, seeds)
-            rows = [
-                [derivative_of(e, moving[str(u)]) for u in self.unknowns] for e in self.residual
-            ]
+            rows = [[derivative_of(e, moving[u]) for u in self.unknowns] for e in self.residual]
             return Program(stages, sp.Matrix(rows))
         stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
         start = self.chain.start
@@ -252,16 +251,16 @@ class EquationSystem:
     def parameter_jacobian_program(self) -> Program:
         """Stages and entries of the total derivatives of the equations by the parameters."""
         stages, moving = differentiate(self.stages, self.parameter_seeds)
-        rows = [[derivative_of(e, moving[str(p)]) for p in self.parameters] for e in self.residual]
+        rows = [[derivative_of(e, moving[p]) for p in self.parameters] for e in self.residual]
         return Program(stages, sp.Matrix(rows))
 
     @property
-    def parameter_seeds(self) -> dict[str, dict[sp.Symbol, sp.Expr]]:
+    def parameter_seeds(self) -> dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]:
         """What moves with each parameter: itself, and the spectrum by its own derivatives."""
         return {
-            str(p): {p: sp.Integer(1)}
+            p: {p: sp.Integer(1)}
             | (
-                {s: spectral_derivative(s, p) for s in self.spectrum.symbols}
+                {s: derivative(s, p) for s in self.spectrum.symbols}
                 if p in self.spectrum.parameters
                 else {}
             )
@@ -433,8 +432,3 @@ def frequencies_of(flow: Flow) -> tuple[sp.Expr, ...] | None:
         elif function not in (sp.Integer(1), TIME):
             return None
     return tuple(found)
-
-
-def spectral_derivative(entry: sp.Symbol, parameter: sp.Symbol) -> sp.Symbol:
-    """Symbol of the derivative of a spectral entry by a parameter."""
-    return sp.Symbol(f"{entry}_by_{parameter}", real=True)

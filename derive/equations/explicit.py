@@ -9,6 +9,7 @@ import sympy as sp
 
 from nonsmooth.derive.equations.program import Stage, assign
 from nonsmooth.derive.flows.modal import TIME
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["LINEAR", "RETURN", "Angle", "ExplicitTime", "explicit_time"]
 
@@ -89,21 +90,21 @@ def _first_return(
     title = f"first return of {dwell}"
     parts, (a, b, c) = assign(
         title,
-        [f"{part}_{dwell}" for part in ("cosine_part", "sine_part", "constant_part")],
+        [Symbol(part, dwell) for part in ("cosine part", "sine part", "constant part")],
         [present.get(f, sp.Integer(0)) for f in (cosine, sine, sp.Integer(1))],
     )
     square = a**2 + b**2
     identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
     if c == 0:
-        scale, (r,) = assign(title, [f"amplitude_{dwell}"], [sp.sqrt(square)])
+        scale, (r,) = assign(title, [Symbol("amplitude", dwell)], [sp.sqrt(square)])
         at = (b / r, -a / r)
         if a.is_Symbol and b.is_Symbol:
             parts_of = ((present[cosine], a), (present[sine], b))
             identities = _amplitude_identities(parts_of, r, constants)
     else:
-        scale, (s,) = assign(title, [f"rate_{dwell}"], [sp.sqrt(square - c**2)])
+        scale, (s,) = assign(title, [Symbol("rate", dwell)], [sp.sqrt(square - c**2)])
         at = ((b * s - a * c) / square, -(b * c + a * s) / square)
-    naming, values = assign(title, [f"cos_{dwell}_return", f"sin_{dwell}_return"], at)
+    naming, values = assign(title, [Symbol("cosine", dwell), Symbol("sine", dwell)], at)
     if identities:
         identities = ({**identities[0], **dict(zip(values, at, strict=True))}, identities[1])
     stages = tuple(s for s in (parts, scale, naming) if s.assignments)

@@ -25,8 +25,9 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import Chain, name_functions
 from nonsmooth.derive.equations.elimination import solve_linear
 from nonsmooth.derive.equations.program import Stage, assign, prune
-from nonsmooth.derive.equations.section import reset_matrix
+from nonsmooth.derive.equations.section import coordinates_of, reset_matrix
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = ["PeriodMap", "derive_period_map"]
 
@@ -252,22 +253,22 @@ def _turn(
 ) -> tuple[tuple[Stage, ...], sp.Matrix, sp.Matrix]:
     """Stages, matrix and offset of the map of all passages, with names for its entries."""
     states, size = system.states, len(system.states)
-    entries = [itinerary.start.get(str(s), f"{s}0") for s in states]
+    entries = coordinates_of(itinerary, states)
     stages: list[Stage] = []
     matrix, offset = sp.eye(size), sp.zeros(size, 1)
     for number, (link, passage) in enumerate(zip(chain.links, passages, strict=True), start=1):
         stages.append(passage.naming)
-        maps = [("", passage.flow), ("_reset", passage.reset)]
-        for mark, (product, shift) in ((m, step) for m, step in maps if step is not None):
-            behind = [f"{s}_{number}{mark}" for s in states]
-            title = (
-                f"{'reset' if mark else link.flow.configuration} after {link.dwell}, by the start"
-            )
-            names = [f"{s}_by_{q}" for s in behind for q in entries]
+        maps = [("state", passage.flow), ("reset", passage.reset)]
+        for meaning, (product, shift) in ((m, step) for m, step in maps if step is not None):
+            behind = [Symbol(meaning, s, number) for s in states]
+            what = meaning if meaning == "reset" else link.flow.configuration
+            title = f"{what} after {link.dwell}, by the start"
+            names = [derivative(s, q) for s in behind for q in entries]
             step, values = assign(title, names, product * matrix)
             matrix = sp.Matrix(size, size, values)
             # the bars of other affine states mean other starts
-            names = [f"c_{i}_{number}{mark}" for i in range(1, size + 1)]
+            mark = "_reset" if meaning == "reset" else ""
+            names = [Symbol("offset", i, number, mark) for i in range(1, size + 1)]
             constants, values = assign(title, names, product * offset + shift)
             offset = sp.Matrix(values)
             stages += [step, constants]

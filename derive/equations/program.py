@@ -12,6 +12,8 @@ from functools import lru_cache
 
 import sympy as sp
 
+from nonsmooth.derive.symbols import Symbol, derivative
+
 __all__ = [
     "Argument",
     "Kernel",
@@ -71,19 +73,18 @@ class Kernel:
 
 
 def assign(
-    title: str, names: Iterable[str], expressions: Iterable[sp.Expr]
+    title: str, symbols: Iterable[sp.Symbol], expressions: Iterable[sp.Expr]
 ) -> tuple[Stage, list[sp.Expr]]:
-    """A stage that names expressions, and the symbols in their place.
+    """A stage that assigns expressions to symbols, and what stands in their place from then on.
 
-    A number or a symbol needs no name and is passed on as it is.
+    A number or a symbol needs no other and is passed on as it is.
     """
     assignments, values = [], []
-    for name, expression in zip(names, expressions, strict=True):
+    for symbol, expression in zip(symbols, expressions, strict=True):
         expression = sp.sympify(expression)
         if expression.is_Atom:
             values.append(expression)
         else:
-            symbol = sp.Symbol(name, real=True)
             assignments.append((symbol, expression))
             values.append(symbol)
     return Stage(title, tuple(assignments)), values
@@ -91,36 +92,37 @@ def assign(
 
 def differentiate(
     stages: Sequence[Stage],
-    seeds: Mapping[str, Mapping[sp.Symbol, sp.Expr]],
-    rates: Mapping[tuple[sp.Symbol, str], sp.Expr] | None = None,
-) -> tuple[tuple[Stage, ...], dict[str, dict[sp.Symbol, sp.Expr]]]:
+    seeds: Mapping[sp.Symbol, Mapping[sp.Symbol, sp.Expr]],
+    rates: Mapping[tuple[sp.Symbol, sp.Symbol], sp.Expr] | None = None,
+) -> tuple[tuple[Stage, ...], dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]]:
     """Total derivatives of every assigned symbol.
 
-    `seeds` has, for each direction, the derivatives of the inputs that move with it.
+    `seeds` has, for each symbol by which they are taken, the derivatives of the inputs that move
+    with it.
     `rates` has derivatives, by symbol and direction, that are known in a shorter form, such
     as a vector field. The first result are stages that assign the derivatives, to be placed
     after the given ones; the second has, for each direction, the derivative (a number or a
     symbol) of each symbol that moves.
     """
     derivatives = {direction: dict(moving) for direction, moving in seeds.items()}
-    assigned = {str(symbol): symbol for stage in stages for symbol, _ in stage.assignments}
+    assigned = {symbol for stage in stages for symbol, _ in stage.assignments}
     result = []
     for stage in stages:
         for direction, moving in derivatives.items():
             assignments: list[tuple[sp.Symbol, sp.Expr]] = []
             for symbol, expression in stage.assignments:
-                name = f"{symbol}_by_{direction}"
+                name = derivative(symbol, direction)
                 if name in assigned:  # the stages already hold this first derivative
-                    moving[symbol] = assigned[name]
+                    moving[symbol] = name
                     continue
                 if rates and (symbol, direction) in rates:
-                    derivative = rates[symbol, direction]
+                    rate = rates[symbol, direction]
                 else:
                     factor, inner = _outer_derivative(symbol, expression)
-                    derivative = factor * derivative_of(inner, moving)
-                if derivative == 0:
+                    rate = factor * derivative_of(inner, moving)
+                if rate == 0:
                     continue
-                step, (value,) = assign("", [name], [derivative])
+                step, (value,) = assign("", [name], [rate])
                 assignments += step.assignments
                 moving[symbol] = value
             if assignments:
@@ -151,7 +153,7 @@ def gradient(
             total = sp.Add(*terms.pop(symbol, []))
             if total == 0:
                 continue
-            step, (slope,) = assign("", [f"slope_by_{symbol}"], [total])
+            step, (slope,) = assign("", [Symbol("slope", symbol)], [total])
             assignments += step.assignments
             factor, inner = _outer_derivative(symbol, value)
             add(slope * factor, inner)

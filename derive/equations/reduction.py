@@ -37,6 +37,7 @@ from nonsmooth.derive.equations.program import (
 )
 from nonsmooth.derive.equations.section import section_of, smallest_section
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
+from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = ["Elimination", "Reduction", "affine_in", "reduce_itinerary", "unreduced"]
 
@@ -63,7 +64,7 @@ class Reduction:
     values: Mapping[sp.Symbol, sp.Expr]
     eliminations: tuple[Elimination, ...]
     # vector field: derivative of a phase's last state by its dwell time, by (symbol, dwell time)
-    rates: Mapping[tuple[sp.Symbol, str], sp.Expr]
+    rates: Mapping[tuple[sp.Symbol, sp.Symbol], sp.Expr]
     start: sp.Expr | None  # the section's only coordinate q at the start, None if there are several
     image: sp.Expr | None  # the same coordinate after one turn
     # (determinant, bound) of solved linear equations: far below it the orbit is undetermined
@@ -73,12 +74,12 @@ class Reduction:
 
     def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
         """Stages and Jacobian of the reduced equations by their unknowns."""
-        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+        seeds = {u: {u: sp.Integer(1)} for u in self.unknowns}
         stages, moving = differentiate(
             self.needed([e for _, e in self.equations]), seeds, self.rates
         )
         entries = [
-            [derivative_of(equation, moving[str(u)]) for u in self.unknowns]
+            [derivative_of(equation, moving[u]) for u in self.unknowns]
             for _, equation in self.equations
         ]
         return stages, sp.Matrix(entries)
@@ -94,25 +95,26 @@ class Reduction:
             raise ValueError("the reduction has no map in one variable")
         stages, jacobian = self.jacobian()
         base = self.needed([self.start, self.image])
-        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
+        seeds = {u: {u: sp.Integer(1)} for u in self.unknowns}
         more, moving = differentiate(base, seeds, self.rates)
-        by = [derivative_of(self.image, moving[str(u)]) for u in self.unknowns]
-        rates = [derivative_of(self.start, moving[str(u)]) for u in self.unknowns]
+        by = [derivative_of(self.image, moving[u]) for u in self.unknowns]
+        rates = [derivative_of(self.start, moving[u]) for u in self.unknowns]
         start_rate, numerator = rates[0], by[0]
         followers = len(self.unknowns) - 1
         if any(rates[1:]):
             # the coordinate moves with several unknowns: the tangent t of the equations
             # with (dq/dx) t = 1 carries it
             rows = sp.Matrix.vstack(jacobian[:followers, :], sp.Matrix([rates]))
-            names = [f"equation{i}_by_{u}" for i in range(followers) for u in self.unknowns]
-            names += [f"start_by_{u}" for u in self.unknowns]
+            moved = [Symbol("equation", i) for i in range(followers)] + [Symbol("start")]
+            names = [derivative(s, u) for s in moved for u in self.unknowns]
             step, values = assign("derivatives of the equations and of the start", names, rows)
             right = sp.Matrix([0] * followers + [1])
             tangent = sp.Matrix(*rows.shape, values).LUsolve(right)
             slope = sum((b * e for b, e in zip(by, tangent, strict=True)), sp.Integer(0))
             return (*merged(stages, more), step), slope
         if followers:
-            names = [f"equation{i}_by_{u}" for i in range(followers) for u in self.unknowns]
+            equations = [Symbol("equation", i) for i in range(followers)]
+            names = [derivative(s, u) for s in equations for u in self.unknowns]
             step, values = assign("derivatives of the equations", names, jacobian[:followers, :])
             stages = (*stages, step)
             rows = sp.Matrix(followers, followers + 1, values)
@@ -137,7 +139,7 @@ class _Draft:
     eliminations: list[Elimination] = field(default_factory=list)
     values: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     linear_times: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
-    rates: dict[tuple[sp.Symbol, str], sp.Expr] = field(default_factory=dict)
+    rates: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = field(default_factory=dict)
     solved: list[Stage] = field(default_factory=list)
 
     def settle(self) -> None:
@@ -178,7 +180,7 @@ def reduce_itinerary(
     turned, original = itinerary.rotated(rotation), section_of(itinerary, system)
 
     # the states behind phase k carry the index k; so do the coordinates of this section
-    coordinates = [sp.Symbol(f"{system.states[i]}_{rotation}", real=True) for i in section.places]
+    coordinates = [Symbol("state", system.states[i], rotation) for i in section.places]
     constants = {p.symbol for p in system.parameters} | set(spectrum.symbols)
     draft = _Draft(constants, list(coordinates))
     state = section.state.subs(dict(zip(section.coordinates, coordinates, strict=True)))
@@ -194,7 +196,7 @@ def reduce_itinerary(
             system.gradient(boundary.function),
         )
         # beyond the last phase the count goes on: the return is not the start
-        names = [f"{s}_{index + rotation + 1}" for s in system.states]
+        names = [Symbol("state", s, index + rotation + 1) for s in system.states]
         follow = _at_once if phase.dwell_time in itinerary.vanishing else _through
         after = follow(draft, leaving, state, names)
         state = turned.transition_after(system, index).reset_of(after, system.states)
@@ -236,7 +238,9 @@ def unreduced(
     )
 
 
-def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
+def _through(
+    draft: _Draft, leaving: _Exit, state: sp.Matrix, names: Sequence[sp.Symbol]
+) -> sp.Matrix:
     """State (N x 1) at the end of a phase, once its exit condition is used as far as possible."""
     flow, dwell = leaving.flow, leaving.dwell
     draft.values[dwell] = dwell
@@ -262,12 +266,14 @@ def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) 
     after = sp.Matrix(values)
     if not used:
         velocity = flow.velocity(after)
-        draft.rates |= {(s, str(dwell)): v for s, v in zip(after, velocity, strict=True)}
+        draft.rates |= {(s, dwell): v for s, v in zip(after, velocity, strict=True)}
         draft.equations.append((leaving.meaning, leaving.condition(after)))
     return after
 
 
-def _at_once(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
+def _at_once(
+    draft: _Draft, leaving: _Exit, state: sp.Matrix, names: Sequence[sp.Symbol]
+) -> sp.Matrix:
     """State of a phase of no duration, whose exit condition is one on the state at its start."""
     if draft.unsolved:
         return _use_for_coordinate(draft, leaving, state)
@@ -336,12 +342,12 @@ def _named_solution(
     Its parts have names, as the slope moves with the dwell times and would else stand below
     every term.
     """
-    below = sp.Symbol(f"{chosen}_slope", real=True)
+    below = Symbol("divisor", chosen)
     named = ((below, sp.factor_terms(slope)),)
     if not others:
         return Stage(f"parts of {chosen}", named), right / below
     parts = [right.subs(dict.fromkeys(others, 0)), *(sp.diff(right, q) for q in others)]
-    names = [f"{chosen}_constant", *(f"{chosen}_times_{q}" for q in others)]
+    names = [Symbol("constant", chosen), *(Symbol("times", chosen, q) for q in others)]
     step, (constant, *rates) = assign(f"parts of {chosen}", names, [p / below for p in parts])
     solution = constant + sum((r * q for r, q in zip(rates, others, strict=True)), sp.Integer(0))
     return Stage(step.title, (*named, *step.assignments)), solution
@@ -354,7 +360,7 @@ def affine_in(
     zero = dict.fromkeys(coordinates, 0)
     parts = [(1, [e.subs(zero) for e in state])]
     parts += [(q, [sp.diff(e, q) for e in state]) for q in coordinates]
-    names = [f"part{i}_of_{q}_{dwell}" for q, column in parts for i in range(len(column))]
+    names = [Symbol("part", i, q, dwell) for q, column in parts for i in range(len(column))]
     expressions = [sp.factor_terms(e) for _, column in parts for e in column]
     step, values = assign(f"state after {dwell}, affine in the section", names, expressions)
     total, size = sp.zeros(state.rows, 1), state.rows

@@ -18,6 +18,7 @@ import sympy as sp
 
 from nonsmooth.derive.equations.chain import Chain
 from nonsmooth.derive.equations.program import Stage, assign
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["monodromy", "saltation_matrices", "saltation_matrix"]
 
@@ -42,7 +43,8 @@ def saltation_matrices(
     fields = [link.flow for link in chain.links]
     for index, link in enumerate(chain.links):
         following = fields[(index + 1) % len(fields)]
-        names = [f"{kind}_{s}_{index + 1}" for kind in ("before", "behind") for s in states]
+        sides = ("field before", "field behind")
+        names = [Symbol(side, s, index + 1) for side in sides for s in states]
         velocities = [*link.velocity, *following.velocity(link.following)]
         step, values = assign(f"vector fields at transition {index + 1}", names, velocities)
         before, behind = (sp.Matrix(v) for v in (values[: len(states)], values[len(states) :]))
@@ -58,7 +60,8 @@ def monodromy(chain: Chain, states: Sequence[sp.Symbol]) -> tuple[tuple[Stage, .
     stages, product = list(found), sp.eye(size)
     for index, (link, saltation) in enumerate(zip(chain.links, matrices, strict=True), start=1):
         for title, factor in (("Phi", link.transfer), ("saltation", saltation)):
-            names = [f"{title.lower()}_{index}_{i}{j}" for i in range(size) for j in range(size)]
+            places = [(i, j) for i in range(size) for j in range(size)]
+            names = [Symbol("product", title.lower(), index, i, j) for i, j in places]
             step, values = assign(f"{title} of phase {index}", names, factor * product)
             stages.append(step)
             product = sp.Matrix(size, size, values)

@@ -13,7 +13,14 @@ from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["Section", "reset_matrix", "section_of", "smallest_section", "start_of"]
+__all__ = [
+    "Section",
+    "coordinates_of",
+    "reset_matrix",
+    "section_of",
+    "smallest_section",
+    "start_of",
+]
 
 
 @dataclass(frozen=True)
@@ -97,7 +104,7 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
         for column, place in enumerate(places):
             embedding[state, column] = -factor(reduced[row, order.index(place)])
     return Section(
-        _coordinates(itinerary, states, places),
+        coordinates_of(itinerary, (states[i] for i in places)),
         places,
         sp.ImmutableMatrix(embedding),
         sp.ImmutableMatrix(constant),
@@ -127,18 +134,16 @@ def start_of(itinerary: Itinerary, system: System, section: Section) -> Section:
         for column, place in enumerate(section.places):
             embedding[row, places.index(place)] = section.embedding[row, column]
     return Section(
-        _coordinates(itinerary, states, places),
+        coordinates_of(itinerary, (states[i] for i in places)),
         places,
         sp.ImmutableMatrix(embedding),
         sp.ImmutableMatrix(constant),
     )
 
 
-def _coordinates(
-    itinerary: Itinerary, states: Sequence[sp.Symbol], places: Iterable[int]
-) -> tuple[sp.Symbol, ...]:
+def coordinates_of(itinerary: Itinerary, states: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
     """Symbols of some states at the start."""
-    names = (str(states[i]) for i in places)
+    names = map(str, states)
     return tuple(sp.Symbol(itinerary.start.get(n, f"{n}0"), real=True) for n in names)
 
 

@@ -25,6 +25,7 @@ from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.section import Section, reset_matrix
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = [
     "HalfPhases",
@@ -113,7 +114,7 @@ def vanishing_coordinates(
 
 def halfway(dwell: sp.Symbol) -> sp.Symbol:
     """Symbol of half a dwell time."""
-    return sp.Symbol(f"half_{dwell}", positive=True)
+    return Symbol("half", dwell, positive=True)
 
 
 def _by_function(expression: sp.Expr, functions: Sequence[sp.Expr]) -> sp.Expr:

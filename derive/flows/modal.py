@@ -31,6 +31,7 @@ from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.resolvent import resolvent
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["TIME", "Flow", "Spectrum", "derive_flows"]
 
@@ -111,7 +112,7 @@ class _Names:
             return expression
         if expression not in self.entries:
             assumptions = {"positive": True} if expression.is_positive else {"real": True}
-            self.entries[expression] = sp.Symbol(self._fresh(stem), **assumptions)
+            self.entries[expression] = self._fresh(stem, assumptions)
         return self.entries[expression]
 
     def coefficient(self, expression: sp.Expr) -> sp.Expr:
@@ -123,11 +124,12 @@ class _Names:
         simple = expression.count_ops() <= 2 and sp.expand(expression) == expression
         return expression if simple else self.symbol("factor", expression)
 
-    def _fresh(self, stem: str) -> str:
-        """A name that is not in use yet: the stem and a number."""
-        name = next(n for n in (f"{stem}{i}" for i in count(1)) if n not in self.taken)
-        self.taken.add(name)
-        return name
+    def _fresh(self, stem: str, assumptions: dict[str, bool]) -> Symbol:
+        """A symbol whose name, the stem and a number, is not in use yet."""
+        symbols = (Symbol("spectrum", stem, i, **assumptions) for i in count(1))
+        found = next(s for s in symbols if s.name not in self.taken)
+        self.taken.add(found.name)
+        return found
 
 
 def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:

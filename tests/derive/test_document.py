@@ -39,12 +39,13 @@ from nonsmooth.derive.document.describe import (
 )
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.notation.arrange import by_function
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.views.centres import name_centres
 from nonsmooth.derive.document.writers.hypertext import to_html
 from nonsmooth.derive.document.writers.latex import compile_pdf, to_latex
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.document.writers.mathml import mended
+from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import impacts, one_mass, rattle, switching
 from tests.documents import declarations, document_of, marked, names
@@ -229,48 +230,65 @@ def test_sentences_end(document: Document) -> None:
         ("V", "V"),
         ("k_c", "k_{c}"),
         ("stiffness2", r"\mathrm{stiffness}_{2}"),
-        ("z1_3", "z_{1}^{(3)}"),
-        ("z1_3_reset", "z_{1}^{(3)+}"),
-        ("z1_3_by_tau", r"\partial_{\tau} z_{1}^{(3)}"),
-        ("amplitude_tau2", r"A_{\tau_{2}}"),
-        ("amplitude_tau2_by_tau1", r"\partial_{\tau_{1}} A_{\tau_{2}}"),
-        ("cos_omega1_tau1", r"\cos \omega_{1} \tau_{1}"),
     ],
 )
-def test_notation(name: str, latex: str) -> None:
-    assert written_of("dry-friction/global-stick").notation.symbol(name) == latex
+def test_notation_of_a_declaration(name: str, latex: str) -> None:
+    symbol = sp.Symbol(name, real=True)
+    assert written_of("dry-friction/global-stick").notation.symbol(symbol) == latex
+
+
+Z1, X1, X2, Y = sp.symbols("z1 x1 x2 y", real=True)
+TAU, TAU1, TAU2 = sp.symbols("tau tau1 tau2", positive=True)
+RIGHT = Symbol("times", Symbol("right", 1), Y)
 
 
 @pytest.mark.parametrize(
-    ("name", "latex"),
+    ("symbol", "latex"),
     [
-        ("y", "y"),
-        ("coefficient11", "a_{11}"),
-        ("coefficient1_12", "a_{1,12}"),
-        ("coefficient12_without2", "a_{12}^{[2]}"),
-        ("right1_times_y", "b_{1,y}"),
-        ("right1_times_y_without2", "b_{1,y}^{[2]}"),
-        ("y_constant", r"\bar{y}"),
-        ("x1_0_slope", "a_{x_{1}^{(0)}}"),
-        ("part0_of_y_tau", "x_{1,y}^{(1)}"),
-        ("part1_of_1_tau1", r"\bar{x}_{2}^{(2)}"),
-        ("right1", "b_{1}"),
-        ("numerator2", "N_{2}"),
-        ("determinant", "D"),
-        ("cos_omega3_half_tau1", r"\cos(\omega_{3} \tau_{1}/2)"),
-        ("x1_1_reset", "x_{1}^{(1)+}"),
-        ("half_tau", r"\frac{\tau}{2}"),
+        (Symbol("state", Z1, 3), "z_{1}^{(3)}"),
+        (Symbol("reset", Z1, 3), "z_{1}^{(3)+}"),
+        (derivative(Symbol("state", Z1, 3), TAU), r"\partial_{\tau} z_{1}^{(3)}"),
+        (Symbol("amplitude", TAU2), r"A_{\tau_{2}}"),
+        (derivative(Symbol("amplitude", TAU2), TAU1), r"\partial_{\tau_{1}} A_{\tau_{2}}"),
+        (Symbol("function", "cos_omega1_tau1"), r"\cos \omega_{1} \tau_{1}"),
     ],
+    ids=str,
 )
-def test_notation_of_half_phases(name: str, latex: str) -> None:
-    assert written_of("elastic-stop/one-contact").notation.symbol(name) == latex
+def test_notation_of_a_chain(symbol: Symbol, latex: str) -> None:
+    assert written_of("dry-friction/global-stick").notation.symbol(symbol) == latex
+
+
+@pytest.mark.parametrize(
+    ("symbol", "latex"),
+    [
+        (Y, "y"),
+        (Symbol("coefficient", "11"), "a_{11}"),
+        (Symbol("coefficient", "1_12"), "a_{1,12}"),
+        (Symbol("without", Symbol("coefficient", "12"), 2), "a_{12}^{[2]}"),
+        (RIGHT, "b_{1,y}"),
+        (Symbol("without", RIGHT, 2), "b_{1,y}^{[2]}"),
+        (Symbol("constant", Y), r"\bar{y}"),
+        (Symbol("divisor", Symbol("state", X1, 0)), "a_{x_{1}^{(0)}}"),
+        (Symbol("part", 0, Y, TAU), "x_{1,y}^{(1)}"),
+        (Symbol("part", 1, 1, TAU1), r"\bar{x}_{2}^{(2)}"),
+        (Symbol("right", 1), "b_{1}"),
+        (Symbol("numerator", 2), "N_{2}"),
+        (Symbol("determinant"), "D"),
+        (Symbol("function", "cos_omega3_half_tau1"), r"\cos(\omega_{3} \tau_{1}/2)"),
+        (Symbol("reset", X1, 1), "x_{1}^{(1)+}"),
+        (Symbol("half", TAU, positive=True), r"\frac{\tau}{2}"),
+    ],
+    ids=str,
+)
+def test_notation_of_half_phases(symbol: sp.Symbol, latex: str) -> None:
+    assert written_of("elastic-stop/one-contact").notation.symbol(symbol) == latex
 
 
 def test_letters_of_linear_equations_are_free() -> None:
     notation = Notation((), sp.symbols("a b11 D"))
-    names = ("coefficient11", "right1", "determinant", "a", "b11")
-    assert [notation.symbol(n) for n in names] == [
-        r"\alpha_{11}", r"\beta_{1}", r"\Delta", "a", "b_{11}",
+    made = (Symbol("coefficient", "11"), Symbol("right", 1), Symbol("determinant"))
+    assert [notation.symbol(s) for s in (*made, *notation.constants)] == [
+        r"\alpha_{11}", r"\beta_{1}", r"\Delta", "a", "b_{11}", "D"
     ]  # fmt: skip
 
 
@@ -296,8 +314,8 @@ def test_functions_share_a_coefficient_up_to_its_sign() -> None:
 def test_centres_have_letters_that_nothing_else_has() -> None:
     written = written_of("elastic-stop/one-contact")
     flows = written.equations.flows.values()
-    assert list(name_centres(flows, ["x_{1}"]).names.values()) == ["d_{1}", "d_{2}"]
-    assert list(name_centres(flows, ["d_{7}"]).names.values()) == ["c_{1}", "c_{2}"]
+    for taken, letters in (("x_{1}", ["d_{1}", "d_{2}"]), ("d_{7}", ["c_{1}", "c_{2}"])):
+        assert [*map(written.notation.symbol, name_centres(flows, [taken]).values)] == letters
     centre = {str(s): e for s, e in written.centres.values.items()}
     motion = written.equations.system.configuration("contact").dynamics
     assert sp.simplify(

@@ -27,10 +27,9 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.document.blocks import Document, Line, Paragraph, Table
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system
-from nonsmooth.derive.document.notation.characteristic import characteristic_pieces
-from nonsmooth.derive.document.notation.letters import letters_of
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.arrange import characteristic_pieces
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.views.cycle import Cycle, harmonics_of
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.flows.modal import derive_flows

@@ -29,12 +29,11 @@ from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document import describe
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system, naming_of
-from nonsmooth.derive.document.notation.letters import letters_of
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.views.centres import name_centres
-from nonsmooth.derive.document.views.closed_forms import closed_flows
 from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.views.motions import closed_flows
 from nonsmooth.runtime.orbits import orbit as solved_orbits
 from tests.documents import GALLERY, document_of, marked, names
 from tests.documents import declarations as all_declarations
@@ -66,9 +65,9 @@ def facts_of(system: System, seed: int) -> Facts:
     """A system at random parameters and a random state."""
     spectrum, flows = flows_of(system, [c.name for c in system.configurations])
     constants = (*(p.symbol for p in system.parameters), *spectrum.symbols)
-    notation = Notation(system.states, constants).with_responses(flows.values())
+    notation = Notation(system.states, constants, flows=tuple(flows.values()))
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
-    naming = Naming(notation.with_names(centres.names), system)
+    naming = Naming(notation, system)
     return Facts(system, naming, spectrum, centres, drawn(system, seed))
 
 

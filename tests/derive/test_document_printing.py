@@ -9,8 +9,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.document.notation.arrange import by_function, signed
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.writers.mathml import mathml
+from nonsmooth.derive.symbols import Symbol, derivative
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Unreadable
 from tests.formulas.mathml import read_mathml
@@ -21,8 +22,16 @@ converter = pytest.importorskip("latex2mathml.converter")
 STATES = sp.symbols("x1 x2 v1 v2", real=True)
 CONSTANTS = sp.symbols("a k1 us2 chi e omega1 omega2 p1 p2", positive=True)
 TIMES = sp.symbols("tau tau1 t", real=True)
-CHAIN = sp.symbols("x1_3 v2_3_reset x1_3_by_tau sin_tau_return stiffness", real=True)
-COSINE, SINE, HALF, SQUARE = sp.symbols("cos_tau1 sin_omega1_tau half_tau t_squared", real=True)
+BEHIND = Symbol("state", STATES[0], 3)
+CHAIN = (
+    BEHIND,
+    Symbol("reset", STATES[3], 3),
+    derivative(BEHIND, TIMES[0]),
+    Symbol("sine", TIMES[0]),
+    sp.Symbol("stiffness", real=True),
+)
+COSINE, SINE, SQUARE = (Symbol("function", n) for n in ("cos_tau1", "sin_omega1_tau", "pow_t"))
+HALF = Symbol("half", TIMES[0])
 FUNCTIONS = {
     COSINE: sp.cos(TIMES[1]),
     SINE: sp.sin(CONSTANTS[5] * TIMES[0]),

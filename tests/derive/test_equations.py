@@ -37,11 +37,11 @@ from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.codegen.solver import STATUSES, solve_source
-from nonsmooth.derive.equations.equation_system import spectral_derivative
 from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrix
 from nonsmooth.derive.flows.modal import TIME
+from nonsmooth.derive.symbols import derivative
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from tests.places import CHECKOUT
@@ -232,9 +232,7 @@ class Derived:
         o, namespace = self.orbit, {}
         exec(python_kernel(spectrum_kernel(o.spectrum), None), namespace)
         self._spectrum = namespace["spectrum"]
-        derivatives = [
-            spectral_derivative(s, p) for s in o.spectrum.symbols for p in o.spectrum.parameters
-        ]
+        derivatives = [derivative(s, p) for s in o.spectrum.symbols for p in o.spectrum.parameters]
         self._arguments = (
             Argument("parameters", (len(o.parameters),), o.parameters),
             Argument("spectrum", (len(o.spectrum.symbols),), o.spectrum.symbols),

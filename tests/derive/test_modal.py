@@ -329,7 +329,7 @@ def test_total_derivatives_by_parameters_where_eigenvalues_meet(name: str) -> No
         Stage("spectrum", spectrum.entries),
         Stage("end", tuple(zip(names, end, strict=True))),
     ]
-    seeds = {p.name: {p.symbol: sp.Integer(1)} for p in system.parameters}
+    seeds = {p.symbol: {p.symbol: sp.Integer(1)} for p in system.parameters}
     more, moving = differentiate(stages, seeds)
     state = [mp.mpf(i * i - 2) / 3 for i in range(4)]
     time = mp.mpf("1.3")
@@ -339,8 +339,8 @@ def test_total_derivatives_by_parameters_where_eigenvalues_meet(name: str) -> No
         "sensitivity", "",
         (Argument("inputs", (len(symbols) + 5,), (*symbols, TIME, *system.states)),),
         tuple(
-            Output(f"by_{p.name}", (4,), tuple(sp.sympify(moving[p.name].get(n, 0)) for n in names))
-            for p in system.parameters
+            Output(f"by_{p}", (4,), tuple(sp.sympify(moving[p].get(n, 0)) for n in names))
+            for p in symbols
         ),
         (*stages, *more),
     )  # fmt: skip

@@ -16,8 +16,7 @@ from scipy.optimize import brentq
 
 from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.notation.letters import letters_of
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.views.centres import Centres
 from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex

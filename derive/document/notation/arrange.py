@@ -1,14 +1,25 @@
-"""Sums arranged function by function of time, as one writes a sum of oscillations."""
+"""Sums arranged as one writes them: oscillations function by function, polynomials by powers."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
+from sympy.polys.matrices import DomainMatrix
 
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.symbols import grouped_by
+from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["by_function", "grouped_by", "signed"]
+__all__ = ["by_function", "characteristic_pieces", "polynomial_pieces", "signed"]
+
+_LARGEST_BLOCK = 6
+# of a block with more than two rows; more make coefficients that nobody reads
+_MOST_SYMBOLS = 6
+_MOST_TERMS = 12
+# em of two lines
+_LONGEST = 76.0
 
 
 def by_function(notation: Notation, expression: sp.Expr) -> tuple[sp.Expr, ...]:
@@ -17,7 +28,7 @@ def by_function(notation: Notation, expression: sp.Expr) -> tuple[sp.Expr, ...]:
     known = list(notation.functions)
     functions = sorted(
         (s for s in expression.free_symbols if notation.is_function(s)),
-        key=lambda s: (str(s).startswith("sin"), known.index(s) if s in known else -1, str(s)),
+        key=lambda s: (_is_sine(notation, s), known.index(s) if s in known else -1, str(s)),
     )
     collected = grouped_by(expression, functions)
     order = {f: i for i, f in enumerate(functions)}
@@ -46,14 +57,57 @@ def signed(notation: Notation, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
     return tuple(found)
 
 
-def grouped_by(expression: sp.Expr, symbols: Iterable[sp.Symbol]) -> dict[sp.Expr, sp.Expr]:
-    """Coefficient of each monomial in the symbols; the sum has to be expanded."""
-    collected: dict[sp.Expr, sp.Expr] = {}
-    symbols = list(symbols)
-    for term in sp.Add.make_args(expression):
-        coefficient, monomial = term.as_independent(*symbols, as_Add=False)
-        collected[monomial] = collected.get(monomial, sp.Integer(0)) + coefficient
-    return {m: c for m, c in collected.items() if c != 0}
+def characteristic_pieces(
+    notation: Notation, matrix: sp.Matrix, variable: str
+) -> tuple[str, ...] | None:
+    """LaTeX of det(lambda - A) as a product over the irreducible blocks of A.
+
+    The pieces are those between which a line may break; None for a long polynomial.
+    `matrix` is A (N x N), and `variable` the LaTeX of lambda.
+    """
+    blocks = matrix.strongly_connected_components()
+    if max(map(len, blocks)) > _LARGEST_BLOCK:
+        return None
+    factors: dict[tuple[str, ...], int] = {}
+    for block in blocks:
+        part = matrix.extract(block, block)
+        if len(block) > 2 and len(part.free_symbols) > _MOST_SYMBOLS:
+            return None
+        field = DomainMatrix.from_Matrix(part).to_field()
+        expanded = [field.domain.to_sympy(c) for c in field.charpoly()]
+        if any(len(sp.Add.make_args(sp.fraction(c)[0])) > _MOST_TERMS for c in expanded):
+            return None
+        coefficients = [sp.factor(c) for c in expanded]
+        pieces = polynomial_pieces(notation, coefficients, variable)
+        factors[pieces] = factors.get(pieces, 0) + 1
+    found: list[str] = []
+    for pieces, power in sorted(factors.items(), key=lambda f: (len(f[0]), f[0])):
+        bare = len(pieces) == 1 or (len(factors) == 1 and power == 1)
+        raised = f"^{{{power}}}" if power > 1 else ""
+        if bare:
+            found += [*pieces[:-1], pieces[-1] + raised]
+        else:
+            found += [rf"\left({' '.join(pieces)}\right){raised}"]
+    return tuple(found) if sum(map(width, found)) <= _LONGEST else None
+
+
+def polynomial_pieces(
+    notation: Notation, coefficients: Sequence[sp.Expr], variable: str
+) -> tuple[str, ...]:
+    """LaTeX of the terms of a monic polynomial, the highest power first."""
+    degree = len(coefficients) - 1
+    pieces: list[str] = []
+    for place, coefficient in enumerate(coefficients):
+        if coefficient == 0:
+            continue
+        power = degree - place
+        raised = variable if power == 1 else f"{variable}^{{{power}}}" if power else ""
+        sign, text = notation.factor(coefficient) if power else notation.term(coefficient)
+        if text == "1" and power:
+            text = ""
+        term = " ".join(filter(None, (text, raised)))
+        pieces.append(f"- {term}" if sign < 0 else f"+ {term}" if pieces else term)
+    return tuple(pieces)
 
 
 def _coefficient(notation: Notation, coefficient: sp.Expr) -> sp.Expr:
@@ -100,3 +154,8 @@ def _oriented(notation: Notation, key: sp.Expr) -> sp.Expr:
 def _leading(entries: sp.Expr) -> sp.Expr:
     """The number that is added in a sum, or else the number that multiplies it."""
     return entries.as_coeff_Add()[0] or entries.as_coeff_Mul()[0]
+
+
+def _is_sine(notation: Notation, symbol: sp.Symbol) -> bool:
+    """Whether a symbol stands for a sine."""
+    return isinstance(notation.functions.get(symbol), sp.sin) or meaning_of(symbol) == "sine"

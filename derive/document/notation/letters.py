@@ -1,89 +1,140 @@
-"""Letters for matrices and vectors, none of which a system's own symbols have."""
+"""Letters that no symbol of a system has: for matrices and vectors, and for impulse responses.
+
+A factor chi of a characteristic polynomial has a number, and the response h of a product of
+factors has their numbers: h_12 is the inverse Laplace transform of 1/(chi_1 chi_2).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, fields
 
 import sympy as sp
 
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.flows.entire import ExponentialDifference
+from nonsmooth.derive.flows.modal import Flow
 
-__all__ = ["Letters", "letters_of"]
+__all__ = [
+    "Factors",
+    "Letters",
+    "Responses",
+    "free",
+    "free_letters",
+    "head",
+    "is_response",
+    "responses_of",
+]
 
-# what a reader expects first; the last one is free in practice
-_CHOICES = {
-    "matrix": ("A", r"\mathsf{A}"),
-    "offset": ("b", r"\beta", r"\mathsf{b}"),
-    "augmented": ("B", r"\mathsf{B}"),
-    "eigenvalue": (r"\lambda", "s", "z", r"\mathsf{s}"),
-    "discriminant": ("D", r"\Delta", r"\mathsf{D}"),
-    "centre": (r"\mu", r"\nu", r"\mathsf{s}"),
-    "projector": ("P", r"\Pi", r"\mathsf{P}"),
-    "forcing": (r"\varphi", r"\mathsf{h}"),
-    "reset": ("R", r"\mathsf{R}"),
-    "jump": ("r", r"\varrho", r"\mathsf{r}"),
-    "normal": ("n", r"\nu", r"\mathsf{n}"),
-    "constant": ("c", r"\gamma", r"\mathsf{c}"),
-    "field": ("f", "g", r"\mathsf{f}"),
-    "saltation": ("S", r"\mathsf{S}"),
-    "passage": ("N", "W", r"\mathsf{N}"),
-    "remainder": ("m", "w", r"\mathsf{m}"),
-    "embedding": ("E", r"\mathsf{E}"),
-    "base": ("p", "a", r"\mathsf{p}"),
-    "coordinates": ("q", r"\xi", r"\mathsf{q}"),
-    "jacobian": ("J", r"\mathsf{J}"),
-    "directions": ("L", r"\mathsf{L}"),
-    "shift": (r"\sigma", r"\mathsf{z}"),
-    "displacement": ("g", r"\mathsf{g}"),
-    "damped": (r"\nu", r"\Omega", r"\mathsf{w}"),
-    "phase": (r"\theta", r"\vartheta", r"\mathsf{t}"),
-    "amplitude": ("H", "G", r"\mathsf{H}"),
-    "lag": (r"\phi", r"\psi", r"\mathsf{l}"),
-}
-_KEPT = ("I", "M", "C", "K", r"\ell", r"\Phi", "t", "k", "j")
+Factors = tuple[sp.Tuple, ...]
+
+_PAIRS = (("h", r"\chi"), ("g", "p"), (r"\mathsf{h}", r"\mathsf{p}"))
+
+
+@dataclass(frozen=True)
+class Responses:
+    """Numbers of characteristic factors, and letters that nothing else has."""
+
+    # in the order of their numbers, from 1; the factor s of a constant has the number 0
+    factors: Factors = ()
+    # products of factors whose responses occur, short ones first
+    products: tuple[Factors, ...] = ()
+    letter: str = "h"  # LaTeX of the response
+    polynomial: str = r"\chi"  # LaTeX of the factor
+
+    def number(self, factor: sp.Tuple) -> int:
+        """Number of a factor."""
+        return 0 if factor == _CONSTANT else self.factors.index(factor) + 1
+
+    def label(self, factors: Factors) -> str:
+        """Numbers of the factors of a product, written as an index."""
+        numbers = sorted(map(self.number, factors))
+        return ("," if max(numbers) > 9 else "").join(map(str, numbers))
+
+    def latex(self, order: int, factors: Factors, time: str) -> str:
+        """LaTeX of a response, or of its derivative of some order, at a time."""
+        primes = "'" * order if order < 4 else f"^{{({order})}}"
+        return rf"{self.letter}_{{{self.label(factors)}}}{primes}\left({time}\right)"
+
+    def knows(self, factors: Factors) -> bool:
+        """Whether all factors have numbers."""
+        return all(factor == _CONSTANT or factor in self.factors for factor in factors)
+
+
+_CONSTANT = sp.Tuple(sp.Integer(0))
+
+
+def is_response(flow: Flow) -> bool:
+    """Whether a flow is written in impulse responses."""
+    return any(function.has(ExponentialDifference) for function in flow.basis)
+
+
+def responses_of(flows: Iterable[Flow], taken: Iterable[str]) -> Responses:
+    """Numbers of the characteristic factors of flows, and letters for their responses.
+
+    `taken` is the LaTeX of all symbols, whose letters are avoided.
+    """
+    known = {head(text) for text in taken}
+    letter, polynomial = next((p for p in _PAIRS if not known & {*p}), _PAIRS[-1])
+    products: dict[Factors, None] = {}
+    for flow in flows:
+        for function in flow.basis:
+            for found in function.atoms(ExponentialDifference):
+                products[tuple(found.args[2:])] = None
+    ordered = sorted(products, key=lambda p: (len(p), sp.default_sort_key(sp.Tuple(*p))))
+    factors = dict.fromkeys(f for product in ordered for f in product if f != _CONSTANT)
+    return Responses(tuple(factors), tuple(ordered), letter, polynomial)
 
 
 @dataclass(frozen=True)
 class Letters:
-    """LaTeX of a letter for each meaning."""
+    """LaTeX of a letter for each meaning; what a reader expects stands first among its choices.
 
-    matrix: str  # A of the vector field y' = A y + b
-    offset: str  # b of the vector field
-    augmented: str  # matrix A with the column b
-    eigenvalue: str  # of the augmented matrix
-    discriminant: str  # of one damped coordinate
-    centre: str  # of a cluster of eigenvalues
-    projector: str  # of a cluster of eigenvalues
-    forcing: str  # part of the flow that does not depend on the state
-    reset: str  # matrix of a reset
-    jump: str  # constant of a reset
-    normal: str  # gradient of a boundary
-    constant: str  # of a boundary
-    field: str  # vector field in front of a transition
-    saltation: str  # saltation matrix of a transition
-    passage: str  # matrix of one passage of an itinerary at given dwell times
-    remainder: str  # constant of one passage
-    embedding: str  # E of the section E q + p at the start
-    base: str  # p of the section
-    coordinates: str  # q of the section
-    jacobian: str  # of the Poincaré map
-    directions: str  # directions of the state that nothing depends on
-    shift: str  # how far an orbit moves along them
-    displacement: str  # response to a displacement
-    damped: str  # damped frequency
-    phase: str  # of a forcing
-    amplitude: str  # of the response to a forcing
-    lag: str  # of the response behind the forcing
+    The last choice is free in practice.
+    """
+
+    matrix: str = r"A \mathsf{A}"  # A of the vector field y' = A y + b
+    offset: str = r"b \beta \mathsf{b}"  # b of the vector field
+    augmented: str = r"B \mathsf{B}"  # matrix A with the column b
+    eigenvalue: str = r"\lambda s z \mathsf{s}"  # of the augmented matrix
+    centre: str = r"\mu \nu \mathsf{s}"  # of a cluster of eigenvalues
+    projector: str = r"P \Pi \mathsf{P}"  # of a cluster of eigenvalues
+    forcing: str = r"\varphi \mathsf{h}"  # part of the flow that does not depend on the state
+    reset: str = r"R \mathsf{R}"  # matrix of a reset
+    jump: str = r"r \varrho \mathsf{r}"  # constant of a reset
+    normal: str = r"n \nu \mathsf{n}"  # gradient of a boundary
+    constant: str = r"c \gamma \mathsf{c}"  # of a boundary
+    field: str = r"f g \mathsf{f}"  # vector field in front of a transition
+    saltation: str = r"S \mathsf{S}"  # saltation matrix of a transition
+    passage: str = r"N W \mathsf{N}"  # matrix of one passage of an itinerary at given dwell times
+    remainder: str = r"m w \mathsf{m}"  # constant of one passage
+    embedding: str = r"E \mathsf{E}"  # E of the section E q + p at the start
+    base: str = r"p a \mathsf{p}"  # p of the section
+    coordinates: str = r"q \xi \mathsf{q}"  # q of the section
+    jacobian: str = r"J \mathsf{J}"  # of the Poincaré map
+    directions: str = r"L \mathsf{L}"  # directions of the state that nothing depends on
+    shift: str = r"\sigma \mathsf{z}"  # how far an orbit moves along them
+    displacement: str = r"g \mathsf{g}"  # response to a displacement
+    damped: str = r"\nu \Omega \mathsf{w}"  # damped frequency
+    phase: str = r"\theta \vartheta \mathsf{t}"  # of a forcing
+    amplitude: str = r"H G \mathsf{H}"  # of the response to a forcing
+    lag: str = r"\phi \psi \mathsf{l}"  # of the response behind the forcing
 
 
-def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:
-    """Letters different from those of the symbols and the state, and from each other."""
-    taken = {naming.notation.symbol(s).partition("_")[0].partition("^")[0] for s in symbols}
-    responses = naming.notation.responses
-    taken |= {naming.state, naming.letter, responses.letter, responses.polynomial, *_KEPT}
+def free_letters(taken: Iterable[str]) -> Letters:
+    """Letters different from those that are taken and from each other."""
+    used = {*taken}
     chosen: dict[str, str] = {}
-    for role, choices in _CHOICES.items():
-        chosen[role] = next((c for c in choices if c not in taken), choices[-1])
-        taken.add(chosen[role])
+    for meaning in fields(Letters):
+        chosen[meaning.name] = free(str(meaning.default).split(), used)
+        used.add(chosen[meaning.name])
     return Letters(**chosen)
+
+
+def free(choices: Sequence[str], taken: Collection[str]) -> str:
+    """The first letter that is not taken, or else the last one."""
+    return next((choice for choice in choices if choice not in taken), choices[-1])
+
+
+def head(latex: str) -> str:
+    """Letter of a symbol without its indices."""
+    return latex.partition("_")[0].partition("^")[0]

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import wraps
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.notation.symbols import Symbols, is_written
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
+from nonsmooth.derive.symbols import meaning_of
 
-if TYPE_CHECKING:
-    from nonsmooth.derive.document.notation.symbols import Notation
-
-__all__ = ["Printer"]
+__all__ = ["Notation"]
 
 # a symbol with indices, to which a power may be put
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
@@ -27,30 +27,42 @@ _Method = TypeVar("_Method", bound=Callable[..., Any])
 
 
 def _kept(method: _Method) -> _Method:
-    """A method of a printer that keeps its answer for each expression."""
+    """A method of a notation that keeps its answer for each expression."""
 
     @wraps(method)
-    def known(printer: Printer, expression: sp.Expr, **options: bool) -> Any:
+    def known(notation: Notation, expression: sp.Expr, **options: bool) -> Any:
         question = method.__name__, expression, *options.values()
-        if question not in printer.answers:
-            printer.answers[question] = method(printer, expression, **options)
-        return printer.answers[question]
+        if question not in notation.answers:
+            notation.answers[question] = method(notation, expression, **options)
+        return notation.answers[question]
 
     return cast(_Method, known)
 
 
-class Printer(LatexPrinter):
-    """SymPy's LaTeX printer, with terms and factors in the order that a person would choose."""
+@dataclass(eq=False)
+class Notation(Symbols, LatexPrinter):
+    """LaTeX of the symbols and expressions of one document."""
 
     WIDEST = 34.0
 
-    def __init__(self, notation: Notation) -> None:
-        super().__init__({"mat_str": "matrix", "mat_delim": "("})
-        self.notation = notation
+    def __post_init__(self) -> None:
+        LatexPrinter.__init__(self, {"mat_str": "matrix", "mat_delim": "("})
         self.answers: dict[tuple[Any, ...], Any] = {}
 
+    def symbol(self, symbol: sp.Symbol) -> str:
+        """LaTeX of a symbol, or of the value of a function of time that it stands for."""
+        if symbol in self.functions:
+            return self.latex(self.functions[symbol])
+        return super().symbol(symbol)
+
+    def latex(self, expression: Any) -> str:
+        """LaTeX of an expression or a matrix; that of a 1 x 1 matrix is that of its entry."""
+        if getattr(expression, "shape", None) == (1, 1):
+            expression = expression[0]
+        return str(self.doprint(expression))
+
     def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
-        return self.notation.symbol(symbol)
+        return self.symbol(symbol)
 
     def _print_Add(self, expression: sp.Add, order: Any = None) -> str:
         return " ".join(self.summands(expression))
@@ -63,7 +75,7 @@ class Printer(LatexPrinter):
             return self._print_Mul(expression)
         if expression.exp == sp.Rational(1, 2):
             return rf"\sqrt{{{self.radicand(expression.base)}}}"
-        base = self.notation.functions.get(expression.base, expression.base)
+        base = self.functions.get(expression.base, expression.base)
         if base.is_Symbol and not _LETTER.fullmatch(self._print(base)):
             return rf"\left({self._print(base)}\right)^{{{self._print(expression.exp)}}}"
         if base != expression.base:
@@ -90,7 +102,7 @@ class Printer(LatexPrinter):
 
     def _print_ExponentialDifference(self, expression: sp.Expr, exp: str | None = None) -> str:
         order, time, *factors = expression.args
-        responses = self.notation.responses
+        responses = self.responses
         if responses.knows(tuple(factors)):
             text = responses.latex(int(order), tuple(factors), self._print(time))
         else:
@@ -154,9 +166,9 @@ class Printer(LatexPrinter):
         return [text for _, text in self.ordered(expression)]
 
     def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
-        """LaTeX of the terms of a sum; a term that is too wide is cut."""
+        """LaTeX of a sum, cut in front of every sign at which a line may break."""
         found: list[str] = []
-        for term, text in self.ordered(expression):
+        for term, text in self.ordered(sp.sympify(expression)):
             found += self.cut(term, text, leading=not found)
         return tuple(found)
 
@@ -170,7 +182,7 @@ class Printer(LatexPrinter):
             return (text,)
         inner = max(sums, key=lambda s: len(s.args))
         others = [f for f in sp.Mul.make_args(term) if f is not inner]
-        behind = [f for f in others if self.place(f)[0] >= _FUNCTIONS]
+        behind = [f for f in others if self.order_of(f)[0] >= _FUNCTIONS]
         sign, outer = self.factor(sp.Mul(*(f for f in others if f not in behind)))
         head = "- " if sign < 0 else "" if leading else "+ "
         head += rf"{'' if outer == '1' else outer} \biggl("
@@ -183,23 +195,21 @@ class Printer(LatexPrinter):
 
     def leads(self, term: sp.Expr, total: sp.Expr) -> bool:
         """Whether a term of a sum over entries of projectors contains no state, and comes first."""
-        notation, symbols = self.notation, total.free_symbols
-        if not symbols & set(notation.projectors) or any(map(notation.is_function, symbols)):
+        symbols = total.free_symbols
+        if not symbols & set(self.projectors) or any(map(self.is_function, symbols)):
             return False
-        return bool(term.free_symbols <= {*notation.projectors, *notation.names})
+        return all(s in self.projectors or is_written(s) for s in term.free_symbols)
 
     @_kept
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Sort key of a term in a sum: states in order, other unknowns, constants."""
-        symbols = sorted(term.free_symbols, key=str)
-        notation = self.notation
-        states = [s for s in symbols if notation.is_state(s)]
-        if states:
-            return 0, min(notation.place(s) for s in states), 0, str(term)
-        if any(s not in notation.constants for s in symbols):
+        symbols = term.free_symbols
+        places = [place for s in symbols if (place := self.place(s)) is not None]
+        if places:
+            return 0, min(places), 0, str(term)
+        if any(s not in self.constants for s in symbols):
             return 1, 0, int(not term.is_Symbol), str(term)
-        places = [notation.constants.index(s) + 1 for s in symbols]
-        return 2, min(places, default=0), 0, str(term)
+        return 2, min((self.constants.index(s) + 1 for s in symbols), default=0), 0, str(term)
 
     def factor(self, expression: sp.Expr) -> tuple[int, str]:
         """Sign of an expression, and LaTeX to which other factors may be put."""
@@ -247,9 +257,9 @@ class Printer(LatexPrinter):
             return sign, self.product(above, alone=alone and sign > 0) or "1"
         outside = [f for f in above if isinstance(f, Angle) or _is_root_of_fraction(f)]
         sums = [f for f in above if f.is_Add]
-        beside_function = any(self.place(f)[0] >= _FUNCTIONS for f in above)
+        beside_function = any(self.order_of(f)[0] >= _FUNCTIONS for f in above)
         nested = any(r"\frac" in self._print(f) for f in sums)
-        constant = set().union(*(f.free_symbols for f in sums)) <= set(self.notation.constants)
+        constant = set().union(*(f.free_symbols for f in sums)) <= set(self.constants)
         over_sum = constant and any(f.is_Add for f in below)
         if nested or (len(above) > len(sums) and not beside_function and not over_sum):
             outside += sums
@@ -268,7 +278,7 @@ class Printer(LatexPrinter):
         """Whether a denominator subtracts parameters from states, and reads better turned."""
         if not expression.is_Add or expression.as_coeff_Add()[0] != 0:
             return False
-        constants = set(self.notation.constants)
+        constants = set(self.constants)
         fixed = [a for a in expression.args if a.free_symbols <= constants]
         moving = len(fixed) < len(expression.args)
         return bool(fixed) and moving and all(a.as_coeff_Mul()[0] < 0 for a in fixed)
@@ -277,13 +287,13 @@ class Printer(LatexPrinter):
         """Whether a sum can take up a minus sign in front of it."""
         if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
             return False
-        if factor.free_symbols & set(self.notation.names):
+        if any(map(is_written, factor.free_symbols)):
             return False
         return any(self.term(a)[0] < 0 for a in factor.args)
 
     def product(self, factors: Sequence[sp.Expr], *, alone: bool = True) -> str:
         """LaTeX of factors side by side: constants, states, sums, and functions last."""
-        ordered = sorted(factors, key=self.place)
+        ordered = sorted(factors, key=self.order_of)
         if alone and len(ordered) == 1:
             return str(self._print(ordered[0]))
         texts = [rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in ordered]
@@ -294,25 +304,25 @@ class Printer(LatexPrinter):
         )
 
     @_kept
-    def place(self, factor: sp.Expr) -> tuple[int, str]:
+    def order_of(self, factor: sp.Expr) -> tuple[int, str]:
         """Sort key of a factor in a product."""
         base = factor.as_base_exp()[0]
         if base.is_number and not isinstance(base, sp.cos | sp.sin):
             return 0, str(factor)
         if base.is_Add:
-            moving = any(map(self.notation.is_function, base.free_symbols))
-            entries = base.free_symbols & set(self.notation.projectors)
+            moving = any(map(self.is_function, base.free_symbols))
+            entries = base.free_symbols & set(self.projectors)
             return 3, f"{2 if moving else 0 if entries else 1} {factor}"
-        if isinstance(base, sp.cos | sp.sin) or self.notation.is_function(base):
+        if isinstance(base, sp.cos | sp.sin) or self.is_function(base):
             # without brackets of its own it ends a product
-            bracketed = isinstance(self.notation.functions.get(base), ExponentialDifference)
+            bracketed = isinstance(self.functions.get(base), ExponentialDifference)
             return _FUNCTIONS + (0 if bracketed else 1), str(factor)
-        written = self.notation.names.get(base, "")
-        if base.is_Function or base == sp.E or written.endswith(r"\right)"):
+        bracketed = is_written(base) and self._print(base).endswith(r"\right)")
+        if base.is_Function or base == sp.E or bracketed:
             return _FUNCTIONS, str(factor)
-        if "_by_" in str(base):
+        if meaning_of(base) == "derivative":
             return 4, str(factor)
-        if base in self.notation.constants:
+        if base in self.constants:
             return 1, str(factor)
         return 2, str(factor)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -11,14 +11,17 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.document.blocks import Formula, Line
+from nonsmooth.derive.document.blocks import Line
 from nonsmooth.derive.document.notation.arrange import by_function, signed
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.letters import Letters, free_letters, head
+from nonsmooth.derive.document.notation.printer import Notation
 
-__all__ = ["Naming", "count", "enumeration", "in_one_line", "number", "numbered"]
+__all__ = ["Naming", "count", "enumeration", "in_one_line", "letters_of", "number"]
 
 # capitals that stand for matrices and the like in every document
 _TAKEN = set("ADEFIJKMPQRSTU")
+# letters that have one meaning in all documents
+_KEPT = ("I", "M", "C", "K", r"\ell", r"\Phi", "t", "k", "j")
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
 
@@ -123,39 +126,8 @@ def in_one_line(lines: Sequence[Line]) -> Line:
     return Line(first.left, first.relation, pieces, parts=tuple(lines))
 
 
-def numbered(
-    naming: Naming,
-    equations: Sequence[tuple[str, sp.Expr]],
-    labels: Sequence[str],
-    written: Sequence[sp.Expr] | None = None,
-    ends: Mapping[str, Sequence[int]] | None = None,
-) -> list[Formula]:
-    """Equations as numbered formulas with their meanings, and their places in the source.
-
-    Those in which functions of time occur are arranged by these functions. `ends` has the
-    phases of which each meaning is the condition that ends them.
-    """
-    found = []
-    for (meaning, expression), label, shown in zip(
-        equations, labels, written or [e for _, e in equations], strict=True
-    ):
-        notation = naming.notation
-        if any(notation.is_function(s) for s in shown.free_symbols):
-            pieces = signed(notation, by_function(notation, shown))
-        else:
-            pieces = notation.pieces(notation.tidy(shown))
-        line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
-        others = ("halfway" if "halfway" in meaning else "closure",)
-        keys = [f"end {k}" for k in (ends or {}).get(meaning, ())] or others
-        note = f"{_meaning(naming, meaning)}{naming.cited(*keys)}"
-        found.append(Formula((line,), label=label, note=note))
-    return found
-
-
-def _meaning(naming: Naming, text: str) -> str:
-    """Meaning of an equation as text, its first word set as a symbol if it is one."""
-    word, _, rest = text.partition(" ")
-    names = {str(s): s for s in (*naming.system.states, *naming.notation.unknowns)}
-    if word in names and rest:
-        return f"${naming.notation.symbol(names[word])}$ {naming.prose(rest)}"
-    return naming.prose(text)
+def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:
+    """Letters different from those of the symbols and the state."""
+    notation = naming.notation
+    taken = {head(notation.symbol(s)) for s in symbols} | {naming.state, naming.letter, *_KEPT}
+    return free_letters(taken | {notation.responses.letter, notation.responses.polynomial})

@@ -9,7 +9,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.document.notation.characteristic import characteristic_pieces
+from nonsmooth.derive.document.notation.arrange import characteristic_pieces
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.layout import width
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, centre_of
 from nonsmooth.derive.flows.modal import Flow
@@ -95,7 +95,7 @@ def _centres(
             ),
             Formula(
                 tuple(
-                    Line(named.names[s], "=", notation.pieces(sp.factor(e)), s, e)
+                    Line(notation.symbol(s), "=", notation.pieces(sp.factor(e)), s, e)
                     for s, e in named.values.items()
                 )
             ),

@@ -8,9 +8,8 @@ import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.layout import LINE_WIDTH, width
-from nonsmooth.derive.document.notation.letters import Letters
-from nonsmooth.derive.document.notation.responses import Factors
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.letters import Factors, Letters
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.motions import (
     Displacements,
@@ -20,6 +19,7 @@ from nonsmooth.derive.document.views.motions import (
     steady_of,
 )
 from nonsmooth.derive.flows.modal import Flow
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["motion_blocks", "steady_blocks"]
 
@@ -39,8 +39,7 @@ def motion_blocks(
     """
     head = rf"$\Phi_{{{number}}}$, {listed}:"
     modes = modes_of(flow, displacements)
-    written = _with_starts(naming, letters, displacements)
-    lines = _motion(naming, written, flow, displacements)
+    lines = _motion(naming, flow, displacements)
     vector = _vector(naming)
     coordinates: list[Block] = [
         Paragraph(f"{head} each coordinate by itself,"),
@@ -64,24 +63,14 @@ def motion_blocks(
             rf" \left({column}\right)^{{\mathsf{{T}}}}$ and a matrix for each mode,"
         ),
         Formula((Line("", "", pieces),)),
-        Formula((_modal_line(written, modes, names, vector, naming), *others)),
+        Formula((_modal_line(naming, modes, names, vector), *others)),
     ]
 
 
-def _with_starts(naming: Naming, letters: Letters, displacements: Displacements) -> Notation:
-    """Notation with names for the states at the time 0 and for responses to displacements."""
-    notation = naming.notation
-    starts = {b: f"{notation.symbol(s)}(0)" for b, s in _starts(naming).items()}
-    responses = {
-        symbol: rf"{letters.displacement}_{{{notation.responses.number(f)}}}\left(t\right)"
-        for f, symbol in displacements.symbols.items()
-    }
-    return notation.with_names(starts | responses)
-
-
-def _starts(naming: Naming) -> dict[sp.Symbol, sp.Symbol]:
-    """State by the symbol of its value at the time 0."""
-    return {sp.Symbol(f"{s}_start", real=True): s for s in naming.system.states}
+def _starts(naming: Naming) -> list[sp.Symbol]:
+    """Symbols of the states at the time 0."""
+    written = naming.notation.symbol
+    return [Symbol("written", f"{s}_start", f"{written(s)}(0)") for s in naming.system.states]
 
 
 def _vector(naming: Naming) -> str | None:
@@ -91,10 +80,9 @@ def _vector(naming: Naming) -> str | None:
     return next((x for x in ("x", "q", r"\mathsf{x}") if x not in taken), None)
 
 
-def _modal_line(
-    written: Notation, modes: Modes, names: Sequence[str], vector: str, naming: Naming
-) -> Line:
+def _modal_line(naming: Naming, modes: Modes, names: Sequence[str], vector: str) -> Line:
     """Line that shows the positions as a sum over the modes."""
+    written, starts = naming.notation, _starts(naming)
     pieces: list[str] = []
     for name, (displaced, pushed) in zip(names, modes.matrices.values(), strict=True):
         inner: list[str] = []
@@ -105,7 +93,6 @@ def _modal_line(
                     text = "" if text == "1" else f"{text}\\, "
                     inner.append(f"{'-' if sign < 0 else '+' if inner else ''} {text}{start}")
         pieces.append(rf"{'+ ' if pieces else ''}{name} \left({' '.join(inner).strip()}\right)")
-    starts = list(_starts(naming))
     for column, beside in modes.columns.items():
         total = sp.Add(*(f * (starts[place] if place >= 0 else 1) for place, f in beside.items()))
         common, whole = _common(column)
@@ -125,13 +112,11 @@ def _common(column: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     return factor, sp.ImmutableMatrix(column / factor)
 
 
-def _motion(
-    naming: Naming, written: Notation, flow: Flow, displacements: Displacements
-) -> dict[int, Line]:
+def _motion(naming: Naming, flow: Flow, displacements: Displacements) -> dict[int, Line]:
     """Lines, by index of the state, for each state after a time."""
     notation, states = naming.notation, naming.system.states
     matrix, offset = flow.matrix(), flow.offset()
-    starts = list(_starts(naming))
+    starts = _starts(naming)
     rates = {velocity: place for place, velocity in positions_of(flow).items()}
     lines = {}
     for i, state in enumerate(states):
@@ -148,7 +133,7 @@ def _motion(
         for term in terms:
             if term == 0:
                 continue
-            first, *rest = written.pieces(term)
+            first, *rest = notation.pieces(term)
             pieces += [f"+ {first}" if pieces and not first.startswith("-") else first, *rest]
         lines[i] = Line(left, "=", tuple(pieces) or ("0",))
     return lines

@@ -12,6 +12,7 @@ from nonsmooth.derive.document.notation.wording import count, enumeration
 from nonsmooth.derive.document.sections.describe_symmetry import REVERSOR
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["chain_section", "equation_section"]
 
@@ -50,7 +51,7 @@ def _lines(view: View, index: int, assigned: dict[sp.Symbol, sp.Expr]) -> list[L
     link, naming = view.links[index - 1], view.naming
     lines = []
     for row, (symbol, value) in enumerate(zip(naming.system.states, link.after, strict=True)):
-        named = sp.Symbol(f"{symbol}_{index}", real=True)
+        named = Symbol("state", symbol, index)
         # a state that does not move is what it was, not once more how that came about
         line = naming.equal(named, assigned[named] if value == named else value)
         if view.reversible or link.flow.configuration in view.centres.columns:
@@ -63,7 +64,7 @@ def _about_centre(view: View, link: Link, row: int) -> tuple[str, ...]:
     """LaTeX of a coordinate as a sum over the distances of all states from their centre."""
     notation, states = view.naming.notation, view.naming.system.states
     centre = view.centres.columns.get(link.flow.configuration, sp.zeros(len(states), 1))
-    distances = [sp.Symbol(f"{s}_0", real=True) for s in states]
+    distances = [Symbol("state", s, 0) for s in states]
     total = notation.tidy((link.transfer[row, :] * sp.Matrix(distances))[0])
     inserted = {d: b - c for d, b, c in zip(distances, link.before, centre, strict=True)}
     terms = sorted(

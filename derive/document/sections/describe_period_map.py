@@ -9,6 +9,7 @@ from nonsmooth.derive.document.notation.wording import Naming, count, enumeratio
 from nonsmooth.derive.document.sections.describe_itinerary import transposed
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.period_map import PeriodMap
+from nonsmooth.derive.symbols import meaning_of
 
 __all__ = ["TITLE", "period_map_section"]
 
@@ -122,7 +123,7 @@ def _start(view: View, turn: PeriodMap) -> list[Block]:
         symbol: expression
         for stage in turn.start_stages
         for symbol, expression in stage.assignments
-        if str(symbol).startswith("numerator")
+        if meaning_of(symbol) == "numerator"
     }
     lines = [
         naming.equal(symbol, expression.xreplace(inserted))

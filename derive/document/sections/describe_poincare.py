@@ -14,6 +14,7 @@ from nonsmooth.derive.document.sections.wide_matrices import with_entries
 from nonsmooth.derive.document.views.monodromy import saltations
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
 
 __all__ = ["derivative_section"]
 
@@ -43,7 +44,7 @@ def _half_jacobian(view: View) -> list[Block]:
     )
     if not dwell_times:
         names = naming.list(coordinates)
-        matrix = f"${naming.notation.symbol('coefficient')}_{{ij}}$"
+        matrix = f"${naming.notation.letter('coefficient')}_{{ij}}$"
         return [
             Paragraph(
                 f"The equations are linear in {names}: their Jacobian is the matrix of the"
@@ -185,7 +186,7 @@ def _local_maps(view: View) -> list[Block]:
     elif resets:
         where += unit
     rates = [(link.normal * link.velocity)[0] for link in links]
-    speeds = [sp.Symbol(f"rate_{k}", real=True) for k in range(1, len(links) + 1)]
+    speeds = [Symbol("rate", k) for k in range(1, len(links) + 1)]
     pieces = [naming.notation.pieces(naming.notation.tidy(rate)) for rate in rates]
     return [
         *blocks,
@@ -224,7 +225,8 @@ def _entries(view: View) -> list[Block]:
         for j in range(len(names))
     ]
     first, *others = names
-    columns = {q: [(s, e) for x in stages for s, e in x.assignments if _by(s) == q] for q in names}
+    every = [a for stage in stages for a in stage.assignments]
+    columns = {q: [a for a in every if parts_of_derivative(a[0])[1] == q] for q in names}
     shown = set(columns[first])
     blocks: list[Block] = [
         Paragraph(
@@ -247,16 +249,12 @@ def _entries(view: View) -> list[Block]:
     return blocks
 
 
-def _by(symbol: sp.Symbol) -> str:
-    """Coordinate by which a symbol is a derivative."""
-    return str(symbol).rpartition("_by_")[2]
-
-
-def _turned(expression: sp.Expr, coordinate: str, other: str) -> sp.Expr:
+def _turned(expression: sp.Expr, coordinate: sp.Symbol, other: sp.Symbol) -> sp.Expr:
     """The expression with derivatives by another coordinate in place of those by one."""
-    moving = (s for s in expression.free_symbols if str(s).endswith(f"_by_{coordinate}"))
-    names = {s: f"{str(s).removesuffix(coordinate)}{other}" for s in moving}
-    return expression.xreplace({s: sp.Symbol(name, real=True) for s, name in names.items()})
+    known = {s: parts_of_derivative(s) for s in expression.free_symbols}
+    return expression.xreplace(
+        {s: derivative(inner, other) for s, (inner, by) in known.items() if by == coordinate}
+    )
 
 
 def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:

@@ -11,6 +11,7 @@ from nonsmooth.derive.document.notation.wording import Naming, count
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
 from nonsmooth.derive.equations.reduction import Elimination
+from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
 __all__ = ["numbered_rest", "reduction_section"]
 
@@ -105,11 +106,11 @@ def difference_of_squares(expression: sp.Expr) -> sp.Expr:
 def _beyond(view: View) -> list[Block]:
     """Paragraphs on states behind the last phase, if the stages name them."""
     state, phases = view.naming.state, len(view.links)
-    assigned = {str(s) for stage in view.equations.reduction.stages for s, _ in stage.assignments}
+    assigned = {s for stage in view.equations.reduction.stages for s, _ in stage.assignments}
     found = [
         k
         for k in range(phases + 1, 2 * phases)
-        if assigned & {f"{s}_{k}" for s in view.naming.system.states}
+        if assigned & {Symbol("state", s, k) for s in view.naming.system.states}
     ]
     return [
         Paragraph(
@@ -124,10 +125,11 @@ def _parts(view: View) -> list[Block]:
     """Blocks on the meaning of bars, indices and numbers in brackets in the stages."""
     naming, reduction = view.naming, view.equations.reduction
     notation = naming.notation
-    names = [str(s) for stage in reduction.stages for s, _ in stage.assignments]
+    assigned = [s for stage in reduction.stages for s, _ in stage.assignments]
+    meanings = set(map(meaning_of, assigned))
     blocks: list[Block] = []
-    parts = [n for n in names if n.startswith("part")]
-    of_start = next((n for n in reversed(parts) if "_of_1_" not in n), None)
+    parts = [s for s in assigned if meaning_of(s) == "part"]
+    of_start = next((s for s in reversed(parts) if s.parts[1] != 1), None)
     if of_start:
         blocks.append(
             Paragraph(
@@ -137,12 +139,12 @@ def _parts(view: View) -> list[Block]:
                 " its coefficient."
             )
         )
-    if not any(n.startswith("right") for n in names):
+    if not any(meaning_of(inside(s, "times", "without")) == "right" for s in assigned):
         return blocks
     rule = reduction.eliminations[-1].rule
     columns = [e.unknown for e in reduction.eliminations if e.rule == rule]
     kept = [u for u in reduction.unknowns if u in view.equations.chain.start.coordinates]
-    matrix, right = (notation.symbol(f"{n}1").partition("_")[0] for n in ("coefficient", "right"))
+    matrix, right = notation.letter("coefficient"), notation.letter("right")
     left = [rf"{matrix}_{{ij}}\, {notation.symbol(q)}" for q in columns]
     left = [t.replace("ij", f"i{j}") for j, t in enumerate(left, start=1)]
     side = [f"{right}_{{i}}"]
@@ -156,7 +158,7 @@ def _parts(view: View) -> list[Block]:
             " stands where it is used."
             + (
                 " A number in square brackets counts the steps of elimination."
-                if any("_without" in n for n in names)
+                if "without" in meanings
                 else ""
             )
         ),

@@ -9,15 +9,15 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.document.notation.characteristic import polynomial_pieces
-from nonsmooth.derive.document.notation.letters import Letters, letters_of
-from nonsmooth.derive.document.notation.responses import Factors
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.arrange import polynomial_pieces
+from nonsmooth.derive.document.notation.letters import Factors, Letters
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.sections.describe_motions import motion_blocks, steady_blocks
 from nonsmooth.derive.document.views.motions import Displacements
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["response_flows"]
 
@@ -68,7 +68,11 @@ def _displacements(
     factors = naming.notation.responses.factors
     return Displacements(
         {
-            f: sp.Symbol(f"{letters.displacement}{number}_displacement", real=True)
+            f: Symbol(
+                "written",
+                f"{letters.displacement}{number}_displacement",
+                rf"{letters.displacement}_{{{number}}}\left(t\right)",
+            )
             for number, f in enumerate(factors, start=1)
             if len(f) == 2 and f[1] != 0
         },

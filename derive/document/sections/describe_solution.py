@@ -9,7 +9,9 @@ from nonsmooth.derive.document.notation.wording import Naming, count, enumeratio
 from nonsmooth.derive.document.sections.describe_reduction import numbered_rest
 from nonsmooth.derive.document.views.explicit_start import explicit_start
 from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.equations.elimination import entry
 from nonsmooth.derive.equations.program import Stage
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["solution_section"]
 
@@ -122,10 +124,10 @@ def _system(naming: Naming, unknowns: list[sp.Symbol]) -> Line:
     """Line with the linear equations in the letters of their coefficients."""
     notation, size = naming.notation, len(unknowns)
     if size == 1:
-        left = f"{notation.symbol('coefficient11')}\\, {notation.symbol(unknowns[0])}"
-        return Line(left, "=", (f"{notation.symbol('right1')},",))
-    table = sp.Matrix(size, size, lambda i, j: sp.Symbol(f"coefficient{i + 1}{j + 1}"))
-    right = sp.Matrix([sp.Symbol(f"right{i + 1}") for i in range(size)])
+        left = f"{notation.symbol(entry(0, 0, 1))}\\, {notation.symbol(unknowns[0])}"
+        return Line(left, "=", (f"{notation.symbol(Symbol('right', 1))},",))
+    table = sp.Matrix(size, size, lambda i, j: entry(i, j, size))
+    right = sp.Matrix([Symbol("right", i + 1) for i in range(size)])
     left = f"{notation.latex(table)} {notation.latex(sp.Matrix(unknowns))}"
     return Line(left, "=", (f"{notation.latex(right)},",))
 

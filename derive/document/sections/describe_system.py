@@ -13,10 +13,9 @@ from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.document.notation.letters import letters_of
-from nonsmooth.derive.document.notation.responses import is_response
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.notation.letters import is_response
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.document.sections.describe_exponential import exponential_blocks
 from nonsmooth.derive.document.sections.describe_flows import flow_blocks
 from nonsmooth.derive.document.sections.describe_motion import MatrixLetters, matrices_of, motion_of

@@ -9,9 +9,15 @@ import sympy as sp
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.notation.arrange import signed
 from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, number
-from nonsmooth.derive.document.views.monodromy import MonodromyTrace, keeps_volume, monodromy_trace
+from nonsmooth.derive.document.views.monodromy import (
+    FACTOR,
+    MonodromyTrace,
+    keeps_volume,
+    monodromy_trace,
+)
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.program import Stage
+from nonsmooth.derive.symbols import parts_of_derivative
 
 __all__ = ["trace_section"]
 
@@ -165,19 +171,24 @@ def _conservative(view: View) -> list[Block]:
 
 def _written_out(view: View, found: MonodromyTrace) -> list[Block]:
     """Blocks with the monodromy's trace as a sum over functions of the dwell times."""
-    base, names = view.naming.notation, found.names
-    notation = base.with_names({s: latex for s, (latex, _) in names.items()})
+    notation, names = view.naming.notation, found.names
     factors = [
-        Line(latex, "=", signed(base, sorted(sp.Add.make_args(e), key=_degree)), None, e)
-        for s, (latex, e) in names.items()
-        if str(s) == "kappa"
+        Line(
+            notation.symbol(s),
+            "=",
+            signed(notation, sorted(sp.Add.make_args(e), key=_degree)),
+            None,
+            e,
+        )
+        for s, e in names.items()
+        if s == FACTOR
     ]
     pieces: list[str] = []
     for term in found.terms:
         first, *rest = notation.pieces(term)
         sign = "+ " if pieces and not first.startswith("-") else ""
         pieces += [f"{sign}{first}", *rest]
-    trace = sp.Add(*found.terms).xreplace({s: e for s, (_, e) in names.items()})
+    trace = sp.Add(*found.terms).xreplace(names)
     blocks: list[Block] = [Paragraph("Written out, with the switching conditions inserted,")]
     blocks.append(
         Formula(
@@ -237,27 +248,28 @@ def _slope(view: View) -> list[Block]:
         Formula((Line(head, "=", (f"{general}.",)),)),
         Paragraph("In the symbols of the stages this reads"),
         Formula((Line(_TRACE, "=", shown, None, trace),), label=view.label("The trace")),
-        *_derivatives(naming, stages, base, [str(u) for u in reduction.unknowns]),
+        *_derivatives(naming, stages, base, reduction.unknowns),
     ]
 
 
 def _derivatives(
-    naming: Naming, stages: Sequence[Stage], base: set[sp.Symbol], directions: Sequence[str]
+    naming: Naming, stages: Sequence[Stage], base: set[sp.Symbol], directions: Sequence[sp.Symbol]
 ) -> list[Block]:
     """Blocks with the derivatives along the stages, direction by direction."""
     named = {e: s for s, e in naming.notation.functions.items()}
     inlined: dict[sp.Symbol, sp.Expr] = {}
-    groups: dict[str, list[tuple[sp.Symbol, sp.Expr]]] = {d: [] for d in (*directions, "")}
+    groups: dict[sp.Symbol | None, list[tuple[sp.Symbol, sp.Expr]]]
+    groups = {d: [] for d in (*directions, None)}
     for stage in stages:
         for symbol, expression in stage.assignments:
             if symbol in base:
                 continue
-            inner, _, direction = str(symbol).rpartition("_by_")
-            if inner in {str(f) for f in naming.notation.functions}:
+            inner, direction = parts_of_derivative(symbol)
+            if inner in naming.notation.functions:
                 # the derivative of a cosine needs no symbol on paper
                 inlined[symbol] = expression.xreplace(named)
                 continue
-            group = direction if direction in groups else ""
+            group = direction if direction in groups else None
             groups[group].append((symbol, expression.xreplace(inlined)))
     blocks: list[Block] = []
     for direction, assignments in groups.items():
@@ -265,7 +277,7 @@ def _derivatives(
             continue
         by = naming.notation.symbol(direction) if direction else ""
         others = [d for d in directions if d != direction]
-        fixed = naming.list([sp.Symbol(d) for d in others])
+        fixed = naming.list(others)
         text = rf"The derivatives by ${by}$" + (f" at fixed {fixed}" if others else "")
         blocks.append(Paragraph(f"{text if direction else 'Further'}, stage by stage:"))
         blocks.append(Formula(tuple(naming.equal(s, e) for s, e in assignments)))

@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.document.notation.responses import is_response
+from nonsmooth.derive.document.notation.letters import free, is_response
 from nonsmooth.derive.flows.modal import Flow
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["Centres", "centre_of", "name_centres"]
 
@@ -25,7 +26,6 @@ class Centres:
     # by configuration, N x 1: symbols of the coordinates that are not zero
     columns: Mapping[str, sp.Matrix]
     values: Mapping[sp.Symbol, sp.Expr]  # expression of each symbol
-    names: Mapping[sp.Symbol, str]  # LaTeX of each symbol
 
     def written(self, flow: Flow) -> Flow:
         """The flow with the symbols of its centre in place of the parameters."""
@@ -48,25 +48,20 @@ def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
     if any(map(is_response, shown)):
         shown = []  # motions are written coordinate by coordinate, about no centre
     found = {f.configuration: c for f in shown if (c := centre_of(f)) and not c.is_zero_matrix}
-    used = set(taken)
     columns: dict[str, sp.Matrix] = {}
     values: dict[sp.Symbol, sp.Expr] = {}
-    names: dict[sp.Symbol, str] = {}
-    letters = ("d", "c", r"\bar{x}")
-    letter = next(
-        x for x in letters if not any(u.startswith(f"{x}_") for u in used) or x == letters[-1]
-    )
+    letter = free(("d", "c", r"\bar{x}"), {u.partition("_")[0] for u in taken if "_" in u})
     for configuration, centre in found.items():
         which = "" if len(found) == 1 else rf"\text{{{configuration}}},"
         column = sp.zeros(*centre.shape)
         for place, value in enumerate(centre):
             if value == 0:
                 continue
-            symbol = sp.Symbol(f"centre_of_{configuration}_{place}", real=True)
+            latex = f"{letter}_{{{which}{place + 1}}}"
+            symbol = Symbol("written", f"centre_of_{configuration}_{place}", latex)
             column[place], values[symbol] = symbol, value
-            names[symbol] = f"{letter}_{{{which}{place + 1}}}"
         columns[configuration] = sp.ImmutableMatrix(column)
-    return Centres(columns, values, names)
+    return Centres(columns, values)
 
 
 def centre_of(flow: Flow) -> sp.Matrix | None:

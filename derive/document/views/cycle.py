@@ -15,6 +15,7 @@ from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.declaration.translation import translations
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.views.monodromy import solved_for_a_state
 from nonsmooth.derive.equations.saltation import saltation_matrix
 from nonsmooth.derive.equations.section import Section, reset_matrix, section_of, start_of
 
@@ -60,7 +61,7 @@ class Passing:
         return self._on_boundary(self.behind - self.reset * self.before, states)
 
     def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        solved = _solved(self.normal, self.constant, states)
+        solved = solved_for_a_state((self.normal * sp.Matrix(states))[0] + self.constant, states)
         return sp.ImmutableMatrix(matrix.subs(solved).applyfunc(lambda e: sp.factor(sp.cancel(e))))
 
 
@@ -199,18 +200,3 @@ def harmonics_of(itinerary: Itinerary, system: System) -> tuple[Harmonic, ...]:
 def _velocity(field: tuple[sp.Matrix, sp.Matrix], state: sp.Matrix) -> sp.Matrix:
     matrix, offset = field
     return sp.ImmutableMatrix((matrix * state + offset).applyfunc(sp.expand))
-
-
-def _solved(
-    normal: sp.Matrix, constant: sp.Expr, states: tuple[sp.Symbol, ...]
-) -> dict[sp.Symbol, sp.Expr]:
-    """A boundary solved for one state, by the state's symbol.
-
-    A state with a number as its coefficient is preferred.
-    """
-    places = [i for i, n in enumerate(normal) if n != 0]
-    if not places:
-        return {}
-    place = min(places, key=lambda i: not normal[i].is_number)
-    others = (normal * sp.Matrix(states))[0] - normal[place] * states[place] + constant
-    return {states[place]: sp.expand(-others / normal[place])}

@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.document.notation.arrange import grouped_by
+from nonsmooth.derive.document.notation.symbols import grouped_by
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.saltation import saltation_matrix
+from nonsmooth.derive.symbols import Symbol, meaning_of
 
-__all__ = ["MonodromyTrace", "keeps_volume", "monodromy_trace", "saltations"]
+__all__ = [
+    "FACTOR",
+    "MonodromyTrace",
+    "keeps_volume",
+    "monodromy_trace",
+    "saltations",
+    "solved_for_a_state",
+]
 
+FACTOR = Symbol("written", "kappa", r"\kappa")
 # more products of functions of time are not written out
 _MOST_TERMS = 12
 
@@ -22,8 +32,7 @@ class MonodromyTrace:
     """Trace of a monodromy matrix as a sum of terms."""
 
     terms: tuple[sp.Expr, ...]
-    # (LaTeX, expression) of symbols for entries of saltation matrices or a long factor
-    names: dict[sp.Symbol, tuple[str, sp.Expr]]
+    names: dict[sp.Symbol, sp.Expr]  # symbols for entries of saltation matrices or a long factor
 
 
 def saltations(view: View) -> tuple[sp.Matrix, ...]:
@@ -45,7 +54,8 @@ def saltations(view: View) -> tuple[sp.Matrix, ...]:
             }
             matrix = matrix.subs(images, simultaneous=True)
             condition = condition.subs(images, simultaneous=True)
-        at_boundary = _solved(view, sp.expand(condition))
+        states = sorted(filter(view.naming.notation.is_state, condition.free_symbols), key=str)
+        at_boundary = solved_for_a_state(sp.expand(condition), states)
         found.append(
             sp.ImmutableMatrix(matrix.subs(at_boundary).applyfunc(lambda e: factor(cancel(e))))
         )
@@ -59,16 +69,16 @@ def keeps_volume(view: View) -> bool:
 
 def monodromy_trace(view: View) -> MonodromyTrace | None:
     """Trace of the monodromy matrix in functions of the dwell times; None if it is too long."""
-    names: dict[sp.Symbol, tuple[str, sp.Expr]] = {}
+    names: dict[sp.Symbol, sp.Expr] = {}
     product = sp.eye(len(view.naming.system.states))
     for index, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), 1):
         named = matrix.as_mutable()
         for i in range(matrix.rows):
             for j in range(matrix.cols):
                 if not matrix[i, j].is_number:
-                    symbol = sp.Symbol(f"saltation_{index}_{i}{j}", real=True)
                     latex = rf"\left(S_{{{index}}}\right)_{{{i + 1}{j + 1}}}"
-                    named[i, j], names[symbol] = symbol, (latex, matrix[i, j])
+                    symbol = Symbol("written", f"saltation_{index}_{i}{j}", latex)
+                    named[i, j], names[symbol] = symbol, matrix[i, j]
         product = named * link.transfer * product
     total = sp.expand(product.trace())
     functions = [s for s in total.free_symbols if view.naming.notation.is_function(s)]
@@ -85,8 +95,8 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
     keys = [outer for entry, outer in groups if entry == 1]
     factor = _long(keys)
     if factor is not None:
-        symbol, other = sp.Symbol("kappa", real=True), next(k for k in keys if k != factor)
-        names[symbol] = (r"\kappa", factor)
+        symbol, other = FACTOR, next(k for k in keys if k != factor)
+        names[symbol] = factor
         sign = 1 if sp.expand(factor + other - 1) == 0 else -1
         groups = {
             (e, symbol if k == factor else 1 - symbol if k == other else k): (
@@ -100,11 +110,8 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
     terms: list[sp.Expr] = []
     for entry, parts in joined.items():
         terms += parts if entry == 1 else [sp.Mul(entry, sp.Add(*parts))]
-    return MonodromyTrace(tuple(terms), {s: n for s, n in names.items() if _within(s, terms)})
-
-
-def _within(symbol: sp.Symbol, terms: list[sp.Expr]) -> bool:
-    return any(symbol in term.free_symbols for term in terms)
+    used = set().union(*(term.free_symbols for term in terms))
+    return MonodromyTrace(tuple(terms), {s: e for s, e in names.items() if s in used})
 
 
 def _split(coefficient: sp.Expr, projectors: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, sp.Expr]:
@@ -128,18 +135,16 @@ def _long(keys: list[sp.Expr]) -> sp.Expr | None:
 def _resets(view: View) -> dict[sp.Symbol, sp.Expr]:
     """Expressions that the chain assigns behind the transitions, by their symbols."""
     assignments = (a for s in view.equations.chain.stages for a in s.assignments)
-    return {s: e for s, e in assignments if str(s).endswith("_reset")}
+    return {s: e for s, e in assignments if meaning_of(s) == "reset"}
 
 
-def _solved(view: View, condition: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
-    """A switching condition solved for one state, by the state's symbol.
+def solved_for_a_state(condition: sp.Expr, states: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """A switching condition solved for one of the states, by the state's symbol.
 
-    A state with a number as its coefficient is preferred.
+    The first with a number as its coefficient is preferred.
     """
-    notation = view.naming.notation
-    states = sorted((s for s in condition.free_symbols if notation.is_state(s)), key=str)
-    if not states:
+    slopes = {s: slope for s in states if (slope := sp.diff(condition, s)) != 0}
+    if not slopes:
         return {}
-    state = min(states, key=lambda s: not sp.diff(condition, s).is_number)
-    slope = sp.diff(condition, state)
-    return {state: sp.expand(-(condition - slope * state) / slope)}
+    state = min(slopes, key=lambda s: not slopes[s].is_number)
+    return {state: sp.expand(-(condition - slopes[state] * state) / slopes[state])}

@@ -1,20 +1,54 @@
-"""Motions in impulse responses, as one writes them: by displacements, by modes, steady parts."""
+"""Motions in closed form, as one writes them: by displacements, by modes, steady parts."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import sympy as sp
 
-from nonsmooth.derive.document.notation.responses import Factors
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.document.notation.letters import Factors
+from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
-from nonsmooth.derive.flows.modal import TIME, Flow
+from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 
-__all__ = ["Displacements", "Modes", "Steady", "modes_of", "positions_of", "steady_of"]
+__all__ = [
+    "Displacements",
+    "Modes",
+    "Steady",
+    "closed_flows",
+    "modes_of",
+    "positions_of",
+    "steady_of",
+]
 
 _CONSTANT = sp.Tuple(sp.Integer(0))
+# by matrix: function of time beside it, at each of some places
+_Sum = dict[sp.Matrix, dict[int, sp.Expr]]
+
+
+def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[str, Flow]]:
+    """Spectrum and flows by name of those named configurations that have a closed form."""
+    motions = [Configuration(n, system.configuration(n).dynamics, ()) for n in names]
+    whole = _flows(system, motions)
+    if whole is not None:
+        return whole
+    closed = [motion for motion in motions if _flows(system, [motion])]
+    return (closed and _flows(system, closed)) or (Spectrum(()), {})
+
+
+def _flows(
+    system: System, motions: Iterable[Configuration]
+) -> tuple[Spectrum, dict[str, Flow]] | None:
+    """Spectrum and flows of a system of some motions alone; None if one has no closed form."""
+    alone = replace(system, configurations=tuple(motions), transitions=(), contacts=())
+    try:
+        return derive_flows(alone)
+    except DerivationError:
+        return None
 
 
 @dataclass(frozen=True)
@@ -79,39 +113,36 @@ def modes_of(flow: Flow, displacements: Displacements) -> Modes | None:
     if len(places) < 2:
         return None
     matrix, offset = flow.matrix(), flow.offset()
-    matrices: dict[sp.Matrix, list[sp.Expr]] = {}
-    for side, columns in enumerate((places, tuple(pairs.values()))):
-        block = matrix.extract(list(places), list(columns))
-        for function, part in _by_function(block, displacements).items():
-            known, ratio = _multiple(part, list(matrices))
-            matrices.setdefault(known, [sp.Integer(0), sp.Integer(0)])[side] += ratio * function
+    matrices: _Sum = {}
+    for side, others in enumerate((places, tuple(pairs.values()))):
+        _collect(matrices, side, matrix.extract(list(places), list(others)), displacements)
     projectors = all(_is_projector(m.xreplace(displacements.spectrum)) for m in matrices)
     if len(matrices) > len(places) or not projectors or all(m.is_diagonal() for m in matrices):
         return None
-    columns_found: dict[sp.Matrix, dict[int, sp.Expr]] = {}
-    others = [i for i in range(matrix.rows) if i not in {*pairs, *pairs.values()}]
-    for start in (*others, -1):
-        whole = offset if start < 0 else matrix[:, start]
-        block = sp.Matrix(whole).extract(list(places), [0])
-        for function, part in _by_function(block, displacements).items():
-            known, ratio = _multiple(part, list(columns_found))
-            beside = columns_found.setdefault(known, {})
-            beside[start] = beside.get(start, sp.Integer(0)) + ratio * function
-    return Modes(places, {m: (a, b) for m, (a, b) in matrices.items()}, columns_found)
+    columns: _Sum = {}
+    for start in (*(i for i in range(matrix.rows) if i not in {*pairs, *pairs.values()}), -1):
+        whole = sp.Matrix(offset if start < 0 else matrix[:, start])
+        _collect(columns, start, whole.extract(list(places), [0]), displacements)
+    zero = sp.Integer(0)
+    return Modes(
+        places, {m: (s.get(0, zero), s.get(1, zero)) for m, s in matrices.items()}, columns
+    )
+
+
+def _collect(found: _Sum, place: int, block: sp.Matrix, displacements: Displacements) -> None:
+    """Add a block, as constant matrices times functions of time, to those found at other places."""
+    parts: dict[sp.Expr, sp.Matrix] = {}
+    for index, entry in enumerate(block):
+        for function, coefficient in displacements.functions(displacements.insert(entry)).items():
+            parts.setdefault(function, sp.zeros(*block.shape))[index] = coefficient
+    for function, part in parts.items():
+        known, ratio = _multiple(sp.ImmutableMatrix(part), list(found))
+        beside = found.setdefault(known, {})
+        beside[place] = beside.get(place, sp.Integer(0)) + ratio * function
 
 
 def _is_projector(matrix: sp.Matrix) -> bool:
     return bool((matrix * matrix - matrix).applyfunc(sp.expand).is_zero_matrix)
-
-
-def _by_function(block: sp.Matrix, displacements: Displacements) -> dict[sp.Expr, sp.Matrix]:
-    """Constant matrix beside each function of time."""
-    found: dict[sp.Expr, sp.Matrix] = {}
-    for place, entry in enumerate(block):
-        for function, coefficient in displacements.functions(displacements.insert(entry)).items():
-            part = found.setdefault(function, sp.zeros(*block.shape))
-            part[place] = coefficient
-    return {f: sp.ImmutableMatrix(m) for f, m in found.items()}
 
 
 def _multiple(matrix: sp.Matrix, known: Sequence[sp.Matrix]) -> tuple[sp.Matrix, sp.Expr]:
@@ -145,9 +176,8 @@ class Steady:
         """Real and imaginary part of a factor at i times the frequency."""
         w = self.frequency
         coefficients = (*factor, sp.Integer(1))
-        real = sum(c * (-1) ** (k // 2) * w**k for k, c in enumerate(coefficients) if k % 2 == 0)
-        imaginary = sum(c * (-1) ** (k // 2) * w**k for k, c in enumerate(coefficients) if k % 2)
-        return sp.sympify(real), sp.sympify(imaginary)
+        powers = [c * (-1) ** (k // 2) * w**k for k, c in enumerate(coefficients)]
+        return sp.Add(*powers[::2]), sp.Add(*powers[1::2])
 
 
 def steady_of(flow: Flow, cosine: int, sine: int) -> Steady | None:

@@ -10,9 +10,10 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
-from nonsmooth.derive.document.blocks import Formula
-from nonsmooth.derive.document.notation.symbols import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration, numbered
+from nonsmooth.derive.document.blocks import Formula, Line
+from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.equations.chain import PHASE, Link
 from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
@@ -54,7 +55,7 @@ class View:
     def map_coordinates(self) -> str:
         """Coordinates of the Poincaré map, listed in words."""
         chain, notation = self.equations.chain, self.naming.notation
-        listed = [f"${notation.symbol(name)}$" for name in chain.coordinates if name != PHASE]
+        listed = [f"${notation.symbol(q)}$" for q in chain.coordinates if q != PHASE]
         return enumeration([*listed, *(["the phase of the forcing"] if chain.forcing else [])])
 
     @cached_property
@@ -127,12 +128,31 @@ class View:
         equations: Sequence[tuple[str, sp.Expr]],
         written: Sequence[sp.Expr],
     ) -> list[Formula]:
-        """Equations of a section as numbered formulas."""
-        ends: dict[str, list[int]] = {}
-        for k, phase in enumerate(self.equations.itinerary.phases, start=1):
-            ends.setdefault(f"{phase.boundary} ends {phase.configuration}", []).append(k)
-        labels = [self.label(title, i) for i in range(len(equations))]
-        return numbered(self.naming, equations, labels, written, ends)
+        """Equations of a section as numbered formulas with their meanings and places in the source.
+
+        Those in which functions of time occur are arranged by these functions.
+        """
+        naming, notation, found = self.naming, self.naming.notation, []
+        phases = self.equations.itinerary.phases
+        ends = [f"{phase.boundary} ends {phase.configuration}" for phase in phases]
+        for i, ((meaning, expression), shown) in enumerate(zip(equations, written, strict=True)):
+            if any(map(notation.is_function, shown.free_symbols)):
+                pieces = signed(notation, by_function(notation, shown))
+            else:
+                pieces = notation.pieces(notation.tidy(shown))
+            line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
+            keys = [f"end {k}" for k, end in enumerate(ends, start=1) if end == meaning]
+            cited = naming.cited(*(keys or ["halfway" if "halfway" in meaning else "closure"]))
+            found.append(Formula((line,), self.label(title, i), self._meaning(meaning) + cited))
+        return found
+
+    def _meaning(self, text: str) -> str:
+        """Meaning of an equation as text, its first word set as a symbol if it is one."""
+        word, _, rest = text.partition(" ")
+        for symbol in (*self.naming.system.states, *self.naming.notation.unknowns):
+            if word == symbol.name and rest:
+                return f"${self.naming.notation.symbol(symbol)}$ {self.naming.prose(rest)}"
+        return self.naming.prose(text)
 
 
 def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
@@ -152,27 +172,29 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
     taken = [plain.symbol(s) for s in (*constants, *all_states, *equations.unknowns)]
     centres = name_centres(flows, taken)
     section = equations.chain.section
+    reduction = equations.reduction
+    reduced = (*reduction.unknowns, *(e.unknown for e in reduction.eliminations))
     notation = Notation(
         all_states,
         (*constants, *centres.values),
         functions_of(equations),
-        equations.unknowns,
+        tuple(dict.fromkeys((*equations.unknowns, *reduced))),
         dict(zip(section.coordinates, section.places, strict=True))
         | dict(zip(start.coordinates, start.places, strict=True)),
         tuple(s for s in spectrum.symbols if s in entries - frequencies),
-        centres.names,
-        behind=_marks(equations),
-    ).with_responses(flows)
+        _marks(equations),
+        tuple(flows),
+    )
     return Naming(notation, system, itinerary.source), centres
 
 
-def _marks(equations: EquationSystem) -> dict[str, str]:
-    """Mark of the state behind each phase, by the name of its dwell time."""
+def _marks(equations: EquationSystem) -> dict[sp.Symbol, str]:
+    """Mark of the state behind each phase, by its dwell time."""
     found = {}
     for number, link in enumerate(equations.chain.links, start=1):
         # that of a forced orbit is taken apart behind the transition
         changed = equations.chain.forcing is not None and link.reset != sp.eye(link.reset.rows)
-        found[str(link.dwell)] = f"({number}){'+' if changed else ''}"
+        found[link.dwell] = f"({number}){'+' if changed else ''}"
     return found
 
 
