@@ -27,34 +27,40 @@ from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.responses import is_response
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
-from nonsmooth.derive.document.sections.describe_admissible import admissibility_section
-from nonsmooth.derive.document.sections.describe_contacts import (
+from nonsmooth.derive.document.sections.derivatives import derivative_section
+from nonsmooth.derive.document.sections.equations import (
+    chain_section,
+    cycle_equations,
+    equation_section,
+)
+from nonsmooth.derive.document.sections.flows import flow_section, modal_section
+from nonsmooth.derive.document.sections.itinerary import itinerary_section, phase_section
+from nonsmooth.derive.document.sections.motion import configuration_section
+from nonsmooth.derive.document.sections.period_map import PERIOD_MAP, period_map_section
+from nonsmooth.derive.document.sections.reduction import (
+    elimination_section,
+    reduction_section,
+    solution_section,
+)
+from nonsmooth.derive.document.sections.symmetry import symmetry_section
+from nonsmooth.derive.document.sections.system import (
     constraint_paragraphs,
     contact_section,
-)
-from nonsmooth.derive.document.sections.describe_cycle import elimination_section, phase_section
-from nonsmooth.derive.document.sections.describe_cycle import equation_section as cycle_equations
-from nonsmooth.derive.document.sections.describe_energy import energy_section
-from nonsmooth.derive.document.sections.describe_itinerary import itinerary_section
-from nonsmooth.derive.document.sections.describe_law import law_section
-from nonsmooth.derive.document.sections.describe_orbit import chain_section, equation_section
-from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
-from nonsmooth.derive.document.sections.describe_period_map import TITLE as PERIOD_MAP
-from nonsmooth.derive.document.sections.describe_period_map import period_map_section
-from nonsmooth.derive.document.sections.describe_poincare import derivative_section
-from nonsmooth.derive.document.sections.describe_reduction import reduction_section
-from nonsmooth.derive.document.sections.describe_reference import reference_section
-from nonsmooth.derive.document.sections.describe_solution import solution_section
-from nonsmooth.derive.document.sections.describe_symmetry import symmetry_section
-from nonsmooth.derive.document.sections.describe_system import (
-    configuration_section,
-    flow_section,
-    modal_section,
+    law_section,
     model_section,
     system_section,
+    transition_section,
 )
-from nonsmooth.derive.document.sections.describe_trace import trace_section
-from nonsmooth.derive.document.sections.describe_transitions import transition_section
+from nonsmooth.derive.document.sections.trace import (
+    energy_section,
+    reference_section,
+    trace_section,
+)
+from nonsmooth.derive.document.sections.transitions import (
+    admissibility_section,
+    passing_section,
+    stability_section,
+)
 from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.document.views.closed_forms import closed_flows
 from nonsmooth.derive.document.views.cycle import Cycle
