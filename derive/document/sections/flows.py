@@ -20,7 +20,7 @@ from nonsmooth.derive.document.sections.template import beside, compose, relatio
 from nonsmooth.derive.document.views.centres import Centres, centre_of
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
-__all__ = ["flow_section", "modal_section"]
+__all__ = ["flow_section"]
 
 _Terms = list[tuple[sp.Expr, sp.Matrix]]
 
@@ -33,42 +33,15 @@ def flow_section(
     spectrum: Spectrum,
     flows: Mapping[str, Flow],
     names: Sequence[str],
-    centres: Centres,
+    centres: Centres | None,
 ) -> tuple[list[Block], dict[str, int]]:
     """Blocks on the flows of the named configurations, and the number of each flow by name.
 
-    Those that are not among the `flows` have no closed form and are exponentials.
+    Those that are not among the `flows` have no closed form and are exponentials. `centres`
+    are those that have letters.
     """
-    closed = [name for name in names if name in flows]
-    blocks: list[Block] = []
-    numbers: dict[str, int] = {}
-    if closed:
-        # letters for the coordinates of one centre; of many the columns are shown
-        shown = centres if len(centres.columns) == 1 else None
-        blocks, numbers = modal_section(naming, spectrum, flows, closed, shown)
-    others = [naming.system.configuration(name) for name in names if name not in flows]
-    if others:
-        letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
-        blocks += _exponential(naming, letters, others)
-        more, further = _eigenvalues(naming, letters, others, max(numbers.values(), default=0))
-        blocks += more
-        numbers |= further
-    return blocks, numbers
-
-
-def modal_section(
-    naming: Naming,
-    spectrum: Spectrum,
-    flows: Mapping[str, Flow],
-    names: Sequence[str],
-    centres: Centres | None = None,
-) -> tuple[list[Block], dict[str, int]]:
-    """Blocks on the spectrum and the flows in closed form, and each flow's number by name.
-
-    Centres that have letters are shown with them.
-    """
-    used = [flows[name] for name in names]
-    entries = _entries(spectrum, used)
+    closed = [flows[name] for name in names if name in flows]
+    entries = _entries(spectrum, closed)
     blocks = compose(
         naming,
         r"""
@@ -81,13 +54,23 @@ def modal_section(
         """,
         entries=[naming.equal(s, e, tidy=_single(e)) for s, e in entries],
         roots=any(_has_root(e) for _, e in entries),
-        meaning=_meaning(naming, used, dict(entries)),
+        meaning=_meaning(naming, closed, dict(entries)),
     )
-    if any(map(is_response, used)):
-        more, numbers = response_flows(naming, used, dict(spectrum.entries))
-    else:
-        more, numbers = _closed(naming, used, centres)
-    return blocks + more, numbers
+    numbers: dict[str, int] = {}
+    if any(map(is_response, closed)):
+        more, numbers = response_flows(naming, closed, dict(spectrum.entries))
+        blocks += more
+    elif closed:
+        more, numbers = _closed(naming, closed, centres)
+        blocks += more
+    others = [naming.system.configuration(name) for name in names if name not in flows]
+    if others:
+        letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
+        blocks += _exponential(naming, letters, others)
+        more, further = _eigenvalues(naming, letters, others, max(numbers.values(), default=0))
+        blocks += more
+        numbers |= further
+    return blocks, numbers
 
 
 def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Phase, dwell_symbol
 from nonsmooth.derive.document.blocks import Block, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, number
-from nonsmooth.derive.document.sections.template import compose, math, transposed
+from nonsmooth.derive.document.notation.wording import Naming, count, number
+from nonsmooth.derive.document.sections.template import compose, math, transposed, zeros
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.view import View
 
-__all__ = ["itinerary_section", "phase_section", "state_column", "zeros"]
+__all__ = ["itinerary_section", "phase_section"]
 
 _PHASES = """
 The orbit has @phases to a period. [one: It stays in one configuration for its dwell time and ends
@@ -75,12 +75,7 @@ others leave of it.]
     ]
 
 
-def zeros(naming: Naming, symbols: Iterable[sp.Symbol], relation: str = " = 0") -> str:
-    """Text ``x = 0 and y = 0`` on symbols, with another relation if one is given."""
-    return enumeration([math(naming, symbol, relation) for symbol in symbols])
-
-
-def state_column(naming: Naming) -> str:
+def _state_column(naming: Naming) -> str:
     """LaTeX of all states in a column, written as a transposed row."""
     states = ", ".join(map(naming.notation.symbol, naming.system.states))
     return rf"\left({states}\right)^{{\mathsf{{T}}}}"
@@ -185,7 +180,7 @@ def _start(view: View) -> list[Block]:
         equations are @equations.parameters. [open: @open [one: does not enter them; it decides | do
         not enter them; they decide] on admissibility alone.]
         """,
-        column=state_column(view.naming),
+        column=_state_column(view.naming),
         inside=start.dimension == equations.chain.section.dimension,
         cited=view.naming.cited("start"),
         dimension=number(equations.chain.section.dimension),
@@ -230,7 +225,7 @@ def _section(cycle: Cycle) -> list[Block]:
             rf"${naming.notation.symbol(s)} \mapsto {naming.notation.latex(e)}$"
             for s, e in cycle.itinerary.reversor.items()
         ],
-        column=state_column(naming),
+        column=_state_column(naming),
         many=count(start.dimension, "coordinate"),
         shifted=not start.constant.is_zero_matrix,
         names=transposed(naming, sp.Matrix(start.coordinates)) if start.dimension else "",

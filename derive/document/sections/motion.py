@@ -12,7 +12,14 @@ from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Table
 from nonsmooth.derive.document.layout import LINE_WIDTH, width
 from nonsmooth.derive.document.notation.wording import Naming
-from nonsmooth.derive.document.sections.template import beside, compose, math, relation, with_signs
+from nonsmooth.derive.document.sections.template import (
+    beside,
+    compose,
+    math,
+    relation,
+    with_signs,
+    zeros,
+)
 
 __all__ = ["configuration_section"]
 
@@ -24,9 +31,17 @@ _BETWEEN = 2.0
 
 
 def configuration_section(
-    naming: Naming, names: Sequence[str], remarks: Mapping[str, str]
+    naming: Naming,
+    names: Sequence[str],
+    remarks: Mapping[str, str] | None = None,
+    *,
+    constrained: bool = False,
 ) -> list[Block]:
-    """Blocks with the equations of motion of the named configurations, and their boundaries."""
+    """Blocks with the equations of motion of the named configurations, and their boundaries.
+
+    With `constrained`, also what else holds throughout a configuration. `remarks` stand behind
+    the names of configurations.
+    """
     chosen = [naming.system.configuration(name) for name in names]
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
     damped = any(not sp.Matrix(d.damping).is_zero_matrix for d in second)
@@ -42,7 +57,7 @@ def configuration_section(
             naming,
             "*@name*@remark@cited:\n\n@motion",
             name=name,
-            remark=remarks.get(name, ""),
+            remark=(remarks or {}).get(name, ""),
             cited=naming.cited(f"configuration {name}"),
             motion=_motion(configuration, naming, letters if heavy else {}),
         )
@@ -70,6 +85,8 @@ def configuration_section(
         exceeded is not.]
 
         @boundaries
+
+        [constraints: Throughout, @constraints.]
         """,
         first=len(second) < len(chosen),
         column=", ".join(map(naming.notation.symbol, naming.system.states)),
@@ -95,6 +112,11 @@ def configuration_section(
                 for position, boundary in enumerate(configuration.boundaries)
             ),
         ),
+        constraints=[
+            f"{zeros(naming, c.constraints)} in *{c.name}*"
+            for c in chosen
+            if constrained and c.constraints
+        ],
     )
 
 

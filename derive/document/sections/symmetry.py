@@ -8,8 +8,7 @@ import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
 from nonsmooth.derive.document.notation.wording import count, number
-from nonsmooth.derive.document.sections.itinerary import zeros
-from nonsmooth.derive.document.sections.template import compose, ended, math, relation
+from nonsmooth.derive.document.sections.template import compose, ended, math, relation, zeros
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.symmetry import end_conditions, phase_starts, reversor_of
 

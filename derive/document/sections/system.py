@@ -19,7 +19,6 @@ from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.sections.template import compose, math, sentence
 
 __all__ = [
-    "constraint_paragraphs",
     "contact_section",
     "law_section",
     "model_section",
@@ -311,14 +310,3 @@ def contact_section(naming: Naming) -> list[Block]:
         """,
         table=Table(header, tuple(rows)),
     )
-
-
-def constraint_paragraphs(naming: Naming, names: Iterable[str]) -> list[Block]:
-    """Paragraphs on what holds throughout a configuration beside its equations of motion."""
-    functions = {name: naming.system.configuration(name).constraints for name in names}
-    found = [
-        f"{enumeration([math(naming, f, ' = 0') for f in zeros])} in *{name}*"
-        for name, zeros in functions.items()
-        if zeros
-    ]
-    return compose(naming, "[found: Throughout, @found.]", found=found)

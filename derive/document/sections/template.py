@@ -36,6 +36,7 @@ __all__ = [
     "summed",
     "transposed",
     "with_signs",
+    "zeros",
 ]
 
 _NAME = r"[a-z]+(?:[_.][a-z]+)*"
@@ -199,6 +200,11 @@ def _text(naming: Naming, value: Any) -> str:
 def math(naming: Naming, value: object, after: str = "") -> str:
     """A formula in running text: a value, and what follows it."""
     return f"${_text(naming, value)}{after}$"
+
+
+def zeros(naming: Naming, values: Iterable[sp.Expr], relation: str = " = 0") -> str:
+    """Text ``x = 0 and y = 0`` on values, with another relation if one is given."""
+    return enumeration([math(naming, value, relation) for value in values])
 
 
 def transposed(naming: Naming, column: sp.Matrix) -> str:

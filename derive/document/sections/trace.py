@@ -16,8 +16,7 @@ from nonsmooth.derive.document.notation.wording import (
     in_one_line,
     number,
 )
-from nonsmooth.derive.document.sections.itinerary import zeros
-from nonsmooth.derive.document.sections.template import compose, summed
+from nonsmooth.derive.document.sections.template import compose, summed, zeros
 from nonsmooth.derive.document.views.monodromy import keeps_volume, monodromy_trace
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.program import Stage
