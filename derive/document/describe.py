@@ -11,49 +11,48 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from typing import Any
 
+import sympy as sp
+
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.unfolding import unfolded
-from nonsmooth.derive.document.blocks import (
-    Block,
-    Document,
-    Formula,
-    Heading,
-    Line,
-    Paragraph,
-    Table,
-)
+from nonsmooth.derive.document.blocks import Block, Document, Heading
 from nonsmooth.derive.document.notation.letters import is_response
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
-from nonsmooth.derive.document.sections.describe_admissible import admissibility_section
-from nonsmooth.derive.document.sections.describe_contacts import (
-    constraint_paragraphs,
-    contact_section,
+from nonsmooth.derive.document.sections.derivatives import derivative_section
+from nonsmooth.derive.document.sections.equations import (
+    chain_section,
+    cycle_equations,
+    equation_section,
 )
-from nonsmooth.derive.document.sections.describe_cycle import elimination_section, phase_section
-from nonsmooth.derive.document.sections.describe_cycle import equation_section as cycle_equations
-from nonsmooth.derive.document.sections.describe_energy import energy_section
-from nonsmooth.derive.document.sections.describe_itinerary import itinerary_section
-from nonsmooth.derive.document.sections.describe_law import law_section
-from nonsmooth.derive.document.sections.describe_orbit import chain_section, equation_section
-from nonsmooth.derive.document.sections.describe_passings import passing_section, stability_section
-from nonsmooth.derive.document.sections.describe_period_map import TITLE as PERIOD_MAP
-from nonsmooth.derive.document.sections.describe_period_map import period_map_section
-from nonsmooth.derive.document.sections.describe_poincare import derivative_section
-from nonsmooth.derive.document.sections.describe_reduction import reduction_section
-from nonsmooth.derive.document.sections.describe_reference import reference_section
-from nonsmooth.derive.document.sections.describe_solution import solution_section
-from nonsmooth.derive.document.sections.describe_symmetry import symmetry_section
-from nonsmooth.derive.document.sections.describe_system import (
-    configuration_section,
-    flow_section,
-    modal_section,
+from nonsmooth.derive.document.sections.flows import flow_section
+from nonsmooth.derive.document.sections.itinerary import itinerary_section, phase_section
+from nonsmooth.derive.document.sections.motion import configuration_section
+from nonsmooth.derive.document.sections.period_map import PERIOD_MAP, period_map_section
+from nonsmooth.derive.document.sections.reduction import (
+    elimination_section,
+    reduction_section,
+    solution_section,
+)
+from nonsmooth.derive.document.sections.symmetry import symmetry_section
+from nonsmooth.derive.document.sections.system import (
+    contact_section,
+    law_section,
     model_section,
     system_section,
+    transition_section,
 )
-from nonsmooth.derive.document.sections.describe_trace import trace_section
-from nonsmooth.derive.document.sections.describe_transitions import transition_section
+from nonsmooth.derive.document.sections.trace import (
+    energy_section,
+    reference_section,
+    trace_section,
+)
+from nonsmooth.derive.document.sections.transitions import (
+    admissibility_section,
+    passing_section,
+    stability_section,
+)
 from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.motions import closed_flows
@@ -64,18 +63,10 @@ from nonsmooth.derive.equations.section import section_of, start_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
-__all__ = [
-    "Block",
-    "Document",
-    "Formula",
-    "Heading",
-    "Line",
-    "Paragraph",
-    "Table",
-    "describe_itinerary",
-    "describe_orbit",
-    "describe_system",
-]
+__all__ = ["Document", "describe_itinerary", "describe_orbit", "describe_system"]
+
+# by title: what gives the blocks of a section on what the document shows; None for no section
+_Sections = dict[str, Callable[[Any], list[Block]] | None]
 
 
 def describe_system(system: System) -> Document:
@@ -90,22 +81,22 @@ def describe_system(system: System) -> Document:
     centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
     naming = Naming(notation, system)
     complete = len(flows) == len(names) and not any(map(is_response, flows.values()))
-    configurations = configuration_section(naming, names, {})
-    if not complete:
-        configurations += constraint_paragraphs(naming, names)
-    sections: list[tuple[str, list[Block]]] = [
-        ("The system", system_section(naming, None)),
-        *([("The model", model_section(naming, system))] if system.model else []),
-        ("Configurations", configurations),
-        ("Modal analysis", flow_section(naming, spectrum, flows, names, centres)[0]),
-    ]
-    if system.transitions:
-        sections.append(("Transitions", transition_section(naming)))
-    if system.law is not None:
-        sections.append(("Contact law", law_section(naming, system.law)))
-    if system.contacts and not complete:
-        sections.append(("Contacts", contact_section(naming)))
-    return _document(f"The system {system.name}", sections)
+    modal, _ = flow_section(naming, spectrum, flows, names, _single(centres))
+    law = system.law
+    return _document(
+        f"The system {system.name}",
+        {
+            **_opening(naming, system),
+            "Configurations": lambda _: configuration_section(
+                naming, names, constrained=not complete
+            ),
+            "Modal analysis": lambda _: modal,
+            "Transitions": transition_section if system.transitions else None,
+            "Contact law": (lambda _: law_section(naming, law)) if law else None,
+            "Contacts": contact_section if system.contacts and not complete else None,
+        },
+        lambda _: naming,
+    )
 
 
 def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
@@ -124,37 +115,40 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
         name: f" (phase{'s' if len(found) > 1 else ''} {enumeration(found)})"
         for name, found in places.items()
     }
-    modal, numbers = modal_section(
-        naming, equations.spectrum, equations.flows, list(places), centres
-    )
-    chain = ("The chain of states", chain_section)
-    derivatives = ("Derivatives and the Poincaré map", derivative_section)
-    equation = ("The equations", equation_section)
-    sections: list[tuple[str, Callable[[Any], list[Block]]]] = [
-        ("The system", lambda _: system_section(naming, itinerary, equations.required)),
-        *_model(naming, itinerary.system),
-        ("Configurations", lambda _: configuration_section(naming, list(places), remarks)),
-        ("Modal analysis", lambda _: modal),
-        ("The itinerary", itinerary_section),
-    ]
-    if equations.itinerary.reversor:
-        # conditions halfway need no chain
-        symmetry, solution = ("The symmetry", symmetry_section), ("The reduction", solution_section)
-        sections += [symmetry, equation, solution, chain, derivatives]
-    else:
-        sections += [chain, equation, derivatives, ("The reduction", reduction_section)]
-    if equations.conservative:
-        sections.append(("The energy", energy_section))
-    sections.append(("The trace", trace_section))
-    with suppress(DerivationError):  # an orbit may have no such map
-        _ = equations.period_map
-        sections.append((PERIOD_MAP, period_map_section))
+    names = list(places)
+    modal, numbers = flow_section(naming, equations.spectrum, equations.flows, names, centres)
     known = reference_orbit(equations)
-    if known is not None:
-        sections.append(("The reference orbit", lambda view: reference_section(view, known)))
-    view = View(equations, naming, centres, numbers, _places(sections))
-    title = f"The orbit {itinerary.name} of the system {itinerary.system.name}"
-    return _document(title, [(heading, blocks_of(view)) for heading, blocks_of in sections])
+    turn = None
+    with suppress(DerivationError):  # an orbit may have no such map
+        turn = equations.period_map
+    chain: _Sections = {"The chain of states": chain_section}
+    equation: _Sections = {"The equations": equation_section}
+    derivatives: _Sections = {"Derivatives and the Poincaré map": derivative_section}
+    # conditions halfway need no chain
+    middle: _Sections = (
+        {"The symmetry": symmetry_section}
+        | equation
+        | {"The reduction": solution_section}
+        | chain
+        | derivatives
+        if itinerary.reversor
+        else chain | equation | derivatives | {"The reduction": reduction_section}
+    )
+    return _document(
+        f"The orbit {itinerary.name} of the system {itinerary.system.name}",
+        {
+            **_opening(naming, itinerary.system, itinerary, equations.required),
+            "Configurations": lambda _: configuration_section(naming, names, remarks),
+            "Modal analysis": lambda _: modal,
+            "The itinerary": itinerary_section,
+            **middle,
+            "The energy": energy_section if equations.conservative else None,
+            "The trace": trace_section,
+            PERIOD_MAP: period_map_section if turn else None,
+            "The reference orbit": (lambda view: reference_section(view, known)) if known else None,
+        },
+        lambda numbered: View(equations, naming, centres, numbers, numbered),
+    )
 
 
 def describe_itinerary(itinerary: Itinerary) -> Document:
@@ -170,42 +164,57 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
     names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
     spectrum, flows = closed_flows(itinerary.presented_system, names)
     naming, centres = naming_of(itinerary, spectrum, flows)
-    modal, numbers = flow_section(naming, spectrum, flows, names, centres)
-    taken = (*naming.notation.constants, *naming.notation.states, *naming.notation.unknowns)
-    configurations = configuration_section(naming, names, {})
-    configurations += constraint_paragraphs(naming, names)
-    sections: list[tuple[str, Callable[[Any], list[Block]]]] = [
-        ("The system", lambda _: system_section(naming, itinerary)),
-        *_model(naming, itinerary.system),
-        ("Configurations", lambda _: configurations),
-        ("Modal analysis", lambda _: modal),
-        ("The itinerary", phase_section),
-        ("The equations", cycle_equations),
-        ("The reduction", elimination_section),
-        ("The transitions", passing_section),
-        ("Stability", stability_section),
-        ("Admissibility", admissibility_section),
-    ]
-    cycle = Cycle(itinerary, naming, letters_of(naming, taken), numbers, _places(sections))
-    title = f"The itinerary {itinerary.name} of the system {itinerary.system.name}"
-    return _document(title, [(heading, blocks_of(cycle)) for heading, blocks_of in sections])
+    notation = naming.notation
+    modal, numbers = flow_section(naming, spectrum, flows, names, _single(centres))
+    letters = letters_of(naming, (*notation.constants, *notation.states, *notation.unknowns))
+    return _document(
+        f"The itinerary {itinerary.name} of the system {itinerary.system.name}",
+        {
+            **_opening(naming, itinerary.system, itinerary),
+            "Configurations": lambda _: configuration_section(naming, names, constrained=True),
+            "Modal analysis": lambda _: modal,
+            "The itinerary": phase_section,
+            "The equations": cycle_equations,
+            "The reduction": elimination_section,
+            "The transitions": passing_section,
+            "Stability": stability_section,
+            "Admissibility": admissibility_section,
+        },
+        lambda numbered: Cycle(itinerary, naming, letters, numbers, numbered),
+    )
 
 
-def _model(naming: Naming, system: System) -> list[tuple[str, Callable[[Any], list[Block]]]]:
-    """The section on the model, if the system declares one."""
-    return [("The model", lambda _: model_section(naming, system))] if system.model else []
+def _opening(
+    naming: Naming,
+    system: System,
+    itinerary: Itinerary | None = None,
+    required: Iterable[sp.Symbol] = (),
+) -> _Sections:
+    """The sections with which all documents begin."""
+    return {
+        "The system": lambda _: system_section(naming, itinerary, required),
+        "The model": (lambda _: model_section(naming, system)) if system.model else None,
+    }
 
 
-def _places(sections: Iterable[tuple[str, object]]) -> dict[str, int]:
-    """Number of each section by its title."""
-    return {title: number for number, (title, _) in enumerate(sections, start=1)}
+def _single(centres: Centres) -> Centres | None:
+    """Letters for the coordinates of one centre; of many the columns are shown."""
+    return centres if len(centres.columns) == 1 else None
 
 
-def _document(title: str, sections: Iterable[tuple[str, Iterable[Block]]]) -> Document:
-    """A document of sections, numbered in their order."""
+def _document(
+    title: str, sections: _Sections, shown_by: Callable[[dict[str, int]], object]
+) -> Document:
+    """A document of sections, numbered in their order.
+
+    `shown_by` takes the number of each section by its title and gives what they show.
+    """
+    kept = {heading: blocks_of for heading, blocks_of in sections.items() if blocks_of}
+    places = {heading: number for number, heading in enumerate(kept, start=1)}
+    shown = shown_by(places)
     blocks: list[Block] = []
-    for number, (heading, found) in enumerate(sections, start=1):
-        blocks += [Heading(heading, number=number), *found]
+    for heading, blocks_of in kept.items():
+        blocks += [Heading(heading, number=places[heading]), *blocks_of(shown)]
     return Document(title, tuple(blocks))
 
 

@@ -11,7 +11,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import derive_equations
 from nonsmooth.derive.document.blocks import Formula, Table
-from nonsmooth.derive.document.sections.describe_reduction import difference_of_squares
+from nonsmooth.derive.document.sections.reduction import difference_of_squares
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.section import section_of, start_of
 from nonsmooth.derive.equations.symmetry import end_conditions

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
-from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
+from nonsmooth.derive.document.blocks import Block, Formula, Line
 from nonsmooth.derive.document.notation.arrange import polynomial_pieces
 from nonsmooth.derive.document.notation.letters import Factors, Letters
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, letters_of
-from nonsmooth.derive.document.sections.describe_motions import motion_blocks, steady_blocks
+from nonsmooth.derive.document.sections.motions import motion_blocks, steady_blocks
+from nonsmooth.derive.document.sections.template import compose, relation, with_signs
 from nonsmooth.derive.document.views.motions import Displacements
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
@@ -88,59 +89,58 @@ def _definitions(
     `used` are the responses to displacements that the motions contain.
     """
     notation, responses = naming.notation, naming.notation.responses
-    h, chi, s = responses.letter, responses.polynomial, letters.eigenvalue
     factors = list(responses.factors)
     if any(_CONSTANT in product for product in responses.products):
         factors.insert(0, _CONSTANT)
-    definitions = []
-    for factor in factors:
-        pieces = polynomial_pieces(notation, [sp.Integer(1), *reversed(factor)], s)
-        left = rf"{chi}_{{{responses.number(factor)}}}({s})"
-        definitions.append(Line(left, "=", pieces))
-    single = [p for p in responses.products if len(p) == 1]
+    variable = letters.eigenvalue
+    single = [p[0] for p in responses.products if len(p) == 1]
     several = [p for p in responses.products if len(p) > 1]
-    text = (
-        "The motion is written in impulse responses. With the factors of the"
-        " characteristic polynomials"
-    )
-    means = (
-        rf"the response ${h}_{{j}}$ is the inverse Laplace transform of"
-        rf" $1/{chi}_{{j}}({s})$"
-    )
-    if several:
-        means += (
-            rf" and ${h}_{{jk}}$, that of $1/({chi}_{{j}}({s})\,{chi}_{{k}}({s}))$, is the"
-            rf" convolution of ${h}_{{j}}$ and ${h}_{{k}}$; of more factors likewise"
-        )
-    means += (
-        ". At the time 0 they vanish with all derivatives but the last before their order, which"
-        " is 1. They have no singularity where roots of the factors meet: in resonance, at critical"
-        " damping or without stiffness they take the limit of the formulas below"
-    )
-    if any(len(factor) > 2 for factor in factors):
-        means += (
-            "; a factor of higher degree than two has none, and its response follows from its"
-            " roots, which are found numerically"
-        )
-    blocks: list[Block] = [Paragraph(text), Formula(tuple(definitions)), Paragraph(f"{means}.")]
-    for (factor,) in single:
-        if len(factor) <= 2:
-            blocks.append(Formula(_single(naming, letters, factor)))
     shown = [f for f, symbol in displacements.symbols.items() if symbol in used]
-    if shown:
-        g = letters.displacement
-        blocks += [
-            Paragraph(
-                f"An impulse starts ${h}_{{j}}$ with the velocity 1; released at a distance of 1"
-                f" from rest, the same oscillation is ${g}_{{j}}$,"
-            ),
-            Formula(tuple(k for f in shown for k in _displacement(naming, letters, f))),
-        ]
-    for product in several:
-        # of a root that both have, whatever the parameters, there are no partial fractions
-        if len(product) == 2 and max(map(len, product)) <= 2 and _resultant(*product) != 0:
-            blocks.append(Formula(_pair(naming, product, displacements.spectrum)))
-    return blocks
+    # of a root that both have, whatever the parameters, there are no partial fractions
+    pairs = [p for p in several if len(p) == 2 and max(map(len, p)) <= 2 and _resultant(*p) != 0]
+    return compose(
+        naming,
+        r"""
+        The motion is written in impulse responses. With the factors of the characteristic
+        polynomials
+        $$
+        @polynomials
+        $$
+        the response $@h_{j}$ is the inverse Laplace transform of $1/@chi_{j}(@s)$[several:  and
+        $@h_{jk}$, that of $1/(@chi_{j}(@s)\,@chi_{k}(@s))$, is the convolution of $@h_{j}$ and
+        $@h_{k}$; of more factors likewise]. At the time 0 they vanish with all derivatives but the
+        last before their order, which is 1. They have no singularity where roots of the factors
+        meet: in resonance, at critical damping or without stiffness they take the limit of the
+        formulas below[high: ; a factor of higher degree than two has none, and its response
+        follows from its roots, which are found numerically].
+
+        @single
+
+        [shown: An impulse starts $@h_{j}$ with the velocity 1; released at a distance of 1 from
+        rest, the same oscillation is $@g_{j}$,]
+        $$
+        @shown
+        $$
+        @pairs
+        """,
+        polynomials=[
+            relation(
+                naming,
+                rf"{responses.polynomial}_{{{responses.number(factor)}}}({variable})",
+                polynomial_pieces(notation, [sp.Integer(1), *reversed(factor)], variable),
+            )
+            for factor in factors
+        ],
+        h=responses.letter,
+        chi=responses.polynomial,
+        s=variable,
+        g=letters.displacement,
+        several=several,
+        high=any(len(factor) > 2 for factor in factors),
+        single=[Formula(_single(naming, letters, f)) for f in single if len(f) <= 2],
+        shown=[line for f in shown for line in _displacement(naming, letters, f)],
+        pairs=[Formula(_pair(naming, p, displacements.spectrum)) for p in pairs],
+    )
 
 
 def _displacement(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
@@ -252,9 +252,9 @@ def _pair(
     (solution,) = sp.linsolve(identity.all_coeffs(), unknowns)
     values = dict(zip(unknowns, map(sp.factor, solution), strict=True))
     resultant, values = _shortened(resultant, values)
-    terms: list[str] = []
-    for factor, found in zip(product, numerators, strict=True):
-        for k, n in reversed(list(enumerate(found))):
+    found: list[tuple[int, str]] = []
+    for factor, numerator in zip(product, numerators, strict=True):
+        for k, n in reversed(list(enumerate(numerator))):
             coefficient = sp.factor_terms(sp.radsimp(sp.cancel(values[n])))
             if coefficient == 0:
                 continue
@@ -262,26 +262,25 @@ def _pair(
             sign, text = (notation.term if function == "1" else notation.factor)(coefficient)
             if function != "1":
                 text = function if text == "1" else rf"{text}\,{function}"
-            terms.append(f"- {text}" if sign < 0 else f"+ {text}" if terms else text)
+            found.append((sign, text))
+    terms = with_signs(found)
     left = notation.responses.latex(0, product, "t")
     below = notation.latex(resultant)
     if resultant == 1:
-        return (Line(left, "=", tuple(terms)),)
+        return (Line(left, "=", terms),)
     sign, text = notation.factor(1 / resultant)
     front = f"- {text}" if sign < 0 else text
     pieces = [rf"{front} \biggl({terms[0]}", *terms[1:]]
     pieces[-1] += r"\biggr)"
-    lines = [Line(left, "=", tuple(pieces))]
-    if not _never_zero(resultant, naming, spectrum):
-        pieces.append(rf"\quad\text{{if }} {below} \neq 0")
-        lines = [Line(left, "=", tuple(pieces))]
-        if all(len(f) == 2 and f[1] == 0 for f in product):
-            square = product[1][0]
-            omega = sp.sqrt(square)
-            limit = (sp.sin(omega * TIME) / omega - TIME * sp.cos(omega * TIME)) / (2 * square)
-            pieces = [*notation.pieces(limit), rf"\quad\text{{if }} {below} = 0"]
-            pieces[-1] += r"\text{ (resonance)}"
-            lines.append(Line(left, "=", tuple(pieces)))
+    if _never_zero(resultant, naming, spectrum):
+        return (Line(left, "=", tuple(pieces)),)
+    lines = [Line(left, "=", (*pieces, rf"\quad\text{{if }} {below} \neq 0"))]
+    if all(len(f) == 2 and f[1] == 0 for f in product):
+        square = product[1][0]
+        omega = sp.sqrt(square)
+        limit = (sp.sin(omega * TIME) / omega - TIME * sp.cos(omega * TIME)) / (2 * square)
+        resonance = rf"\quad\text{{if }} {below} = 0\text{{ (resonance)}}"
+        lines.append(Line(left, "=", (*notation.pieces(limit), resonance)))
     return tuple(lines)
 
 

@@ -11,6 +11,13 @@ from nonsmooth.derive.document.layout import LINE_WIDTH, width
 from nonsmooth.derive.document.notation.letters import Factors, Letters
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.sections.template import (
+    beside,
+    compose,
+    relation,
+    summed,
+    with_signs,
+)
 from nonsmooth.derive.document.views.motions import (
     Displacements,
     Modes,
@@ -37,34 +44,52 @@ def motion_blocks(
     Otherwise the states are written one by one. `number` is that of the flow, and `listed`
     names the configurations that have it.
     """
-    head = rf"$\Phi_{{{number}}}$, {listed}:"
+    notation = naming.notation
     modes = modes_of(flow, displacements)
     lines = _motion(naming, flow, displacements)
     vector = _vector(naming)
-    coordinates: list[Block] = [
-        Paragraph(f"{head} each coordinate by itself,"),
-        Formula(tuple(lines.values())),
-    ]
-    if modes is None or vector is None:
-        return coordinates
-    names = [rf"{letters.projector}_{{{number},{k}}}" for k in range(1, len(modes.matrices) + 1)]
-    column = ", ".join(naming.notation.symbol(naming.system.states[i]) for i in modes.positions)
-    matrices = [
-        f"{name} = {naming.notation.latex(matrix)}"
-        for name, matrix in zip(names, modes.matrices, strict=True)
-    ]
-    if max(map(width, matrices)) > LINE_WIDTH:
-        return coordinates
-    pieces = (*(rf"{text},\qquad" for text in matrices[:-1]), matrices[-1])
-    others = [line for i, line in lines.items() if i not in modes.positions]
-    return [
-        Paragraph(
-            rf"{head} in modal form, with ${vector} ="
-            rf" \left({column}\right)^{{\mathsf{{T}}}}$ and a matrix for each mode,"
-        ),
-        Formula((Line("", "", pieces),)),
-        Formula((_modal_line(naming, modes, names, vector), *others)),
-    ]
+    matrices: dict[str, str] = {}
+    if modes is not None and vector is not None:
+        matrices = {
+            rf"{letters.projector}_{{{number},{k}}}": notation.latex(matrix)
+            for k, matrix in enumerate(modes.matrices, start=1)
+        }
+    shown = [f"{name} = {matrix}" for name, matrix in matrices.items()]
+    if modes is None or vector is None or max(map(width, shown)) > LINE_WIDTH:
+        return compose(
+            naming,
+            r"""
+            $\Phi_{@number}$, @listed: each coordinate by itself,
+            $$
+            @lines
+            $$
+            """,
+            number=number,
+            listed=listed,
+            lines=list(lines.values()),
+        )
+    return compose(
+        naming,
+        r"""
+        $\Phi_{@number}$, @listed: in modal form, with $@vector = \left(@column\right)^{\mathsf{T}}$
+        and a matrix for each mode,
+        $$
+        @matrices
+        $$
+        $$
+        @lines
+        $$
+        """,
+        number=number,
+        listed=listed,
+        vector=vector,
+        column=", ".join(notation.symbol(naming.system.states[i]) for i in modes.positions),
+        matrices=Line("", "", beside(shown)),
+        lines=[
+            _modal_line(naming, modes, list(matrices), vector),
+            *(line for i, line in lines.items() if i not in modes.positions),
+        ],
+    )
 
 
 def _starts(naming: Naming) -> list[sp.Symbol]:
@@ -83,23 +108,23 @@ def _vector(naming: Naming) -> str | None:
 def _modal_line(naming: Naming, modes: Modes, names: Sequence[str], vector: str) -> Line:
     """Line that shows the positions as a sum over the modes."""
     written, starts = naming.notation, _starts(naming)
-    pieces: list[str] = []
+    pieces: list[tuple[int, str]] = []
+    separator = r"\, "
     for name, (displaced, pushed) in zip(names, modes.matrices.values(), strict=True):
-        inner: list[str] = []
-        for function, start in ((displaced, f"{vector}(0)"), (pushed, f"{vector}'(0)")):
-            for term in sp.Add.make_args(function):
-                if term != 0:
-                    sign, text = written.factor(term)
-                    text = "" if text == "1" else f"{text}\\, "
-                    inner.append(f"{'-' if sign < 0 else '+' if inner else ''} {text}{start}")
-        pieces.append(rf"{'+ ' if pieces else ''}{name} \left({' '.join(inner).strip()}\right)")
-    for column, beside in modes.columns.items():
-        total = sp.Add(*(f * (starts[place] if place >= 0 else 1) for place, f in beside.items()))
+        inner = [
+            (sign, f"{'' if text == '1' else text + separator}{start}")
+            for function, start in ((displaced, f"{vector}(0)"), (pushed, f"{vector}'(0)"))
+            for term in sp.Add.make_args(function)
+            if term != 0
+            for sign, text in [written.factor(term)]
+        ]
+        pieces.append((1, rf"{name} \left({' '.join(with_signs(inner))}\right)"))
+    for column, beside_start in modes.columns.items():
+        total = sp.Add(*(f * (starts[i] if i >= 0 else 1) for i, f in beside_start.items()))
         common, whole = _common(column)
         sign, text = written.factor(sp.factor_terms(common * total))
-        shown = rf"{written.latex(whole.T)}^{{\mathsf{{T}}}}"
-        pieces.append(f"{'-' if sign < 0 else '+'} {text} {shown}")
-    return Line(f"{vector}(t)", "=", tuple(pieces))
+        pieces.append((sign, rf"{text} {written.latex(whole.T)}^{{\mathsf{{T}}}}"))
+    return Line(f"{vector}(t)", "=", with_signs(pieces))
 
 
 def _common(column: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
@@ -129,13 +154,7 @@ def _motion(naming: Naming, flow: Flow, displacements: Displacements) -> dict[in
             for entry, start in zip(matrix.row(i), starts, strict=True)
         ]
         terms.append(sp.factor_terms(sp.expand(offset[i])))
-        pieces: list[str] = []
-        for term in terms:
-            if term == 0:
-                continue
-            first, *rest = notation.pieces(term)
-            pieces += [f"+ {first}" if pieces and not first.startswith("-") else first, *rest]
-        lines[i] = Line(left, "=", tuple(pieces) or ("0",))
+        lines[i] = Line(left, "=", summed(notation, terms))
     return lines
 
 
@@ -155,36 +174,43 @@ def steady_blocks(
     known = [(listed, steady) for listed, steady in found if steady]
     if not known:
         return []
-    h, lag, phase = letters.amplitude, letters.lag, letters.phase
     transfers = {f: steady.transfer(f) for _, steady in known for f in steady.factors}
-    damped = any(imaginary != 0 for _, imaginary in transfers.values())
-    text = (
-        f"Let ${phase}(t)$ be the phase of the forcing, {naming.list((cosine, sine))} its cosine"
-        f" and sine. In the steady response each factor ${notation.responses.polynomial}_{{j}}$"
-        f" multiplies the amplitude by ${h}_{{j}}$"
-        + (f" and lags behind by ${lag}_{{j}}$," if damped else ", unbounded in resonance,")
-    )
-    blocks: list[Block] = [Paragraph(text), Formula(tuple(_transfers(naming, letters, transfers)))]
-    blocks.append(
-        Paragraph(
-            "and what is left of a motion is a free one, from the differences at the start."
-            " The steady responses are"
-        )
-    )
     alike: dict[tuple[Line, ...], list[str]] = {}
     for listed, steady in known:
         lines = tuple(
-            Line(
+            relation(
+                naming,
                 f"{_steady_symbol(notation, system.states[place])}(t)",
-                "=",
                 _steady_pieces(naming, letters, terms, transfers),
             )
             for place, terms in steady.terms.items()
         )
         alike.setdefault(lines, []).append(listed)
-    for lines, sharing in alike.items():
-        blocks += [Paragraph(f"{', '.join(sharing)}:"), Formula(lines)]
-    return blocks
+    return compose(
+        naming,
+        """
+        Let $@phase(t)$ be the phase of the forcing, @pair its cosine and sine. In the steady
+        response each factor $@chi_{j}$ multiplies the amplitude by $@amplitude_{j}$[lagging:  and
+        lags behind by $@lag_{j}$ | , unbounded in resonance],
+        $$
+        @transfers
+        $$
+        and what is left of a motion is a free one, from the differences at the start. The steady
+        responses are
+
+        @responses
+        """,
+        pair=(cosine, sine),
+        chi=notation.responses.polynomial,
+        lagging=any(imaginary != 0 for _, imaginary in transfers.values()),
+        transfers=_transfers(naming, letters, transfers),
+        responses=[
+            block
+            for lines, sharing in alike.items()
+            for block in (Paragraph(f"{', '.join(sharing)}:"), Formula(lines))
+        ],
+        **vars(letters),
+    )
 
 
 def _transfers(
@@ -222,21 +248,19 @@ def _steady_pieces(
     transfers: Mapping[sp.Tuple, tuple[sp.Expr, sp.Expr]],
 ) -> tuple[str, ...]:
     """LaTeX of the harmonic terms of a steady response."""
-    notation, pieces = naming.notation, list[str]()
+    notation = naming.notation
+    pieces: list[tuple[int, str]] = []
     for product, cosine, sine in terms:
-        numbers = [notation.responses.number(f) for f in product]
-        gain = " ".join(rf"{letters.amplitude}_{{{n}}}" for n in numbers)
+        gain = " ".join(rf"{letters.amplitude}_{{{notation.responses.number(f)}}}" for f in product)
         lags = "".join(
-            rf" - {letters.lag}_{{{n}}}"
-            for n, f in zip(numbers, product, strict=True)
+            rf" - {letters.lag}_{{{notation.responses.number(f)}}}"
+            for f in product
             if transfers[f][1] != 0
         )
         for coefficient, name in ((cosine, "cos"), (sine, "sin")):
-            if coefficient == 0:
-                continue
-            sign, text = notation.factor(sp.factor_terms(coefficient))
-            text = "" if text == "1" else f"{text} "
-            angle = rf"\{name}\left({letters.phase}(t){lags}\right)"
-            head = "- " if sign < 0 else "+ " if pieces else ""
-            pieces.append(f"{head}{text}{gain} {angle}")
-    return tuple(pieces)
+            if coefficient != 0:
+                sign, text = notation.factor(sp.factor_terms(coefficient))
+                text = "" if text == "1" else f"{text} "
+                angle = rf"\{name}\left({letters.phase}(t){lags}\right)"
+                pieces.append((sign, f"{text}{gain} {angle}"))
+    return with_signs(pieces)

@@ -1,0 +1,441 @@
+"""The section of a document on derivatives: Jacobian, Poincaré map, saltation, monodromy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from nonsmooth.derive.document.blocks import Block, Line
+from nonsmooth.derive.document.layout import LINE_WIDTH, width
+from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.sections.template import (
+    beside,
+    compose,
+    ended,
+    relation,
+    sentence,
+)
+from nonsmooth.derive.document.views.monodromy import saltations
+from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
+
+__all__ = ["LOCAL_MAP", "SALTATION", "derivative_section", "diagonal"]
+
+# LaTeX of what a phase makes of a perturbation on the boundaries, and of a saltation matrix
+LOCAL_MAP = r"""
+[resets: @reset_{@index} ]\left(I - \frac{@field_{@index} @normal_{@index}}{@normal_{@index}
+@field_{@index}}\right) \Phi^{(@phase)}
+"""
+SALTATION = r"""
+[resets: @reset_{@at} | I] + \left(@field_{@at}^{+} - [resets: @reset_{@at} ]@field_{@at}\right)
+\frac{@normal_{@at}}{@normal_{@at} @field_{@at}}
+"""
+
+_LETTERS = {"reset": "R", "field": "f", "normal": "n"}
+_LARGEST = 3  # map of which the entries are written out
+_Place = tuple[int, int]
+
+
+def derivative_section(view: View) -> list[Block]:
+    """Blocks on the Jacobian, the local maps of the Poincaré map and saltation matrices."""
+    return compose(
+        view,
+        """
+        ## The Jacobian of the equations
+
+        @jacobian
+
+        ## The Poincaré map
+
+        @maps
+
+        ## Saltation and monodromy matrices
+
+        @saltation
+        """,
+        jacobian=_half_jacobian(view) if view.reversible else _chain_rule(view),
+        maps=_local_maps(view),
+        saltation=_saltation(view),
+    )
+
+
+def _half_jacobian(view: View) -> list[Block]:
+    """Paragraph on the derivatives of conditions halfway through phases."""
+    symbol, latex = view.naming.notation.symbol, view.naming.notation.latex
+    coordinates = view.equations.chain.start.coordinates
+    dwell = [u for u in view.equations.unknowns if u not in coordinates]
+    return compose(
+        view,
+        """
+        The equations are linear in @coordinates[dwell: , whose columns of the Jacobian hold the
+        coefficients. The column of a dwell time holds half the derivative by time of what vanishes
+        halfway through its phase. [rates: The last phase enters it too, since the period is given:
+        @rates.] | : their Jacobian is the matrix of the coefficients $@coefficient_{ij}$.]
+        """,
+        coordinates=coordinates,
+        dwell=dwell,
+        rates=[
+            rf"$\partial_{{{symbol(u)}}} {symbol(link.dwell)} = {latex(rate)}$"
+            for link in view.links
+            for u in dwell
+            if link.dwell not in dwell and (rate := sp.diff(link.duration, u)) != 0
+        ],
+        coefficient=view.naming.notation.letter("coefficient"),
+    )
+
+
+def _chain_rule(view: View) -> list[Block]:
+    """Blocks on the derivatives of the chain of states by the unknowns."""
+    equations, links = view.equations, view.links
+    zeros = [k for k, link in enumerate(links, start=1) if link.duration == 0]
+    return compose(
+        view,
+        r"""
+        Let $U_{k}$ be the derivatives of $@state^{(k)}$ by the unknowns, $f_{k}$ the vector field
+        at the end of phase $k$, $\Phi^{(k)}$ its flow over its dwell time, $n_{k}$ the gradient of
+        the boundary on which it ends, $\varepsilon_{k}$ the [derived: row of the derivatives of its
+        dwell time by the unknowns | unit row of its dwell time among the unknowns][single:
+         ($\varepsilon_{@single} = 0$)][resets: , and $R_{k}$ the matrix of the reset behind it].
+        The chain rule gives
+        $$
+        U_{0} &= \left(E \quad 0\right),
+        U_{k} &= \Phi^{(k)} [resets: R_{k-1} ]U_{k-1}
+            + f_{k} \varepsilon_{k},
+        $$
+        $E$ being the derivative of $@state^{(0)}$ by the section's coordinates[resets:  and $R_{0}$
+        the unit matrix]. The rows of the Jacobian of the equations are $n_{k} U_{k}$ for the
+        switching conditions and the section's rows of $[last: R_{@phases} ]U_{@phases} - U_{0}$ for
+        the closure. [equations.chain.forcing: Those of the conditions on the forcing are their
+        derivatives as they stand.] [swapped: A derivative by @swapped is that of the boundary's
+        function itself, since the flows do not contain it.]
+        """,
+        derived=any(link.duration != link.dwell for link in links),
+        single=zeros[0] if len(zeros) == 1 else None,
+        resets=_resets(view),
+        last=not _is_unit(links[-1]),
+        phases=len(links),
+        swapped=[u for u in equations.unknowns if str(u) in equations.itinerary.solved_for],
+    )
+
+
+def _local_maps(view: View) -> list[Block]:
+    """Blocks on the Jacobian of the Poincaré map as a product of local maps."""
+    naming, links, chain = view.naming, view.links, view.equations.chain
+    resets = _resets(view)
+    rates = [
+        replace(
+            relation(naming, f"{naming.notation.symbol(rate)} = n_{{{k}}} f_{{{k}}}", value),
+            subject=rate,
+        )
+        for k, link in enumerate(links, start=1)
+        for rate, value in [(Symbol("rate", k), (link.normal * link.velocity)[0])]
+    ]
+    return compose(
+        view,
+        r"""
+        On the boundaries the dwell times follow the perturbation[period: , also where the period
+        $@period.symbol$ is given for the orbit: a perturbed motion returns when it does]. Each
+        phase carries a perturbation along and projects it along the vector field onto its
+        boundary[reversible: . With $\Phi^{(k)}$ the flow of phase $k$ over its dwell time, $f_{k}$
+        the vector field at its end[resets: , |  and] $n_{k}$ the gradient of the boundary on which
+        it ends[resets:  and $R_{k}$ the matrix of the reset behind it], | , and] the Jacobian of
+        the Poincaré map is [several: the product of the local maps | that of the local map]@cited,
+        $$
+        J &= @letter^{+} [several: \left(@product @local\right) | @local] @letter,
+        $$
+        [forced: for the coordinates @map_coordinates, of which $L$ holds the derivatives of the
+        start and $L^{+}$ takes the changes: the amplitude of the forcing does not change, and its
+        cosine and sine move with its phase alone, | where $E^{+}$ takes the section's coordinates
+        @section.coordinates of a state, and[reversible:  $E$ is the derivative by them of a state
+        on the section, | @partial]]
+        $$
+        [forced: L &= @directions,
+        L^{+} &= @returning | [reversible: @state &= @section.state.]]
+        $$
+        [forced: and, at the ends of the phases@partial | [reversible: At the ends of the
+        phases@partial]]
+
+        @fields
+
+        A boundary is crossed transversally, and the local map is smooth there, only where its rate
+        $n_{k} f_{k}$ does not vanish:
+        $$
+        @rates
+        $$
+        @entries
+        """,
+        period=view.equations.itinerary.period,
+        resets=resets,
+        several=len(links) > 1,
+        cited=naming.cited("map"),
+        letter="L" if chain.forcing else "E",
+        product=_product(view),
+        local=sentence(
+            view, LOCAL_MAP, resets=resets, index=_index(view), phase=_index(view), **_LETTERS
+        ),
+        forced=chain.forcing,
+        section=chain.section,
+        partial=", $R_{k}$ being $I$ where it is not given,"
+        if resets and any(map(_is_unit, links))
+        else "",
+        directions=chain.forcing and naming.notation.latex(chain.directions),
+        returning=chain.forcing and naming.notation.latex(chain.returning(sp.eye(chain.end.rows))),
+        fields=_fields(naming, links),
+        rates=rates,
+        entries=_entries(view),
+    )
+
+
+def _entries(view: View) -> list[Block]:
+    """Blocks with the entries of a small map, in the order in which they are computed."""
+    equations, naming = view.equations, view.naming
+    names = equations.chain.coordinates
+    if equations.chain.forcing or not 0 < len(names) <= _LARGEST:
+        return []
+    stages, matrix = equations.map_program
+    first, *others = names
+    every = [a for stage in stages for a in stage.assignments]
+    columns = {q: [a for a in every if parts_of_derivative(a[0])[1] == q] for q in names}
+    shown = set(columns[first])
+    blocks = compose(
+        view,
+        r"""
+        Written out, $|_{\Phi}$ marking what the flow carries along, and $|_{\Sigma}$ what arrives
+        on the boundary and passes the transition, this is
+        $$
+        @entries
+        $$
+        with, phase by phase, the derivatives by $@first$
+        $$
+        @lines
+        $$
+        """,
+        entries=[
+            Line(
+                f"J_{{{i + 1}{j + 1}}}" if others else "J",
+                "=",
+                naming.notation.pieces(matrix[i, j]),
+                None,
+                matrix[i, j],
+            )
+            for i in range(len(names))
+            for j in range(len(names))
+        ],
+        first=naming.notation.symbol(first),
+        lines=[naming.equal(s, e) for s, e in columns[first]],
+    )
+    for q in others:
+        new = [
+            (s, e)
+            for s, e in columns[q]
+            if (_turned(s, q, first), _turned(e, q, first)) not in shown
+        ]
+        blocks += compose(
+            view,
+            """
+            Those by $@name$ follow in the same way[new: , but for | .]
+            $$
+            @new
+            $$
+            """,
+            name=naming.notation.symbol(q),
+            new=[naming.equal(s, e) for s, e in new],
+        )
+    return blocks
+
+
+def _turned(expression: sp.Expr, coordinate: sp.Symbol, other: sp.Symbol) -> sp.Expr:
+    """The expression with derivatives by another coordinate in place of those by one."""
+    known = {s: parts_of_derivative(s) for s in expression.free_symbols}
+    return expression.xreplace(
+        {s: derivative(inner, other) for s, (inner, by) in known.items() if by == coordinate}
+    )
+
+
+def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:
+    """Blocks with the gradients, vector fields and resets at the ends of the phases."""
+    lines: list[Line] = []
+    entries: list[Line] = []
+    resets: dict[str, str] = {}
+    for index, link in enumerate(links, start=1):
+        row = link.velocity.T.applyfunc(naming.notation.tidy)
+        shown, named = _with_entries(naming, f"f_{{{index}}}", row, LINE_WIDTH - 8)
+        normal = relation(naming, f"n_{{{index}}}", link.normal)
+        field = replace(
+            relation(naming, f"f_{{{index}}}", rf"{shown}^{{\mathsf{{T}}}}"),
+            shows=sp.ImmutableMatrix(link.velocity),
+        )
+        pieces = beside([normal.pieces[0], field.latex])
+        lines.append(Line(normal.left, "=", pieces, parts=(normal, field)))
+        entries += named
+        if not _is_unit(link):
+            resets[f"R_{{{index}}}"] = diagonal(naming, link.reset)
+    if resets:
+        first, *others = resets
+        pieces = beside([resets[first], *(f"{name} = {resets[name]}" for name in others)])
+        lines.append(Line(first, "=", pieces))
+    return _with_list(naming, lines, entries)
+
+
+def _with_list(naming: Naming, lines: list[Line], entries: list[Line]) -> list[Block]:
+    """Blocks with lines, and the entries of matrices that have names in them."""
+    return compose(
+        naming,
+        "$$\n@lines\n$$\n[entries: with the entries]\n$$\n@entries\n$$",
+        lines=lines,
+        entries=entries,
+    )
+
+
+def _saltation(view: View) -> list[Block]:
+    """Blocks on saltation matrices, the monodromy matrix, and their relation to J."""
+    forcing = view.equations.chain.forcing
+    # multipliers 1 of every orbit: of time, and of a forcing's invariants
+    neutral = 2 * len(forcing.places) if forcing else 1
+    return compose(
+        view,
+        r"""
+        Compared at equal times, a perturbation passes a transition otherwise: the perturbed motion
+        reaches the boundary earlier or later, and in between only one of the two has changed its
+        vector field. To first order the perturbation behind the transition is that in front of it
+        times the saltation matrix
+        $$
+        S_{k} &= @saltation
+            = [resets: R_{k} ]\left(I - \frac{f_{k} n_{k}}{n_{k} f_{k}}\right) + f_{k}^{+}\, \frac{n_{k}}{n_{k} f_{k}},
+        $$
+        with the vector field $f_{k}^{+}$ behind the transition. At the orbit[jumps: |  $f_{k}^{+} =
+        [resets: R_{k} ]f_{k}$, hence]
+
+        @matrices
+
+        [several: The product over a period is the monodromy matrix | Over a period this makes the
+        monodromy matrix]
+        $$
+        \mathcal{M} &= @product S_{@index} \Phi^{(@index)},\qquad
+            \mathcal{M} f_{0}^{+} = f_{0}^{+},\qquad
+            \operatorname{tr} \mathcal{M} = @neutral + \operatorname{tr} J,
+        $$
+        $f_{0}^{+}$ being the vector field at the start. By the second form of $S_{k}$,
+        $\mathcal{M}$ is the product of the local maps plus a matrix whose columns are multiples of
+        $f_{0}^{+}$, a vector that the local maps take to zero. So beside the multiplier 1 of
+        $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$[forcing: , and the
+        multiplier 1 of what no motion changes: the amplitudes of the forcing[phases:  and the
+        differences of phase]].
+        """,  # noqa: E501
+        saltation=sentence(view, SALTATION, at="k", resets=_resets(view), **_LETTERS),
+        resets=_resets(view),
+        jumps=any(m != k.reset for k, m in zip(view.links, saltations(view), strict=True)),
+        matrices=_saltation_matrices(view),
+        several=len(view.links) > 1,
+        product=_product(view),
+        index=_index(view),
+        neutral=neutral,
+        forcing=forcing,
+        phases=neutral > 2,
+    )
+
+
+def _saltation_matrices(view: View) -> list[Block]:
+    """Blocks with the saltation matrices at the orbit; mere resets share a line."""
+    lines: list[Line] = []
+    entries: list[Line] = []
+    plain: list[str] = []
+    for k, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), start=1):
+        name = f"S_{{{k}}}"
+        if matrix == link.reset:
+            plain.append(f"{name} = {'I' if _is_unit(link) else f'R_{{{k}}}'}")
+        else:
+            shown, named = _with_entries(view.naming, name, matrix, LINE_WIDTH - 4)
+            lines.append(Line("", "", (f"{name} = {shown},",), None, matrix))
+            entries += named
+    if plain:
+        lines.append(ended(Line("", "", beside(plain)), ","))
+    if not entries:
+        lines[-1] = ended(lines[-1], ".")
+    ends = [","] * (len(entries) - 1) + ["."]
+    listed = [ended(entry, mark) for entry, mark in zip(entries, ends, strict=False)]
+    return _with_list(view.naming, lines, listed)
+
+
+def _index(view: View) -> str:
+    """Index of the factors in a product over the phases: k, or 1 if there is only one phase."""
+    return "k" if len(view.links) > 1 else "1"
+
+
+def _product(view: View) -> str:
+    """LaTeX of the sign of such a product, the first phase on the right."""
+    return rf"\prod_{{k={len(view.links)}}}^{{1}}" if len(view.links) > 1 else ""
+
+
+def _is_unit(link: Link) -> bool:
+    return bool(link.reset == sp.eye(link.reset.rows))
+
+
+def _resets(view: View) -> bool:
+    return not all(map(_is_unit, view.links))
+
+
+def diagonal(naming: Naming, matrix: sp.Matrix, opening: str = "(", closing: str = ")") -> str:
+    """LaTeX of a matrix, short if only its diagonal is not zero."""
+    if matrix.is_diagonal():
+        entries = ", ".join(naming.notation.latex(e) for e in matrix.diagonal())
+        return rf"\operatorname{{diag}}{opening}{entries}{closing}"
+    return naming.notation.latex(matrix)
+
+
+def _with_entries(
+    naming: Naming, name: str, matrix: sp.Matrix, room: float
+) -> tuple[str, list[Line]]:
+    """LaTeX of a matrix that is no wider than `room` in em, and lines for its named entries.
+
+    The widest entries are written as ``(name)_{ij}``, those of a row or a column with one
+    index, until the matrix has room; `name` is the LaTeX of the matrix. An entry that
+    equals another one up to its sign is written by that.
+    """
+    notation = naming.notation
+    texts = {
+        (i, j): notation.latex(matrix[i, j]) for i in range(matrix.rows) for j in range(matrix.cols)
+    }
+    named: dict[_Place, str] = {}
+    for place in sorted(texts, key=lambda each: -width(texts[each])):
+        if width(_written(matrix, texts | named)) <= room:
+            break
+        label = _label(name, matrix, place)
+        if place in named or width(texts[place]) <= width(label):
+            continue
+        named |= {other: f"{sign}{label}" for other, sign in _alike(matrix, place)}
+    first = {text: place for place, text in sorted(named.items()) if not text.startswith("-")}
+    lines = [
+        Line(label, "=", notation.pieces(matrix[place]), None, matrix[place])
+        for label, place in sorted(first.items(), key=lambda item: item[1])
+    ]
+    return _written(matrix, texts | named), lines
+
+
+def _label(name: str, matrix: sp.Matrix, place: _Place) -> str:
+    """LaTeX of an entry's name, with one index if the matrix is a row or a column."""
+    long = max(matrix.shape) > 9
+    indices = [str(i + 1) for i, many in zip(place, matrix.shape, strict=True) if many > 1]
+    return rf"\left({name}\right)_{{{(',' if long else '').join(indices)}}}"
+
+
+def _alike(matrix: sp.Matrix, place: _Place) -> list[tuple[_Place, str]]:
+    """Places of all entries equal to the given one up to their sign, each with its sign."""
+    entry, found = matrix[place], []
+    for i in range(matrix.rows):
+        for j in range(matrix.cols):
+            other = matrix[i, j]
+            if (i, j) == place or other == entry:
+                found.append(((i, j), ""))
+            elif other != 0 and sp.expand(other + entry) == 0:
+                found.append(((i, j), "- "))
+    return found
+
+
+def _written(matrix: sp.Matrix, texts: Mapping[_Place, str]) -> str:
+    rows = [" & ".join(texts[i, j] for j in range(matrix.cols)) for i in range(matrix.rows)]
+    body = r"\\".join(rows)
+    return rf"\left(\begin{{matrix}}{body}\end{{matrix}}\right)"

@@ -1,0 +1,184 @@
+"""The sections of a document on the chain of an orbit's states and on its equations."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from nonsmooth.derive.document.blocks import Block, Line
+from nonsmooth.derive.document.notation.wording import count
+from nonsmooth.derive.document.sections.template import compose, math, sentence, summed
+from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.equations.energy import is_conservative
+from nonsmooth.derive.symbols import Symbol
+
+__all__ = ["chain_section", "cycle_end", "cycle_equations", "equation_section"]
+
+
+def chain_section(view: View) -> list[Block]:
+    """Blocks on the states behind the phases, one phase after the other."""
+    blocks = compose(
+        view,
+        r"""
+        The flows carry the start through the phases, $@arrows$. [reversible: The conditions halfway
+        do without whole phases; the chain is what the Poincaré map is made of, and at the orbit it
+        gives the images under $\mathcal{R}$ found above.]
+        """,
+        arrows=r" \;\to\; ".join(
+            f"{view.naming.state}^{{({k})}}" for k in range(len(view.links) + 1)
+        ),
+    )
+    itinerary = view.equations.itinerary
+    for index, (phase, link) in enumerate(zip(itinerary.phases, view.links, strict=True), start=1):
+        transition = itinerary.transition_after(view.naming.system, index - 1)
+        blocks += compose(
+            view,
+            r"""
+            Phase @index, *@name* [still: for no time | for $@dwell$ with
+            $\Phi_{@flow}(@dwell)$]@cited:
+            $$
+            @lines
+            $$
+            [rules: The transition to *@target* @rules@reset.]
+            """,
+            index=index,
+            name=phase.configuration,
+            still=link.duration == 0,
+            dwell=link.dwell,
+            flow=view.numbers[phase.configuration],
+            cited=view.naming.cited(f"phase {index}"),
+            lines=_lines(view, index),
+            rules=[_rule(view, s, e) for s, e in transition.reset.items()],
+            target=transition.target,
+            reset=view.naming.cited(f"reset {index}"),
+        )
+    return blocks
+
+
+def _lines(view: View, index: int) -> list[Line]:
+    """Lines for the state at the end of one phase, state by state."""
+    link, naming = view.links[index - 1], view.naming
+    assigned = dict(a for s in view.equations.chain.stages for a in s.assignments)
+    lines = []
+    for row, (symbol, value) in enumerate(zip(naming.system.states, link.after, strict=True)):
+        named = Symbol("state", symbol, index)
+        # a state that does not move is what it was, not once more how that came about
+        line = naming.equal(named, assigned[named] if value == named else value)
+        if view.reversible or link.flow.configuration in view.centres.columns:
+            line = replace(line, pieces=_about_centre(view, link, row))
+        lines.append(line)
+    return lines
+
+
+def _about_centre(view: View, link: Link, row: int) -> tuple[str, ...]:
+    """LaTeX of a coordinate as a sum over the distances of all states from their centre."""
+    notation, states = view.naming.notation, view.naming.system.states
+    centre = view.centres.columns.get(link.flow.configuration, sp.zeros(len(states), 1))
+    distances = [Symbol("state", s, 0) for s in states]
+    total = notation.tidy((link.transfer[row, :] * sp.Matrix(distances))[0])
+    inserted = {d: b - c for d, b, c in zip(distances, link.before, centre, strict=True)}
+    terms = sorted(
+        sp.Add.make_args(total),
+        key=lambda t: min(distances.index(d) for d in distances if d in t.free_symbols),
+    )
+    return summed(notation, [centre[row], *(t.xreplace(inserted) for t in terms)])
+
+
+def _rule(view: View, symbol: sp.Symbol, expression: sp.Expr) -> str:
+    """Text that says what a reset does to one state."""
+    left, right = math(view.naming, symbol), math(view.naming, expression)
+    moving = expression.free_symbols & set(view.naming.system.states)
+    return f"takes {left} to {right}" if moving else f"sets {left[:-1]} = {right[1:]}"
+
+
+def equation_section(view: View) -> list[Block]:
+    """Blocks with the numbered equations: switching conditions and closure."""
+    equations, coordinates = view.equations, view.equations.chain.start.coordinates
+    closed = {meaning for meaning, _ in equations.equations}
+    return compose(
+        view,
+        """
+        [reversible: The conditions halfway through the phase[several: s] [kept: , and what the ends
+        leave,] make @equations for @unknowns, @names. Each is written function by function of half
+        the dwell time: | The switching condition of each phase and the closure of each of the
+        start's own coordinates[dropped: [forced: , with the amplitude of the forcing and whole
+        periods of it in place of the closure of its cosine and sine, |  but @dropped, which the
+        energy makes return if all others do,]] make @equations for @unknowns:]
+
+        @formulas
+        """,
+        several=len(view.links) > 1,
+        kept=any("halfway" not in meaning for meaning in closed),
+        equations=count(len(equations.equations), "equation"),
+        unknowns=count(len(equations.unknowns), "unknown"),
+        names=equations.unknowns,
+        forced=equations.chain.forcing,
+        dropped=[q for q in coordinates if f"{q} returns" not in closed],
+        formulas=view.numbered("The equations", equations.equations, view.conditions),
+    )
+
+
+def cycle_equations(cycle: Cycle) -> list[Block]:
+    """Blocks on the chain of states, the switching conditions and the closure."""
+    several = cycle.count > 1
+    return compose(
+        cycle,
+        r"""
+        Let $\Phi^{(@phase)}$ be the flow of phase $@phase$ over its dwell time and
+        $@forcing^{(@phase)}$ the part of it that does not depend on the state, zero in a
+        configuration that rests at the origin. [resets: The transition behind it takes $@state$ to
+        $@reset_{@index} @state + @jump_{@index}$. | The state is continuous at every transition.]
+        From the start, the [several: states follow @all | state follows],
+        $$
+        @state^{(@phase)} &= \Phi^{(@phase)} @state^{@before} + @forcing^{(@phase)}[resets: ,\qquad
+            @state^{(@phase)+} = @reset_{@index} @state^{(@phase)} + @jump_{@index}[several: ,\qquad
+            @state^{(0)+} = @state^{(0)}]].
+        \tag{@first}
+        $$
+        Each phase ends on its boundary, the function of which is $@normal_{@index} @state +
+        @constant_{@index}$:
+        $$
+        @normal_{@index} @state^{(@phase)} + @constant_{@index} = 0
+        \tag{@second} @all
+        $$
+        [open: and the orbit closes[directions:  up to the shift]. With $@embedding^{+}$, which
+        takes the coordinates $@letters.coordinates$ of a state on the section, | The end of the
+        last phase closes the orbit of itself.]
+        $$
+        [open: @embedding^{+} @returned - @letters.coordinates = 0
+        \tag{@third}]
+        $$
+        [open: These are @total. The other coordinates return with these, by what the last phase
+        enforces. [conservative: The energy is kept along the orbit, so that one of the equations
+        follows from the others: the orbit is one of a family, and its period may be given.]]
+        """,
+        several=several,
+        all=_all_phases(cycle),
+        before=f"(k-1){'+' if cycle.resets else ''}" if several else "(0)",
+        open=cycle.start.dimension,
+        returned=sentence(
+            cycle,
+            r"[directions: \left(@ends - @letters.directions @shift\right) | @ends]",
+            ends=cycle_end(cycle),
+        ),
+        total=count(cycle.count + cycle.start.dimension, "equation"),
+        conservative=is_conservative(cycle.itinerary, cycle.system),
+        first=cycle.label("The equations"),
+        second=cycle.label("The equations", 1),
+        third=cycle.label("The equations", 2),
+    )
+
+
+def cycle_end(cycle: Cycle) -> str:
+    """LaTeX of the state behind the last transition."""
+    return f"{cycle.naming.state}^{{({cycle.count}){'+' if cycle.resets else ''}}}"
+
+
+def _all_phases(cycle: Cycle) -> str:
+    """Text on the values of the index of a phase."""
+    if cycle.count == 1:
+        return ""
+    return "for $k = 1, 2$" if cycle.count == 2 else rf"for $k = 1, \ldots, {cycle.count}$"

@@ -1,0 +1,423 @@
+"""The section of a document on flows: sums of functions of time, or exponentials by eigenvalues."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.document.blocks import Block, Formula, Line
+from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.notation.arrange import characteristic_pieces
+from nonsmooth.derive.document.notation.letters import Letters, is_response
+from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
+from nonsmooth.derive.document.sections.responses import response_flows
+from nonsmooth.derive.document.sections.template import beside, compose, relation, with_signs
+from nonsmooth.derive.document.views.centres import Centres, centre_of
+from nonsmooth.derive.flows.modal import Flow, Spectrum
+
+__all__ = ["flow_section"]
+
+_Terms = list[tuple[sp.Expr, sp.Matrix]]
+
+# em beyond which a matrix is not written inside a sum
+_WIDE = 24.0
+
+
+def flow_section(
+    naming: Naming,
+    spectrum: Spectrum,
+    flows: Mapping[str, Flow],
+    names: Sequence[str],
+    centres: Centres | None,
+) -> tuple[list[Block], dict[str, int]]:
+    """Blocks on the flows of the named configurations, and the number of each flow by name.
+
+    Those that are not among the `flows` have no closed form and are exponentials. `centres`
+    are those that have letters.
+    """
+    closed = [flows[name] for name in names if name in flows]
+    entries = _entries(spectrum, closed)
+    blocks = compose(
+        naming,
+        r"""
+        [entries: [roots: All that needs a root of the parameters is the spectrum, evaluated once
+        for each set of parameters[meaning: . It consists of @meaning]: | The factors below
+        contain]]
+        $$
+        @entries
+        $$
+        """,
+        entries=[naming.equal(s, e, tidy=_single(e)) for s, e in entries],
+        roots=any(_has_root(e) for _, e in entries),
+        meaning=_meaning(naming, closed, dict(entries)),
+    )
+    numbers: dict[str, int] = {}
+    if any(map(is_response, closed)):
+        more, numbers = response_flows(naming, closed, dict(spectrum.entries))
+        blocks += more
+    elif closed:
+        more, numbers = _closed(naming, closed, centres)
+        blocks += more
+    others = [naming.system.configuration(name) for name in names if name not in flows]
+    if others:
+        letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
+        blocks += _exponential(naming, letters, others)
+        more, further = _eigenvalues(naming, letters, others, max(numbers.values(), default=0))
+        blocks += more
+        numbers |= further
+    return blocks, numbers
+
+
+def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:
+    """Entries of the spectrum that the flows need, directly or through others, in order."""
+    needed: set[sp.Symbol] = set()
+    for flow in flows:
+        for part in (*flow.basis, *flow.matrices, *flow.offsets):
+            needed |= part.free_symbols
+    kept = []
+    for symbol, expression in reversed(spectrum.entries):
+        if symbol in needed:
+            needed |= expression.free_symbols
+            kept.append((symbol, expression))
+    return kept[::-1]
+
+
+def _meaning(
+    naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, sp.Expr]
+) -> list[str]:
+    """What the spectrum's symbols are: frequencies, differences of eigenvalues, projectors."""
+    oscillating = {s for f in flows for g in f.basis if g.has(sp.cos) for s in g.free_symbols}
+    if not naming.second_order or not oscillating & set(entries):
+        return []
+    stems = {str(s).rstrip("0123456789") for s in entries}
+    found = {
+        r"the frequencies $\omega$, whose squares are the eigenvalues of $M^{-1} K$ for the"
+        " coordinates that are free": True,
+        r"the differences $\Delta$ of two of these eigenvalues": "gap" in stems,
+        "the entries $p$ of the projectors on the modes": "p" in stems,
+    }
+    return [text for text, occurs in found.items() if occurs]
+
+
+def _has_root(expression: sp.Expr) -> bool:
+    """Whether parameters occur below a root."""
+    powers = expression.atoms(sp.Pow)
+    return any(not p.exp.is_integer and p.free_symbols for p in powers)
+
+
+def _single(expression: sp.Expr) -> bool:
+    """Whether a sum has a denominator of at most one symbol, and may be put together."""
+    return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
+
+
+def _closed(
+    naming: Naming, flows: Sequence[Flow], centres: Centres | None
+) -> tuple[list[Block], dict[str, int]]:
+    """Blocks on flows in closed form, and the number of each configuration's flow.
+
+    Flows with equal matrices share a number and are shown once.
+    """
+    alike: dict[tuple[object, ...], list[Flow]] = {}
+    for flow in flows:
+        alike.setdefault((flow.basis, flow.matrices), []).append(flow)
+    shared = dict(enumerate(alike.values(), start=1))
+    numbers = {f.configuration: number for number, sharing in shared.items() for f in sharing}
+    functions = [g for f in flows for g in f.basis]
+    blocks = _centres(naming, flows, numbers, centres)
+    blocks += compose(
+        naming,
+        r"""
+        [second: The flows are written by blocks of positions and velocities, $\Phi^{11}$ and
+        $\Phi^{12}$ for the positions, $\Phi^{21}$ and $\Phi^{22}$ for the velocities; $I$ is the
+        unit matrix. [cosines: The matrices at the cosines are the projectors on the modes.]]
+        """,
+        second=naming.second_order,
+        cosines=any(g.has(sp.cos) for g in functions),
+    )
+    names: dict[sp.Matrix, str] = {}
+    for number, sharing in shared.items():
+        blocks += compose(
+            naming,
+            r"$\Phi_{@number}$, @listed:",
+            number=number,
+            listed=naming.flow_of([f.configuration for f in sharing]),
+        )
+        blocks += _flow(naming, sharing[0], number, names)
+    return blocks, numbers
+
+
+def _centres(
+    naming: Naming, flows: Sequence[Flow], numbers: Mapping[str, int], named: Centres | None
+) -> list[Block]:
+    """Blocks that show how each configuration maps a state: about a centre, or with an offset."""
+    notation = naming.notation
+    centres = {f.configuration: centre_of(f) for f in flows}
+    centred = {name: c for name, c in centres.items() if c is not None and not c.is_zero_matrix}
+    drifting = [f for f in flows if centres[f.configuration] is None]
+    lettered = bool(centred and named and named.columns)
+    columns = {
+        name: notation.latex(
+            named.columns[name].T if named and lettered else centre.T.applyfunc(notation.tidy)
+        )
+        + r"^{\mathsf{T}}"
+        for name, centre in centred.items()
+    }
+    blocks = compose(
+        naming,
+        r"""
+        [centred: Inside a configuration with the centre $d$, $@state(t) = d + \Phi(t)\,(@state(0) -
+        d)$[lettered: . The centre is @rows[others:  and the origin in @others], with | ; the
+        centres that differ from the origin are]]
+
+        [still: In these coordinates [one: the centre is at the origin | every one of the
+        configurations has its centre at the origin], so that $@state(t) = \Phi(t)\,@state(0)$.]
+        $$
+        @lines
+        $$
+        """,
+        centred=centred,
+        lettered=lettered,
+        rows=[f"$d = {column}$ in *{name}*" for name, column in columns.items()],
+        others=[f"*{name}*" for name, c in centres.items() if c is not None and c.is_zero_matrix],
+        still=not centred and not drifting,
+        one=len(flows) == 1,
+        lines=[
+            Line(notation.symbol(s), "=", notation.pieces(sp.factor(e)), s, e)
+            for s, e in named.values.items()
+        ]
+        if named and lettered
+        else [
+            relation(naming, rf"d_{{\text{{{name}}}}}", column) for name, column in columns.items()
+        ],
+    )
+    for flow in drifting:
+        pieces = [rf"\Phi_{{{numbers[flow.configuration]}}}(t)\,{naming.state}(0)"]
+        for function, offset in zip(flow.basis, flow.offsets, strict=True):
+            if not offset.is_zero_matrix:
+                scalar = "" if function == 1 else rf"{notation.latex(function)}\,"
+                pieces.append(f"+ {scalar}{notation.latex(offset.applyfunc(notation.tidy))}")
+        blocks += compose(
+            naming,
+            "*@name* has no centre; there\n$$\n@state(t) &= @pieces\n$$",
+            name=flow.configuration,
+            pieces=tuple(pieces),
+        )
+    return blocks
+
+
+def _flow(naming: Naming, flow: Flow, number: int, names: dict[sp.Matrix, str]) -> list[Block]:
+    """Blocks on one flow; constant matrices that occur more than once get a name."""
+    notation, in_blocks = naming.notation, naming.second_order
+    size = flow.matrices[0].rows
+    half = size // 2 if in_blocks else size
+    known = dict.fromkeys(names)
+    whole = flow.matrix()
+    # equal blocks make one line
+    heads: dict[tuple[tuple[sp.Expr, sp.Matrix], ...], list[str]] = {}
+    shown: dict[str, sp.Matrix] = {}
+    for i in range(size // half):
+        for j in range(size // half):
+            place = (slice(i * half, (i + 1) * half), slice(j * half, (j + 1) * half))
+            terms = [
+                (function, sp.ImmutableMatrix(matrix[place]))
+                for function, matrix in zip(flow.basis, flow.matrices, strict=True)
+            ]
+            head = rf"\Phi_{{{number}}}" + (f"^{{{i + 1}{j + 1}}}" if in_blocks else "") + "(t)"
+            heads.setdefault(tuple(_collected(terms, known)), []).append(head)
+            shown[head] = sp.ImmutableMatrix(whole[place])
+    blocks = _definitions(naming, [m for found in heads for _, m in found], names)
+    lines = [
+        Line(" = ".join(equal), "=", _pieces(notation, found, names), None, shown[equal[0]])
+        for found, equal in heads.items()
+    ]
+    return [*blocks, Formula(tuple(lines))]
+
+
+def _definitions(
+    naming: Naming, occurring: Sequence[sp.Matrix], names: dict[sp.Matrix, str]
+) -> list[Block]:
+    """Blocks that define names for the matrices that occur more than once or are wide.
+
+    A wide matrix is written as a product of two others where that is possible, otherwise
+    entry by entry.
+    """
+    notation = naming.notation
+    ordinary = [m for m in occurring if m.rows > 1 and m != sp.eye(m.rows)]
+    wide = [m for m in ordinary if width(notation.latex(m)) > _WIDE]
+    new: list[sp.Matrix] = []
+
+    def name(matrix: sp.Matrix) -> str:
+        if matrix not in names:
+            names[matrix] = f"P_{{{sum(' ' not in n for n in names.values()) + 1}}}"
+            new.append(matrix)
+        return names[matrix]
+
+    for matrix in dict.fromkeys(m for m in ordinary if ordinary.count(m) > 1):
+        name(matrix)
+    for matrix in dict.fromkeys(m for m in wide if m not in names):
+        pair = _factors(matrix, list(dict.fromkeys(m for m in ordinary if m != matrix)))
+        if pair:
+            names[matrix] = " ".join(map(name, pair))
+        else:
+            name(matrix)
+    narrow = beside([f"{names[m]} = {notation.latex(m)}" for m in new if m not in wide])
+    blocks: list[Block] = [Formula((Line("", "", narrow),))] if narrow else []
+    for matrix in (m for m in new if m in wide):
+        lines = [
+            Line(
+                rf"\left({names[matrix]}\right)_{{{i + 1}{j + 1}}}",
+                "=",
+                notation.pieces(matrix[i, j]),
+                None,
+                matrix[i, j],
+            )
+            for i in range(matrix.rows)
+            for j in range(matrix.cols)
+        ]
+        blocks.append(Formula(tuple(lines)))
+    return blocks
+
+
+def _factors(
+    matrix: sp.Matrix, candidates: Sequence[sp.Matrix]
+) -> tuple[sp.Matrix, sp.Matrix] | None:
+    """Two candidates whose product is the matrix; None if there are none."""
+    for left in candidates:
+        for right in candidates:
+            if (left * right - matrix).applyfunc(sp.expand).is_zero_matrix:
+                return left, right
+    return None
+
+
+def _collected(terms: _Terms, known: dict[sp.Matrix, None]) -> _Terms:
+    """Terms of a sum with common factors taken out of the matrices, and equal ones joined.
+
+    A matrix takes the sign with which it is known already.
+    """
+    found: dict[sp.Matrix, sp.Expr] = {}
+    for function, matrix in terms:
+        if matrix.is_zero_matrix:
+            continue
+        factor, rest = _common_factor(matrix)
+        if -rest in known:
+            factor, rest = -factor, -rest
+        known[rest] = None
+        found[rest] = found.get(rest, sp.Integer(0)) + factor * function
+    return [(scalar, matrix) for matrix, scalar in found.items()]
+
+
+def _common_factor(matrix: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+    """Factor that all entries share, and the matrix without it, its first number positive."""
+    entries = [e for e in matrix if e != 0]
+    common = [f for f in sp.Mul.make_args(entries[0]) if not f.is_Add]
+    for entry in entries[1:]:
+        factors = sp.Mul.make_args(entry)
+        common = [f for f in common if f in factors and f != -1]
+    factor = sp.Mul(*common)
+    rest = sp.ImmutableMatrix(matrix / factor).applyfunc(sp.expand)
+    entries = [e for e in rest if e != 0]
+    negative = (entries[0].is_number and entries[0] < 0) or all(
+        not e.is_Add and e.could_extract_minus_sign() for e in entries
+    )
+    return (-factor, -rest) if negative else (factor, rest)
+
+
+def _pieces(
+    notation: Notation, terms: Sequence[tuple[sp.Expr, sp.Matrix]], names: dict[sp.Matrix, str]
+) -> tuple[str, ...]:
+    """LaTeX of a sum of functions of time times matrices."""
+    found: list[tuple[int, str]] = []
+    for scalar, matrix in terms:
+        if matrix.rows == 1:
+            found.append(notation.term(scalar * matrix[0]))
+            continue
+        unit = matrix == sp.eye(matrix.rows)
+        text = "I" if unit else names.get(matrix, notation.latex(matrix))
+        sign, factor = notation.factor(scalar)
+        found.append((sign, text if factor == "1" else rf"{factor}\,{text}"))
+    return with_signs(found) or ("0",)
+
+
+def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuration]) -> list[Block]:
+    """Blocks that say how flows without a closed form are computed."""
+    second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
+    return compose(
+        naming,
+        r"""
+        The flow of [none: no configuration is written | @listed is not written] out in the
+        parameters: it comes from numbers, once for each set of parameters. With the matrix
+        $@matrix$ and the column $@offset$ of $@state' = @matrix @state + @offset$[second: , which
+        hold the equations of motion solved for the accelerations below the rows of $@x'$[held: ,
+        zeros for a held one],] it is read off the exponential of an augmented matrix,
+        $$
+        @state(t) &= \Phi(t)\,@state(0) + @forcing(t),\qquad
+            \left(\begin{matrix}\Phi(t) & @forcing(t)\\0 & 1\end{matrix}\right) = \mathrm{e}^{@augmented t},\qquad
+            @augmented = \left(\begin{matrix}@matrix & @offset\\0 & 0\end{matrix}\right).
+        $$
+        The exponential is a sum over clusters of eigenvalues. An eigenvalue that is well apart from
+        the others is a cluster of its own; those that are equal, or too near each other to be told
+        apart, make one together. With the centre $@centre_{j}$ of a cluster and the projector
+        $@projector_{j}$ on its invariant subspace,
+        $$
+        \mathrm{e}^{@augmented t} &= \sum_{j} \mathrm{e}^{@centre_{j} t} \sum_{k \ge 0} \frac{t^{k}}{k!} \left(@augmented - @centre_{j} I\right)^{k} @projector_{j}.
+        $$
+        Of a single eigenvalue the term $k = 0$ remains, of equal ones as many terms as there are;
+        nearly equal ones are taken together, by divided differences of the exponential at these
+        eigenvalues, in which no digits cancel. Two conjugate eigenvalues give a cosine and a sine,
+        and the eigenvalue 0 of the last column holds what $@offset$ does.
+        """,  # noqa: E501
+        none=len(chosen) == len(naming.system.configurations) > 1,
+        listed=enumeration([f"*{c.name}*" for c in chosen]),
+        second=second,
+        held=any(d.held for d in second),
+        x=naming.letter,
+        **vars(letters),
+    )
+
+
+def _eigenvalues(
+    naming: Naming, letters: Letters, chosen: Sequence[Configuration], known: int
+) -> tuple[list[Block], dict[str, int]]:
+    """Blocks on the eigenvalues of flows without a closed form, and the number of each flow.
+
+    `known` is the number of flows that are written out already.
+    """
+    alike: dict[sp.Matrix, list[str]] = {}
+    for configuration in chosen:
+        matrix, _ = configuration.dynamics.field(naming.system.states)
+        alike.setdefault(matrix, []).append(configuration.name)
+    numbers: dict[str, int] = {}
+    blocks: list[Block] = []
+    for number, (matrix, sharing) in enumerate(alike.items(), start=known + 1):
+        numbers |= dict.fromkeys(sharing, number)
+        pieces = characteristic_pieces(naming.notation, matrix, letters.eigenvalue)
+        blocks += compose(
+            naming,
+            r"""
+            $\Phi_{@number}$, @flow: the [short: eigenvalues are the roots of | @many eigenvalues
+            are found from the numbers of the matrix $@matrix$.]
+            $$
+            @polynomial
+            $$
+            """,
+            number=number,
+            flow=naming.flow_of(sharing),
+            short=pieces,
+            many=matrix.rows,
+            matrix=letters.matrix,
+            polynomial=[
+                relation(
+                    naming,
+                    rf"\det\left({letters.eigenvalue} I - {letters.matrix}\right)",
+                    pieces,
+                    ".",
+                )
+            ]
+            if pieces
+            else [],
+        )
+    return blocks, numbers

@@ -1,0 +1,231 @@
+"""The sections of a document on an itinerary's transitions, multipliers and admissibility."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from nonsmooth.derive.declaration.itinerary import dwell_symbol
+from nonsmooth.derive.declaration.transition import Condition
+from nonsmooth.derive.document.blocks import Block, Line, Table
+from nonsmooth.derive.document.layout import LINE_WIDTH, width
+from nonsmooth.derive.document.notation.wording import enumeration, number
+from nonsmooth.derive.document.sections.derivatives import LOCAL_MAP, SALTATION, diagonal
+from nonsmooth.derive.document.sections.template import (
+    compose,
+    math,
+    relation,
+    sentence,
+    transposed,
+)
+from nonsmooth.derive.document.views.cycle import Cycle, Passing
+from nonsmooth.derive.equations.energy import is_conservative
+
+__all__ = ["admissibility_section", "passing_section", "stability_section"]
+
+
+def passing_section(cycle: Cycle) -> list[Block]:
+    """Blocks with the gradient, fields, reset and saltation matrix of each transition."""
+    fields = [field for p in cycle.passings for field in (p.before, p.behind)]
+    written = all(width(transposed(cycle.naming, field)) + 4 <= LINE_WIDTH for field in fields)
+    return compose(
+        cycle,
+        r"""
+        Transition $j$ [distinct: ends phase $j$; it has | has] the gradient $@normal_{j}$ and the
+        constant $@constant_{j}$ of its boundary, the vector field $@field_{j}$ of the configuration
+        in front of it and $@field_{j}^{+}$ of that behind it[resets: , the matrix $@reset_{j}$ and
+        the constant $@jump_{j}$ of its reset (the unit matrix and zero where they are not given)].
+        All are written in the state in front of the transition. A perturbed motion reaches the
+        boundary earlier or later; to first order its perturbation behind the transition is that in
+        front of it times the saltation matrix
+        $$
+        @letters.saltation_{j} &= @matrix.
+        \tag{@label}
+        $$
+        The boundary is crossed transversally, and the matrix is defined, only where the rate
+        $@normal_{j} @field_{j}$ is positive.
+
+        @transitions
+        """,
+        matrix=sentence(cycle, SALTATION, at="j"),
+        label=cycle.label("The transitions"),
+        transitions=[
+            block
+            for place, passing in enumerate(cycle.passings, start=1)
+            for block in _passing(cycle, place, passing, written=written)
+        ],
+    )
+
+
+def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> list[Block]:
+    """Blocks on one transition, with its vector fields `written` out or their difference."""
+    naming, letters, states = cycle.naming, cycle.letters, cycle.system.states
+    f, r = f"{letters.field}_{{{place}}}", f"{letters.reset}_{{{place}}}"
+    if written:
+        fields = [
+            relation(naming, f, passing.before),
+            relation(naming, f"{f}^{{+}}", passing.behind),
+        ]
+    else:
+        carried = f"{r} {f}" if passing.resets else f
+        fields = _difference(cycle, f"{f}^{{+}}", carried, passing.difference(states))
+    saltation = passing.saltation(states)
+    text = _matrix(cycle, saltation)
+    return compose(
+        cycle,
+        r"""
+        Transition @place, from *@passing.transition.source* by *@passing.boundary.name* to
+        *@passing.transition.target*[distinct: |  (behind phase[several: s] @phases)]:
+        $$
+        @normal_{@place} &= @gradient,\qquad
+            @constant_{@place} = @offset
+        @fields
+        [passing.resets: @reset_{@place} &= @matrix[jumps: ,\qquad
+            @jump_{@place} = @column]]
+        @normal_{@place} @field_{@place} &= @passing.rate
+        @saltation
+        $$
+        """,
+        place=place,
+        passing=passing,
+        several=len(passing.phases) > 1,
+        phases=[str(k) for k in passing.phases],
+        gradient=naming.notation.latex(passing.normal),
+        offset=naming.notation.latex(naming.notation.tidy(passing.constant)),
+        fields=fields,
+        matrix=_matrix(cycle, passing.reset),
+        jumps=not passing.jump.is_zero_matrix,
+        column=transposed(naming, passing.jump),
+        saltation=[Line(f"{letters.saltation}_{{{place}}}", "=", (text,), None, saltation)]
+        if width(text) + 4 <= LINE_WIDTH
+        else [],
+    )
+
+
+def _difference(cycle: Cycle, behind: str, carried: str, difference: sp.Matrix) -> list[Line]:
+    """Lines for the difference of the vector fields on both sides, at the boundary."""
+    if difference.is_zero_matrix:
+        return [relation(cycle.naming, behind, carried)]
+    left = f"{behind} - {carried}"
+    if width(left) + width(transposed(cycle.naming, difference)) + 2 <= LINE_WIDTH:
+        return [relation(cycle.naming, left, difference)]
+    return [
+        relation(cycle.naming, rf"\left({left}\right)_{{{i}}}", entry)
+        for i, entry in enumerate(difference, start=1)
+        if entry != 0
+    ]
+
+
+def _matrix(cycle: Cycle, matrix: sp.Matrix) -> str:
+    """LaTeX of a matrix, short if it is the unit matrix or diagonal."""
+    unit = matrix == sp.eye(matrix.rows)
+    return "I" if unit else diagonal(cycle.naming, matrix, r"\left(", r"\right)")
+
+
+def stability_section(cycle: Cycle) -> list[Block]:
+    """Blocks with the Poincaré map's Jacobian and the monodromy matrix as products."""
+    trivial, moved = 2 * len(cycle.harmonics) - 1, cycle.directions.cols
+    return compose(
+        cycle,
+        r"""
+        On the section at the start, the dwell times follow a perturbation of the start: each phase
+        carries it along and projects it along the vector field onto the boundary. [distinct: | At
+        phase $k$ the field $@field_{@index}$ and the matrix $@letters.saltation_{@index}$ are those
+        at $@state^{(k)}$.] The Jacobian of the Poincaré map is the product of these local maps, and
+        over equal times the monodromy matrix is that of flows and saltation matrices,
+        $$
+        @jacobian &= @embedding^{+} [product: \left(@product@local\right) | @local] @embedding,
+        \mathcal{M} &= @product@letters.saltation_{@index} \Phi^{(@phase)}.
+        \tag{@label}
+        $$
+        $\mathcal{M}$ takes the vector field at the start, $@matrix @state^{(0)} + @offset$ of the
+        first phase, to itself. Beside this multiplier 1, and zeros, it has the multipliers of
+        $@jacobian$, and $\operatorname{tr} \mathcal{M} = 1 + \operatorname{tr} @jacobian$. The
+        orbit is stable where every multiplier that is not trivial lies inside the unit circle.
+        [forced: @trivial of those of $@jacobian$ [one: is | are] 1 and trivial: the forcing keeps
+        the amplitude[one: | s and phases] of the start. | [conservative: One more is 1 and trivial,
+        since the energy is kept along the orbit.]] [moved: @moved more [single: is | are] 1 and
+        trivial, since nothing depends on a shift: $@jacobian @embedding^{+} @letters.directions =
+        @embedding^{+} @letters.directions$.]
+        """,
+        local=sentence(cycle, LOCAL_MAP),
+        label=cycle.label("Stability"),
+        forced=trivial > 0,
+        trivial=number(max(trivial, 0)).capitalize(),
+        one=trivial == 1,
+        conservative=is_conservative(cycle.itinerary, cycle.system),
+        moved=number(moved).capitalize() if moved else "",
+        single=moved == 1,
+    )
+
+
+def admissibility_section(cycle: Cycle) -> list[Block]:
+    """Blocks on admissibility: no boundary is crossed inside a phase.
+
+    A table has the conditions under which each transition is the one that applies.
+    """
+    itinerary, single = cycle.itinerary, cycle.count == 1
+    names = [p.dwell_time for p in itinerary.phases if p.dwell_time not in itinerary.vanishing]
+    dwell = [cycle.naming.notation.symbol(dwell_symbol(name)) for name in names]
+    positive = [f"{symbol} > 0" for symbol in dwell]
+    rows = [
+        row
+        for place, passing in enumerate(cycle.passings, start=1)
+        for row in _conditions(cycle, place, passing)
+    ]
+    return compose(
+        cycle,
+        r"""
+        A solution is a motion of the system if its dwell times are positive, no boundary of a
+        phase's configuration is crossed before the phase ends, and each boundary is crossed
+        outwards: with the boundary functions $g$ of the configuration of phase $@phase$ and
+        $@state(t)$ the motion in it,
+        $$
+        @positive,\qquad
+            g\left(@state(t)\right) < 0 \text{ for } 0 < t < @time,\qquad
+            @normal_{@index} @field_{@index} > 0,
+        \tag{@label}
+        $$
+        [single: | $\tau^{(k)}$ being the dwell time of phase $k$.] Where a maximum of $g$ inside a
+        phase is zero the orbit grazes, and its itinerary is about to change.
+
+        [conditions: At a transition the first applies whose conditions hold: those of the
+        transition itself have to hold, and those of each that is declared before it must not. Where
+        a function vanishes, the first of its derivatives along the flow of the named configuration
+        that does not vanish decides. | The transitions have no further conditions.]
+
+        @conditions
+        """,
+        positive=r",\; ".join(
+            positive if len(positive) <= 3 else [positive[0], r"\ldots", positive[-1]]
+        ),
+        time=dwell[0] if single else r"\tau^{(k)}",
+        single=single,
+        label=cycle.label("Admissibility"),
+        conditions=Table(("Transition", "Required", "Along"), tuple(rows)) if rows else [],
+    )
+
+
+def _conditions(cycle: Cycle, place: int, passing: Passing) -> list[tuple[str, ...]]:
+    """Rows of a table with the conditions that decide for a transition."""
+    transition = passing.transition
+    required = [_required(cycle, (c,), holds=True) for c in transition.conditions]
+    event = transition.source, transition.boundaries
+    same = [t for t in cycle.system.transitions if (t.source, t.boundaries) == event]
+    # those that are declared before it
+    for other in same[: same.index(transition)]:
+        distinct = tuple(c for c in other.conditions if c not in transition.conditions)
+        if distinct:
+            required.append(_required(cycle, distinct, holds=False))
+    return [
+        ("" if row else f"${place}$", *texts) for row, texts in enumerate(dict.fromkeys(required))
+    ]
+
+
+def _required(cycle: Cycle, conditions: tuple[Condition, ...], *, holds: bool) -> tuple[str, str]:
+    """Text of conditions that all have to hold, or of which one must not, and along what."""
+    texts = [
+        f"{'not ' if c.holds != holds else ''}{math(cycle.naming, c.function, ' > 0')}"
+        for c in conditions
+    ]
+    along = enumeration(list(dict.fromkeys(f"*{c.along}*" for c in conditions)))
+    return " or ".join(texts), along
