@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation fd65703f058cad7a */
+ * SymPy 1.14.0, derivation f92e4b6dfb8559e7 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1401,11 +1401,11 @@ static int add_all(PyObject *module)
         for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
             ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "c8a3c83376cea613") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "0f506926a676a3e2") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d8ee3a0ec4e4c4ad") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d428edd22242c910") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "54bd6189b9159e96") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "41290f4cf340db42") < 0)
         return -1;
     return 0;
 }

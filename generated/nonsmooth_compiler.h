@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.codegen/support/nonsmooth_compiler.h
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation e27532420f67a350 */
+ * SymPy 1.14.0, derivation 776a88cd10137c15 */
 /* What the generated C tells compilers, each as far as it understands it. */
 #ifndef NONSMOOTH_COMPILER_H
 #define NONSMOOTH_COMPILER_H
@@ -25,6 +25,14 @@
 #else
 #define NONSMOOTH_SIMD
 #define NONSMOOTH_SIMD_SUM(total)
+#endif
+
+/* A function that is copied to where it is called: what it does there to one lane becomes a loop
+ * over lanes, and what the call does not ask for goes. */
+#if defined(__GNUC__)
+#define NONSMOOTH_INLINE inline __attribute__((always_inline))
+#else
+#define NONSMOOTH_INLINE inline
 #endif
 
 /* A function that is not merged with one of the same body: GCC would otherwise compare the sizes of

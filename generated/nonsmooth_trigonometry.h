@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.codegen/support/nonsmooth_trigonometry.h
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1ee0fdbe823584b7 */
+ * SymPy 1.14.0, derivation 2707c8c623c20351 */
 /* Sine and cosine that vectorise, and the angle of a point.
  *
  * C99 with IEEE double arithmetic in round-to-nearest. Scalar, SSE2, AVX2 and AVX-512 builds give
@@ -61,6 +61,22 @@ static inline void nonsmooth_sincos(double x, double *sine, double *cosine)
     const double c = swapped ? sine_r : cosine_r;
     *sine = fabs(quadrant - 0.5) > 1.0 ? -s : s;
     *cosine = fabs(quadrant + 0.5) > 1.0 ? -c : c;
+}
+
+typedef struct {
+    double sine, cosine;
+} nonsmooth_wave;
+
+/* Sine and cosine: those of the C library for one lane, else those of nonsmooth_sincos. */
+static inline nonsmooth_wave nonsmooth_wave_of(int lanes, double x)
+{
+    nonsmooth_wave wave;
+    if (lanes == 1) {
+        wave.sine = sin(x);
+        wave.cosine = cos(x);
+    } else
+        nonsmooth_sincos(x, &wave.sine, &wave.cosine);
+    return wave;
 }
 
 /* Angle in [0, 2 pi) of the point (cosine, sine), within 4 ulp; NaN at the origin. */

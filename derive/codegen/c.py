@@ -11,22 +11,32 @@ from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from nonsmooth.derive.codegen.any_arithmetic import Ordered
-from nonsmooth.derive.codegen.body import Constant, Line, body_of
+from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of
 from nonsmooth.derive.codegen.naming import C_TAKEN, C_TAKEN_BEGINNINGS, c_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 
-__all__ = ["Scope", "c_declaration", "c_kernel", "c_prototype", "line_sources", "print_c"]
+__all__ = [
+    "Scope",
+    "c_declaration",
+    "c_kernel",
+    "c_prototype",
+    "in_lane",
+    "line_sources",
+    "print_c",
+]
 
 
+_IN_LANES = ("spectrum", "equations", "trace")  # kernels that functions of many points call
 _LARGE = 40  # entries of an output, from which on a table may be shorter
 
 
 class _Printer(Ordered, C99CodePrinter):
     """C expressions: products for integer powers, calls for the rest.
 
-    A `scope` computes each set of differences of the exponential once.
+    A `scope` computes each set of differences of the exponential once, and in lanes each pair of
+    a sine and a cosine.
     """
 
     def __init__(self, scope: Scope | None = None) -> None:
@@ -86,7 +96,22 @@ class _Printer(Ordered, C99CodePrinter):
             call = f"nonsmooth_any({self._print(t)}, {lowest}, {len(factors)}, {array})"
         else:
             call = f"nonsmooth_{name}({', '.join(self._print(x) for x in (t, *numbers))})"
-        return f"{self.scope.named(call) if self.scope else call}.d{order - lowest}"
+        if self.scope:
+            call = self.scope.named("nonsmooth_derivatives", "derivatives", call)
+        return f"{call}.d{order - lowest}"
+
+    def _print_sin(self, expr: sp.Expr) -> str:
+        return self._wave(expr, "sin", "sine")
+
+    def _print_cos(self, expr: sp.Expr) -> str:
+        return self._wave(expr, "cos", "cosine")
+
+    def _wave(self, expr: sp.Expr, function: str, part: str) -> str:
+        argument = self._print(expr.args[0])
+        if not (self.scope and self.scope.lanes):
+            return f"{function}({argument})"
+        call = f"nonsmooth_wave_of(lanes, {argument})"
+        return f"{self.scope.named('nonsmooth_wave', 'wave', call)}.{part}"
 
     def _print_Function(self, expr: sp.Expr) -> str:
         raise DerivationError(f"{type(expr).__name__} has no C: emit this system for Python only")
@@ -107,30 +132,34 @@ def _by_kind(
 
 
 class Scope:
-    """A block of C that computes each set of derivatives of exponential differences once."""
+    """A block of C that computes each set of derivatives of exponential differences once.
 
-    def __init__(self, indent: str) -> None:
+    In `lanes` it is one turn of a loop over them, whose sines and cosines vectorise.
+    """
+
+    def __init__(self, indent: str, lanes: bool = False) -> None:
         self.indent = indent
+        self.lanes = lanes
         self._names: dict[str, str] = {}
         self._new: list[str] = []
 
     def nested(self) -> Scope:
         """A block inside this one, which knows what has been computed so far."""
-        inner = Scope(self.indent + "    ")
+        inner = Scope(self.indent + "    ", self.lanes)
         inner._names = dict(self._names)
         return inner
 
-    def named(self, call: str) -> str:
+    def named(self, kind: str, name: str, call: str) -> str:
         """Name of the result of a call; the first time a declaration is prepared."""
         if call not in self._names:
-            name = self._names[call] = f"derivatives_{len(self._names)}"
-            self._new.append(f"{self.indent}const nonsmooth_derivatives {name} = {call};")
+            self._names[call] = f"{name}_{len(self._names)}"
+            self._new.append(f"{self.indent}const {kind} {self._names[call]} = {call};")
         return self._names[call]
 
     def assigned(self, target: str, expression: sp.Expr) -> list[str]:
         """Source lines of one assignment, after the declarations that it is the first to need."""
-        plain = not expression.has(ExponentialDifference)
-        text = print_c(expression) if plain else _Printer(self)._print(expression)
+        calls = (ExponentialDifference, sp.sin, sp.cos) if self.lanes else (ExponentialDifference,)
+        text = (_Printer(self)._print if expression.has(*calls) else print_c)(expression)
         declared, self._new = self._new, []
         return [*declared, f"{self.indent}{target} = {text};"]
 
@@ -170,23 +199,58 @@ def c_prototype(kernel: Kernel, system: str, orbit: str | None) -> str:
 
 
 def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
-    """C definition of one kernel, which ends behind the last output that is wanted."""
-    body, some = body_of(kernel), len(kernel.outputs) > 1
-    lines = [
-        f"/* {kernel.title}",
-        f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */",
-        # orbits with other parameters may have the same body
-        *(["NONSMOOTH_UNMERGED"] if orbit is not None else []),
-        c_prototype(kernel, system, orbit),
-        "{",
-    ]
-    scope = Scope("    ")
+    """C definition of one kernel, which ends behind the last output that is wanted.
+
+    One that functions of many points call is the case of one lane of its `in_lane`.
+    """
+    body = body_of(kernel)
+    title = f"/* {kernel.title}"
+    cost = f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */"
+    # orbits with other parameters may have the same body
+    public = ["NONSMOOTH_UNMERGED"] if orbit is not None else []
+    public += [c_prototype(kernel, system, orbit), "{"]
+    if not _runs_in_lanes(kernel):
+        return "\n".join([title, cost, *public, *_statements(kernel, body, lanes=False), "}"])
+    name = in_lane(c_function(system, kernel.name, orbit))
+    arrays = [f"const double *{a.name}" for a in kernel.arguments]
+    arrays += [f"double *{o.name}" for o in kernel.outputs]
+    given = ", ".join([*(a.name for a in kernel.arguments), *(o.name for o in kernel.outputs)])
+    return "\n".join(
+        [
+            title,
+            cost,
+            f"static NONSMOOTH_INLINE {c_declaration(name, ['int lanes', 'int lane', *arrays])}",
+            "{",
+            *_statements(kernel, body, lanes=True),
+            "}",
+            "",
+            *public,
+            fill(f"{name}(1, 0, {given});", 100, initial_indent=" " * 4, subsequent_indent=" " * 8),
+            "}",
+        ]
+    )
+
+
+def _runs_in_lanes(kernel: Kernel) -> bool:
+    """Whether functions of many points call a kernel, and it computes anything."""
+    return kernel.name in _IN_LANES and any(output.expressions for output in kernel.outputs)
+
+
+def in_lane(function: str) -> str:
+    """Name of the function that computes a kernel for one lane: entry i is at [i*lanes + lane]."""
+    return f"{function}_in_lane"
+
+
+def _statements(kernel: Kernel, body: Body, *, lanes: bool) -> list[str]:
+    """C statements of a kernel, for one lane or for the only point."""
+    lines = []
+    scope, some = Scope("    ", lanes), len(kernel.outputs) > 1
     for place, (output, part, expressions) in enumerate(
         zip(kernel.outputs, body.parts, body.outputs, strict=True)
     ):
         for argument in kernel.arguments:
             if argument.since == place:
-                lines += _loads(argument, body.used)
+                lines += _loads(argument, body.used, lanes=lanes)
         lines += line_sources(part, scope)
         if some:
             guarded = _stores(output, expressions, scope.nested())
@@ -196,32 +260,39 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
         later = [f"!{o.name}" for o in kernel.outputs[place + 1 :]]
         if later:
             lines += [f"    if ({' && '.join(later)})", "        return;"]
-    lines.append("}")
-    return "\n".join(lines)
+    return lines
 
 
-def _loads(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
+def _loads(argument: Argument, used: frozenset[sp.Symbol], *, lanes: bool) -> list[str]:
     """C statements that name the entries of an argument."""
     if not set(argument.symbols) & used:
         return [f"    (void){argument.name};"]
     return [
         f"    const double {print_c(symbol)} = "
-        f"{f'{argument.name}[{position}]' if argument.shape else argument.name};"
+        f"{_entry(argument, position, lanes=lanes) if argument.shape else argument.name};"
         for position, symbol in enumerate(argument.symbols)
         if symbol in used and (argument.shape or str(symbol) != argument.name)
     ]
 
 
+def _entry(array: Argument | Output, position: int, *, lanes: bool) -> str:
+    """C expression of one entry of an array."""
+    if not lanes:
+        return f"{array.name}[{position}]" if array.shape else f"*{array.name}"
+    return f"{array.name}[{position}*lanes + lane]" if position else f"{array.name}[lane]"
+
+
 def _stores(output: Output, expressions: Sequence[sp.Expr], scope: Scope) -> list[str]:
-    """C statements that fill an output: a large one of few values by a table of their places."""
+    """C statements that fill an output: a large one of few values by a table of their places.
+
+    A loop over lanes has no loop inside: compilers would not use vectors for it.
+    """
     values = list(dict.fromkeys(expressions))
-    if len(expressions) < _LARGE or 3 * len(values) > len(expressions):
+    if scope.lanes or len(expressions) < _LARGE or 3 * len(values) > len(expressions):
         return [
             line
             for position, expression in enumerate(expressions)
-            for line in scope.assigned(
-                f"{output.name}[{position}]" if output.shape else f"*{output.name}", expression
-            )
+            for line in scope.assigned(_entry(output, position, lanes=scope.lanes), expression)
         ]
     places = [str(values.index(expression)) for expression in expressions]
     kind = "unsigned char" if len(values) <= 256 else "unsigned short"

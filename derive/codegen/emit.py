@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -17,7 +18,7 @@ from nonsmooth.derive.codegen.admissibility import (
     admissible_source,
 )
 from nonsmooth.derive.codegen.any_arithmetic import shape_text
-from nonsmooth.derive.codegen.c import c_kernel, c_prototype
+from nonsmooth.derive.codegen.c import c_kernel, c_prototype, in_lane
 from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
 from nonsmooth.derive.codegen.directions import (
     DIRECTIONS,
@@ -162,6 +163,9 @@ def _c_functions(derived: DerivedSystem) -> tuple[list[_Function], list[Missing]
     ) -> None:
         try:
             definition = define()
+            for absent in missing:
+                if re.search(rf"\b{in_lane(absent.name)}\(", definition):
+                    raise DerivationError(absent.reason)
         except _NOT_IN_C as problem:
             missing.append(Missing(orbit, wrapped[0].function, " ".join(str(problem).split())))
         else:

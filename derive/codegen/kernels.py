@@ -25,7 +25,6 @@ from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = [
-    "direction_kernels",
     "flow_kernels",
     "orbit_kernels",
     "period_map_kernel",
@@ -271,32 +270,6 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
             determinants,
         ),
         prune(everything, [*equations, *jacobian, *values, trace, *determinants.expressions]),
-    )
-
-
-def direction_kernels(orbit: EquationSystem) -> tuple[Kernel, Kernel, Kernel]:
-    """Three kernels for the derivatives of an orbit by its parameters.
-
-    They give the spectrum with its derivatives, the derivatives of the equations by the
-    unknowns and by the parameters, and those of the trace, whose stages may assign other
-    functions of the unknowns to the same symbols.
-    """
-    jacobian_stages, jacobian = orbit.jacobian_program
-    moved_stages, parameter_jacobian = orbit.parameter_jacobian_program
-    trace_stages, gradient = orbit.trace_gradient_program
-    stages = merged(merged(orbit.stages, jacobian_stages), moved_stages)
-    tables = _table("jacobian", jacobian), _table("parameter_jacobian", parameter_jacobian)
-    slopes = _flat("trace_gradient", gradient)
-    return (
-        spectrum_kernel(orbit.spectrum),
-        Kernel(
-            "equations",
-            "Derivatives of the equations.",
-            (),
-            tables,
-            prune(stages, [*jacobian, *parameter_jacobian]),
-        ),
-        Kernel("slopes", "Derivatives of the trace.", (), (slopes,), prune(trace_stages, gradient)),
     )
 
 

@@ -22,13 +22,16 @@ union unsigned void volatile while
 """
 # names that no symbol of a kernel can have, in Python or in C
 RESERVED = frozenset({"lib", "outputs", *keyword.kwlist, *_C_KEYWORDS.split()})
-# functions that kernels in C call, and macros of its headers: there such a symbol gets a suffix
+# what kernels in C call and name themselves, and macros: there such a symbol gets a suffix
 _C_OWN = """
-cos exp fabs log pow sin sqrt tan DOMAIN HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN OVERFLOW
-PLOSS SING TLOSS UNDERFLOW math_errhandling
+cos exp fabs lane lanes log pow sin sqrt tan DOMAIN HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN
+OVERFLOW PLOSS SING TLOSS UNDERFLOW math_errhandling
 """
 C_TAKEN = frozenset(_C_OWN.split())
-C_TAKEN_BEGINNINGS = ("DBL_", "FLT_", "FP_", "LDBL_", "MATH_", "M_", "NONSMOOTH_", "nonsmooth_")
+C_TAKEN_BEGINNINGS = (
+    *("DBL_", "FLT_", "FP_", "LDBL_", "MATH_", "M_", "NONSMOOTH_", "nonsmooth_"),
+    *("derivatives_", "wave_"),
+)
 
 
 def identifier(name: str) -> str:

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from string import Template
+from textwrap import wrap
 
 import sympy as sp
 
 from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
-from nonsmooth.derive.codegen.c import Scope, c_declaration, line_sources, print_c
+from nonsmooth.derive.codegen.c import Scope, c_declaration, in_lane, line_sources, print_c
 from nonsmooth.derive.codegen.kernels import reduced_equations
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
@@ -23,8 +24,8 @@ __all__ = [
     "MOST_REDUCED",
     "SOLVE",
     "STATUSES",
-    "inputs_of",
-    "lane_sources",
+    "lanes_of_spectrum",
+    "loop_over_lanes",
     "solve_prototype",
     "solve_source",
 ]
@@ -244,6 +245,41 @@ def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str)
         "ended[lane] = ending;",
     ]
     return [indent + line for line in lines]
+
+
+def lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Arrays of the spectrum and, if wanted, its derivatives; the C lines that fill them.
+
+    An array without entries is NULL.
+    """
+    entries, parameters = len(orbit.spectrum.symbols), orbit.spectrum.parameters
+    if not entries:
+        return ["NULL"] * len(wanted), []
+    sizes = {"spectrum": entries, "spectrum_derivatives": entries * len(parameters)}
+    arrays = [name if name in wanted and size else "NULL" for name, size in sizes.items()]
+    declared = {"own": len(parameters)} | {name: sizes[name] for name in arrays if name in sizes}
+    indent = " " * 8
+    texts = [f"{name}[{size} * lanes]" for name, size in declared.items() if size]
+    lines = [f"{indent}double {', '.join(texts)};"]
+    for to, parameter in enumerate(parameters):
+        place = orbit.parameters.index(parameter)
+        given = f"parameters + {place} * count, count, start, own + {to} * lanes"
+        lines.append(f"{indent}nonsmooth_load(1, {given});")
+    function = c_function(orbit.system.name, "spectrum", None)
+    taken = "own" if parameters else "NULL"
+    lines += loop_over_lanes(function, [taken, *arrays], indent)
+    return arrays[: len(wanted)], lines
+
+
+def loop_over_lanes(kernel: str, arguments: Sequence[str], indent: str) -> list[str]:
+    """C lines that compute a kernel in all lanes; `kernel` is the name of its function."""
+    inner = indent + "    "
+    call = f"{in_lane(kernel)}(lanes, lane, {', '.join(arguments)});"
+    return [
+        f"{indent}NONSMOOTH_SIMD",
+        f"{indent}for (int lane = 0; lane < lanes; ++lane)",
+        *wrap(call, 100, initial_indent=inner, subsequent_indent=inner + "    "),
+    ]
 
 
 def inputs_of(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:

@@ -17,6 +17,7 @@ import nonsmooth as ns
 from nonsmooth.derive import (
     Boundary,
     Configuration,
+    DerivationError,
     Itinerary,
     Parameter,
     Reference,
@@ -24,7 +25,9 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
+from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.codegen.emit import emit_library
+from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.systems import SYSTEMS
 from tests.places import CHECKOUT
 
@@ -199,6 +202,22 @@ def library(damped: bool) -> dict[str, str]:
     return emit_library(system, [loop], "test")
 
 
+def test_what_calls_an_absent_kernel_is_absent_for_the_same_reason(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def define(kernel: Kernel, system: str, orbit: str | None) -> str:
+        if kernel.name == "trace":
+            raise DerivationError("it is too long")
+        return c_kernel(kernel, system, orbit)
+
+    monkeypatch.setattr("nonsmooth.derive.codegen.emit.c_kernel", define)
+    header = library(damped=False)["awkward.h"]
+    absent = dict(re.findall(r"There is no (\w+): ([^.]*)\.", header))
+    assert absent == dict.fromkeys(
+        ["awkward_loop_trace", "awkward_loop_directions"], "it is too long"
+    )
+
+
 @each_compiler
 def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_path: Path) -> None:
     files = library(damped=False)
@@ -217,7 +236,8 @@ def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_pat
 
 def test_only_the_support_that_is_used_is_written() -> None:
     """An undamped orbit is solved and searched in sines, damped flows alone are exponentials."""
-    solved, flows = ("compiler", "search", "sums", "trigonometry"), ("exponentials", "trigonometry")
+    solved = ("compiler", "elimination", "lanes", "search", "sums", "trigonometry")
+    flows = ("compiler", "exponentials", "trigonometry")
     for damped, names in ((False, solved), (True, flows)):
         written = {name for name in library(damped) if name.startswith("nonsmooth_")}
         assert written == {f"nonsmooth_{name}.h" for name in names}

@@ -27,6 +27,8 @@ FILES = [
     "kicked.md",
     "kicked.py",
     "nonsmooth_compiler.h",
+    "nonsmooth_elimination.h",
+    "nonsmooth_lanes.h",
     "nonsmooth_search.h",
     "nonsmooth_sums.h",
     "nonsmooth_trigonometry.h",

@@ -1,6 +1,10 @@
-"""The emitted solver has the same bits in every instruction set and however points are grouped."""
+"""The emitted solver and derivatives of many points have the same bits in every instruction set.
+
+So they have however points are grouped.
+"""
 
 import ctypes
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -10,13 +14,15 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from nonsmooth.derive import DerivationError, derive_equations
+from nonsmooth.derive.codegen.directions import directions_source
 from nonsmooth.derive.codegen.solver import solve_source
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.declared import random_points
 from tests.places import CHECKOUT
 
-ORBIT, FUNCTION = "dry-friction/global-stick", "dry_friction_global_stick_solve"
+ORBIT = "dry-friction/global-stick"
+SOLVE, DIRECTIONS = (f"dry_friction_global_stick_{kind}" for kind in ("solve", "directions"))
 FOLDER = CHECKOUT / "generated"
 FLAGS = [
     "-std=c99",
@@ -48,35 +54,45 @@ def flags_of_processor():
 
 @pytest.fixture(scope="module")
 def source(tmp_path_factory):
-    """The solver alone, without what chooses an instruction set at run time."""
+    """The solver and the derivatives alone, without what chooses an instruction set at run time."""
     text = (FOLDER / "dry_friction.c").read_text(encoding="utf-8")
-    parts = text.split("NONSMOOTH_MULTIVERSION\n")
-    definition = next(part for part in parts if part.startswith(f"void {FUNCTION}("))
+    head, *definitions = re.split(r"\n\n(?=/\* )", text.replace("NONSMOOTH_MULTIVERSION\n", ""))
+    called = re.compile(rf"void ({SOLVE}|{DIRECTIONS}|\w+_in_lane)\(")
     file = tmp_path_factory.mktemp("solver") / "solver.c"
-    names = ("dry_friction", "nonsmooth_compiler", "nonsmooth_trigonometry")
-    includes = "#include <math.h>\n" + "".join(f'#include "{name}.h"\n' for name in names)
-    file.write_text(includes + definition[: definition.index("\n}\n") + 3], encoding="utf-8")
+    file.write_text("\n\n".join([head, *filter(called.search, definitions), ""]), encoding="utf-8")
     return file
 
 
-def solver(source, build):
+def compiled(source, build):
     if build.startswith("avx") and build not in flags_of_processor():
         pytest.skip(f"no {build} here")
     library = source.with_name(f"{build}.so")
     if not library.exists():
         command = [compiler, *BUILDS[build], "-I", FOLDER, source, "-o", library, *FLAGS]
         subprocess.run(command, check=True)
-    return ctypes.CDLL(str(library))[FUNCTION]
+    return ctypes.CDLL(str(library))
 
 
-def solve(function, parameters, guess):
+def solve(library, parameters, guess):
     """Unknowns, trace and residual (8, count), iterations and statuses (2, count)."""
     count = parameters.shape[1]
     numbers, codes = np.empty((8, count)), np.empty((2, count), dtype=np.int32)
     given = [np.ascontiguousarray(a) for a in (parameters, guess)]
     arrays = [*given, numbers[:6], numbers[6], numbers[7], *codes]
-    function(ctypes.c_ssize_t(count), *(ctypes.c_void_p(a.ctypes.data) for a in arrays))
+    call(library[SOLVE], count, arrays)
     return numbers, codes
+
+
+def directions(library, parameters, unknowns):
+    """Derivatives of unknowns and trace, (7, 5, count)."""
+    found = np.empty((7, 5, parameters.shape[1]))
+    arrays = [np.ascontiguousarray(a) for a in (parameters, unknowns)]
+    call(library[DIRECTIONS], parameters.shape[1], [*arrays, found])
+    return found
+
+
+def call(function, count, arrays):
+    function(ctypes.c_ssize_t(count), *(ctypes.c_void_p(a.ctypes.data) for a in arrays))
 
 
 @pytest.fixture(scope="module")
@@ -95,30 +111,55 @@ def data():
 
 @pytest.fixture(scope="module")
 def expected(source, data):
-    return solve(solver(source, "plain"), *data)
+    return solve(compiled(source, "plain"), *data)
+
+
+@pytest.fixture(scope="module")
+def expected_directions(source, data, expected):
+    return directions(compiled(source, "plain"), data[0], expected[0][:6])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("build", BUILDS)
-def test_every_instruction_set_gives_the_same_bits(source, data, expected, build):
-    for found, wanted in zip(solve(solver(source, build), *data), expected, strict=True):
+def test_every_instruction_set_gives_the_same_bits(
+    source, data, expected, expected_directions, build
+):
+    library = compiled(source, build)
+    for found, wanted in zip(solve(library, *data), expected, strict=True):
         assert_array_equal(found, wanted)
+    found = directions(library, data[0], expected[0][:6])
+    assert_array_equal(found, expected_directions)
 
 
-def test_every_status_is_met(expected):
+def test_every_status_is_met(expected, expected_directions):
     assert set(expected[1][1]) >= {0, 1, 2, 3}
-    assert np.mean(expected[1][1] == 0) > 0.3
+    solved = expected[1][1] == 0
+    assert np.mean(solved) > 0.3
+    assert np.all(np.isfinite(expected_directions[..., solved]))
 
 
 @pytest.mark.parametrize("size", [1, 3, 8, 16, 17, 64])
 @pytest.mark.parametrize("build", ["baseline", "avx2", "avx512f"])
-def test_a_point_has_the_same_bits_in_every_group(source, data, expected, build, size):
-    function = solver(source, build)
+def test_a_point_has_the_same_bits_in_every_group(
+    source, data, expected, expected_directions, build, size
+):
+    library = compiled(source, build)
     order = np.random.default_rng(size).permutation(COUNT)
     parts = [order[begin : begin + size] for begin in range(0, COUNT, size)]
-    found = [solve(function, *(a[:, part] for a in data)) for part in parts]
+    found = [solve(library, *(a[:, part] for a in data)) for part in parts]
     for arrays, wanted in zip(zip(*found, strict=True), expected, strict=True):
         assert_array_equal(np.concatenate(arrays, axis=1), wanted[:, order])
+    given = data[0], expected[0][:6]
+    moved = [directions(library, *(a[:, part] for a in given)) for part in parts]
+    assert_array_equal(np.concatenate(moved, axis=2), expected_directions[..., order])
+
+
+def test_derivatives_of_too_many_numbers_are_refused(monkeypatch):
+    orbit = derive_equations(rigid_stop.one_impact)
+    assert "void rigid_stop_one_impact_directions(" in directions_source(orbit)
+    monkeypatch.setattr("nonsmooth.derive.codegen.directions.MOST_NUMBERS", 60)
+    with pytest.raises(DerivationError, match=r"'one-impact' take \d+ numbers for each point"):
+        directions_source(orbit)
 
 
 def test_a_symbol_that_the_solver_would_hide_is_refused(monkeypatch):

@@ -23,6 +23,14 @@
 #define NONSMOOTH_SIMD_SUM(total)
 #endif
 
+/* A function that is copied to where it is called: what it does there to one lane becomes a loop
+ * over lanes, and what the call does not ask for goes. */
+#if defined(__GNUC__)
+#define NONSMOOTH_INLINE inline __attribute__((always_inline))
+#else
+#define NONSMOOTH_INLINE inline
+#endif
+
 /* A function that is not merged with one of the same body: GCC would otherwise compare the sizes of
  * the arrays that the one is given with those that the other declares. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)

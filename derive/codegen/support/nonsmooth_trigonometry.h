@@ -59,6 +59,22 @@ static inline void nonsmooth_sincos(double x, double *sine, double *cosine)
     *cosine = fabs(quadrant + 0.5) > 1.0 ? -c : c;
 }
 
+typedef struct {
+    double sine, cosine;
+} nonsmooth_wave;
+
+/* Sine and cosine: those of the C library for one lane, else those of nonsmooth_sincos. */
+static inline nonsmooth_wave nonsmooth_wave_of(int lanes, double x)
+{
+    nonsmooth_wave wave;
+    if (lanes == 1) {
+        wave.sine = sin(x);
+        wave.cosine = cos(x);
+    } else
+        nonsmooth_sincos(x, &wave.sine, &wave.cosine);
+    return wave;
+}
+
 /* Angle in [0, 2 pi) of the point (cosine, sine), within 4 ulp; NaN at the origin. */
 static inline double nonsmooth_angle(double sine, double cosine)
 {
