@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation fd65703f058cad7a */
+ * SymPy 1.14.0, derivation 862aed4d3c8370b3 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1391,11 +1391,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "c8a3c83376cea613") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "da33caa920e8a2cd") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d8ee3a0ec4e4c4ad") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "bf1832f0bd73ae77") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "54bd6189b9159e96") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "c95b40eee0de940e") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 54bd6189b9159e96 */
+ * SymPy 1.14.0, derivation c95b40eee0de940e */
 #include "dry_friction.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation c8a3c83376cea613 */
+ * SymPy 1.14.0, derivation da33caa920e8a2cd */
 #include "rigid_stop.h"
 
 #include <math.h>
