@@ -68,5 +68,5 @@ def python_file(stamp: Stamp, name: str, tables: str, functions: Sequence[str]) 
     return (
         f"{stamp.python()}\n"
         f'"""Kernels and tables of the system {name}, over any arithmetic ``lib``."""\n\n'
-        f'DERIVATION = "{stamp.derivation}"\n\n{tables}\n\n{body}\n'
+        f'import json\n\nDERIVATION = "{stamp.derivation}"\n\n{tables}\n\n{body}\n'
     )

@@ -153,9 +153,9 @@ class SimulationForm:
                 name: [{"length": m.length, "oscillates": m.oscillates} for m in found]
                 for name, found in modes.items()
             },
-            "forcing": [(str(c), str(s)) for c, s in system.forcing],
+            "forcing": [[str(c), str(s)] for c, s in system.forcing],
             **({"forcing_row": self.row(system.forcing[0][1])} if system.forcing else {}),
-            "coordinates": [(str(x), str(v)) for x, v in self._coordinates()],
+            "coordinates": [[str(x), str(v)] for x, v in self._coordinates()],
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
             "constraint_rows": {
                 c.name: [self.row(function) for function in self._constraints(c)]
@@ -168,7 +168,7 @@ class SimulationForm:
                 {
                     "source": t.source,
                     "boundaries": sorted(t.boundaries),
-                    "conditions": [(self.row(c.function), c.along, c.holds) for c in t.conditions],
+                    "conditions": [[self.row(c.function), c.along, c.holds] for c in t.conditions],
                     "reset": self.resets.index(self._reset(t.reset)),
                     "target": t.target,
                     **({"order": t.order} if t.order else {}),

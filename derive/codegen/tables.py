@@ -1,8 +1,10 @@
-"""Tables of a system beside its kernels: names, domains, orbits, all as plain literals."""
+"""Tables of a system beside its kernels: names, domains, orbits, all in the types of JSON."""
 
 from __future__ import annotations
 
-from pprint import pformat
+import json
+import re
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -17,9 +19,13 @@ from nonsmooth.derive.equations.equation_system import EquationSystem
 
 __all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
 
+_WIDTH = 120
+# an entry of JSON, or a part of one, with the comma behind it
+_PIECE = re.compile(r'(?:"(?:\\.|[^"\\])*"|[^",])+(?:, ?)?')
+
 
 def system_tables(derived: DerivedSystem) -> str:
-    """Python source of the tables SYSTEM, ORBITS and KERNELS.
+    """Python source that reads the tables SYSTEM, ORBITS and KERNELS from JSON.
 
     KERNELS has core shapes: of what a kernel takes, each with the place of the first output that
     needs it, and of what it gives, each with its name.
@@ -41,11 +47,49 @@ def system_tables(derived: DerivedSystem) -> str:
         for orbit in derived.orbits
     }
     many = [orbit.itinerary.name for orbit in derived.underived if orbit.many]
-    told: list[tuple[str, Any]] = [("SYSTEM", table), ("ORBITS", orbit_tables), ("KERNELS", shapes)]
-    told += [("MANY_POINTS", many)] if many else []
-    return "\n\n".join(
-        f"{name} = {pformat(value, width=96, sort_dicts=False)}" for name, value in told
-    )
+    told = [
+        _reading("SYSTEM", table, levels=2),
+        _reading("ORBITS", orbit_tables, levels=3),
+        _reading("KERNELS", shapes, levels=1),
+        *([_reading("MANY_POINTS", many, levels=1)] if many else []),
+    ]
+    return "\n\n".join(told)
+
+
+def _reading(name: str, value: Any, levels: int) -> str:
+    """An assignment of a value, which it reads from JSON; no JSON has three quotes in a row."""
+    text = "\n".join(_lines("", value, levels))
+    return f'{name} = json.loads(r"""{text}""")'
+
+
+def _lines(head: str, value: Any, levels: int, tail: str = "") -> Iterator[str]:
+    """Lines of JSON between a head and a tail; of the outer levels each entry begins a line.
+
+    What fits on a line stays on one, and what lies deeper fills lines.
+    """
+    text = f"{head}{json.dumps(value)}{tail}"
+    if len(text) <= _WIDTH or not levels or isinstance(value, str):
+        yield from _filled(text)
+        return
+    named = isinstance(value, dict)
+    heads = [f"{json.dumps(key)}: " for key in value] if named else [""] * len(value)
+    entries = value.values() if named else value
+    tails = [","] * (len(value) - 1) + [""]
+    yield head + ("{" if named else "[")
+    for around in zip(heads, entries, tails, strict=True):
+        yield from (f" {line}" for line in _lines(around[0], around[1], levels - 1, around[2]))
+    yield ("}" if named else "]") + tail
+
+
+def _filled(text: str) -> Iterator[str]:
+    """Lines of JSON that are broken only between entries."""
+    line = ""
+    for piece in _PIECE.findall(text):
+        if line and len(line + piece) > _WIDTH:
+            yield line.rstrip()
+            line = " "
+        line += piece
+    yield line
 
 
 def system_table(form: SimulationForm) -> dict[str, Any]:
@@ -96,13 +140,13 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "measures": [str(s) for s in orbit.measures],
         "terms": [len(w) for w in orbit.frequencies] if orbit.trigonometric else None,
         "boundaries": [
-            (
+            [
                 b.phase,
                 b.boundary,
                 None if b.open_parameter is None else str(b.open_parameter),
                 float(b.open_coefficient),
                 b.begins,
-            )
+            ]
             for b in orbit.boundary_functions
         ],
         "reference": _reference(itinerary),
@@ -127,8 +171,8 @@ def composed_table(orbit: Underived) -> dict[str, Any]:
     }
 
 
-def _phases(itinerary: Itinerary) -> list[tuple[str, str, str]]:
-    return [(p.configuration, p.boundary, p.dwell_time) for p in itinerary.phases]
+def _phases(itinerary: Itinerary) -> list[list[str]]:
+    return [[p.configuration, p.boundary, p.dwell_time] for p in itinerary.phases]
 
 
 def _reference(itinerary: Itinerary) -> dict[str, dict[str, str]] | None:

@@ -236,9 +236,9 @@ def _saved(module: ModuleType, orbit: str) -> SavedSystem:
     }
     return SavedSystem(
         derivation=str(module.DERIVATION),
-        table=decode(TableEntries, _plain(full)),
+        table=decode(TableEntries, full),
         functions={name: _function(module, name, names) for name in wanted},
-        orbits=_plain(orbits),
+        orbits=orbits,
     )
 
 
@@ -253,11 +253,6 @@ def _function(module: ModuleType, name: str, names: Mapping[str, Sequence[str]])
         for place, (shape, _) in enumerate(inputs)
     ]
     return written(getattr(module, name), takes, inputs, outputs)
-
-
-def _plain(entries: Any) -> Any:
-    """Entries in the types of JSON."""
-    return json.loads(json.dumps(entries))
 
 
 def system_in(name: str, saved: SavedSystem | None) -> SystemKernels:

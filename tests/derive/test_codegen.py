@@ -20,14 +20,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth import InputError
-from nonsmooth.derive import DerivationError, RigidStop, oscillator
+from nonsmooth.derive import DerivationError, Parameter, RigidStop, oscillator
 from nonsmooth.derive.codegen import regenerate
 from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
 from nonsmooth.derive.codegen.body import body_of, hoisted, needed, split
 from nonsmooth.derive.codegen.c import c_kernel, print_c
 from nonsmooth.derive.codegen.emit import COMMAND, emit_system
+from nonsmooth.derive.codegen.python_file import emit_python
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
+from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
+from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.model import kernels as door
@@ -128,6 +132,20 @@ def test_derivations_agree_in_python_and_c(stem: str) -> None:
     assert f'"derivation_{stem}", "{derivation}"' in extension
     for suffix in (".py", ".c", ".h", ".md"):
         assert RECORD["files"][f"{stem}{suffix}"]["derivation"] == derivation
+
+
+def test_tables_are_read_as_they_were_told() -> None:
+    words = 'what "pushes", \\n {back}: [x, "", \'\'\']; ' * 5
+    stiffness = Parameter("k", words)
+    system = oscillator(
+        "told", ["x"], [[1]], [[stiffness.symbol]], parameters=[stiffness], description=words
+    )
+    text, found = emit_python(system, [], "tests"), dict[str, Any]()
+    exec(text, found)
+    assert found["SYSTEM"]["parameters"][0]["description"] == words
+    assert found["SYSTEM"] == system_table(SimulationForm(system, *derive_flows(system)))
+    tables = text[text.index("SYSTEM") : text.index("def ")]
+    assert max(len(line) for line in tables.splitlines() if "pushes" not in line) <= 120
 
 
 # --- common subexpressions --------------------------------------------------------------

@@ -202,7 +202,7 @@ def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -
     for name in (f"{path}:loop", f"{write_emitted(tmp_path / 'kernels', path)}:loop"):
         orbit = load_orbit(name)
         assert not orbit.derived
-        assert orbit.table["phases"] == [("right", "falls", "ta"), ("left", "rises", "tb")]
+        assert orbit.table["phases"] == [["right", "falls", "ta"], ["left", "rises", "tb"]]
         assert orbit.table["reference"] == {
             "parameters": {"k": "1", "r": "0.25"},
             "guess": {"v0": "1.9", "ta": "3", "tb": "1.5"},

@@ -253,7 +253,7 @@ class _Union:
         self.transitions += [
             {
                 **entry,
-                "conditions": [(row[r], along, holds) for r, along, holds in entry["conditions"]],
+                "conditions": [[row[r], along, holds] for r, along, holds in entry["conditions"]],
                 "reset": reset[entry["reset"]],
             }
             for entry in table["transitions"]
