@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 862aed4d3c8370b3 */
+ * SymPy 1.14.0, derivation 0013eb2174516016 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -18,6 +18,14 @@
 #include "dry_friction.h"
 
 enum { most_points = 64, most_arrays = 7, on_stack = 4096 };
+
+/* What NumPy is to do with an output: its own flags but NPY_ITER_OVERLAP_ASSUME_ELEMENTWISE, for a
+ * point may be written before it is read as part of another. So memory that is shared with an input
+ * is copied. */
+enum {
+    of_output = NPY_ITER_WRITEONLY | NPY_ITER_UPDATEIFCOPY | NPY_ITER_ALIGNED | NPY_ITER_ALLOCATE |
+                NPY_ITER_NO_BROADCAST | NPY_ITER_NO_SUBTYPE
+};
 
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
@@ -1390,12 +1398,14 @@ static int add_all(PyObject *module)
             0, f->signature);
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
+        for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
+            ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "da33caa920e8a2cd") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "26948aa7169362e0") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "bf1832f0bd73ae77") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "795b651b261d23ea") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "c95b40eee0de940e") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "10e857581e62d2f8") < 0)
         return -1;
     return 0;
 }

@@ -1,22 +1,24 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation c95b40eee0de940e */
+ * SymPy 1.14.0, derivation 10e857581e62d2f8 */
 #include "dry_friction.h"
 
 #include <math.h>
 
 #include "nonsmooth_compiler.h"
+#include "nonsmooth_elimination.h"
+#include "nonsmooth_lanes.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Operations: 97. Intermediate terms: 45. */
-void dry_friction_spectrum(
-    const double parameters[2], double *spectrum, double *spectrum_derivatives)
+static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
+    int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
     /* spectrum */
     const double t0 = chi*eta;
     const double t1 = 1 - t0;
@@ -38,13 +40,13 @@ void dry_friction_spectrum(
     const double p3 = -t0*t9;
     const double omega3 = t7;
     if (spectrum) {
-        spectrum[0] = gap1;
-        spectrum[1] = omega1;
-        spectrum[2] = omega2;
-        spectrum[3] = p1;
-        spectrum[4] = p2;
-        spectrum[5] = p3;
-        spectrum[6] = omega3;
+        spectrum[lane] = gap1;
+        spectrum[1*lanes + lane] = omega1;
+        spectrum[2*lanes + lane] = omega2;
+        spectrum[3*lanes + lane] = p1;
+        spectrum[4*lanes + lane] = p2;
+        spectrum[5*lanes + lane] = p3;
+        spectrum[6*lanes + lane] = omega3;
     }
     if (!spectrum_derivatives)
         return;
@@ -77,21 +79,27 @@ void dry_friction_spectrum(
     const double p3_by_eta = gap1_by_eta*t22 - t11;
     const double omega3_by_eta = (1.0/2.0)*t24*t5;
     if (spectrum_derivatives) {
-        spectrum_derivatives[0] = gap1_by_chi;
-        spectrum_derivatives[1] = gap1_by_eta;
-        spectrum_derivatives[2] = omega1_by_chi;
-        spectrum_derivatives[3] = omega1_by_eta;
-        spectrum_derivatives[4] = omega2_by_chi;
-        spectrum_derivatives[5] = omega2_by_eta;
-        spectrum_derivatives[6] = p1_by_chi;
-        spectrum_derivatives[7] = p1_by_eta;
-        spectrum_derivatives[8] = p2_by_chi;
-        spectrum_derivatives[9] = p2_by_eta;
-        spectrum_derivatives[10] = p3_by_chi;
-        spectrum_derivatives[11] = p3_by_eta;
-        spectrum_derivatives[12] = omega3_by_chi;
-        spectrum_derivatives[13] = omega3_by_eta;
+        spectrum_derivatives[lane] = gap1_by_chi;
+        spectrum_derivatives[1*lanes + lane] = gap1_by_eta;
+        spectrum_derivatives[2*lanes + lane] = omega1_by_chi;
+        spectrum_derivatives[3*lanes + lane] = omega1_by_eta;
+        spectrum_derivatives[4*lanes + lane] = omega2_by_chi;
+        spectrum_derivatives[5*lanes + lane] = omega2_by_eta;
+        spectrum_derivatives[6*lanes + lane] = p1_by_chi;
+        spectrum_derivatives[7*lanes + lane] = p1_by_eta;
+        spectrum_derivatives[8*lanes + lane] = p2_by_chi;
+        spectrum_derivatives[9*lanes + lane] = p2_by_eta;
+        spectrum_derivatives[10*lanes + lane] = p3_by_chi;
+        spectrum_derivatives[11*lanes + lane] = p3_by_eta;
+        spectrum_derivatives[12*lanes + lane] = omega3_by_chi;
+        spectrum_derivatives[13*lanes + lane] = omega3_by_eta;
     }
+}
+
+void dry_friction_spectrum(
+    const double parameters[2], double *spectrum, double *spectrum_derivatives)
+{
+    dry_friction_spectrum_in_lane(1, 0, parameters, spectrum, spectrum_derivatives);
 }
 
 /* State after a time in slip-slip.
@@ -714,39 +722,41 @@ void dry_friction_modes(
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
  * Operations: 240. Intermediate terms: 65. */
-NONSMOOTH_UNMERGED
-void dry_friction_symmetric_equations(
-    const double parameters[4], const double spectrum[7], const double unknowns[5],
+static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double v10 = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
+    const double chi = parameters[lane];
+    const double V = parameters[2*lanes + lane];
+    const double e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double z10 = unknowns[lane];
+    const double z20 = unknowns[1*lanes + lane];
+    const double v10 = unknowns[2*lanes + lane];
+    const double tau = unknowns[3*lanes + lane];
+    const double tau1 = unknowns[4*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
     /* functions of half_tau in slip-slip */
     const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_tau = wave_0.cosine;
+    const double sin_omega1_half_tau = wave_0.sine;
     const double t3 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t3);
-    const double sin_omega2_half_tau = sin(t3);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_half_tau = wave_1.cosine;
+    const double sin_omega2_half_tau = wave_1.sine;
     /* half of tau1 */
     const double half_tau1 = (1.0/2.0)*tau1;
     /* functions of half_tau1 in slip-stick */
-    const double cos_half_tau1 = cos(half_tau1);
-    const double sin_half_tau1 = sin(half_tau1);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, half_tau1);
+    const double cos_half_tau1 = wave_2.cosine;
+    const double sin_half_tau1 = wave_2.sine;
     /* residual */
     const double t14 = p1*z10 + p2*z20;
     const double t16 = -t14 + z10;
@@ -769,11 +779,11 @@ void dry_friction_symmetric_equations(
     const double t34 = -t33 + v10;
     const double t37 = V*half_tau1 - z20;
     if (residual) {
-        residual[0] = cos_omega1_half_tau*t14 + cos_omega2_half_tau*t16 + t17*t19 - t21*t23;
-        residual[1] = cos_omega1_half_tau*t26 + cos_omega2_half_tau*t27 - t19*t30 + t23*t29;
-        residual[2] = cos_half_tau1*t32 + half_tau1*t33 + sin_half_tau1*t34 - t31;
-        residual[3] = t37;
-        residual[4] = -chi*z10 - e2 + t31;
+        residual[lane] = cos_omega1_half_tau*t14 + cos_omega2_half_tau*t16 + t17*t19 - t21*t23;
+        residual[1*lanes + lane] = cos_omega1_half_tau*t26 + cos_omega2_half_tau*t27 - t19*t30 + t23*t29;
+        residual[2*lanes + lane] = cos_half_tau1*t32 + half_tau1*t33 + sin_half_tau1*t34 - t31;
+        residual[3*lanes + lane] = t37;
+        residual[4*lanes + lane] = -chi*z10 - e2 + t31;
     }
     if (!jacobian && !parameter_jacobian)
         return;
@@ -792,44 +802,44 @@ void dry_friction_symmetric_equations(
     const double t40 = sin_omega1_half_tau_by_tau*t18;
     const double t41 = sin_omega2_half_tau_by_tau*t22;
     if (jacobian) {
-        jacobian[0] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t38;
-        jacobian[1] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-        jacobian[2] = p1*sin_omega1_half_tau*t18 - t23*t38;
-        jacobian[3] = cos_omega1_half_tau_by_tau*t14 + cos_omega2_half_tau_by_tau*t16 + t17*t40 - t21*t41;
-        jacobian[4] = 0;
-        jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-        jacobian[6] = -cos_omega1_half_tau*t38 + cos_omega2_half_tau*p1;
-        jacobian[7] = p3*sin_omega1_half_tau*t18 - p3*t23;
-        jacobian[8] = cos_omega1_half_tau_by_tau*t26 + cos_omega2_half_tau_by_tau*t27 + t29*t41 - t30*t40;
-        jacobian[9] = 0;
-        jacobian[10] = -cos_half_tau1;
-        jacobian[11] = chi*cos_half_tau1 - chi;
-        jacobian[12] = sin_half_tau1;
-        jacobian[13] = 0;
-        jacobian[14] = cos_half_tau1_by_tau1*t32 + sin_half_tau1_by_tau1*t34 + (1.0/2.0)*t33;
-        jacobian[15] = 0;
-        jacobian[16] = -1;
-        jacobian[17] = 0;
-        jacobian[18] = 0;
-        jacobian[19] = (1.0/2.0)*V;
-        jacobian[20] = -chi;
-        jacobian[21] = chi;
-        jacobian[22] = 0;
-        jacobian[23] = 0;
-        jacobian[24] = 0;
+        jacobian[lane] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t38;
+        jacobian[1*lanes + lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+        jacobian[2*lanes + lane] = p1*sin_omega1_half_tau*t18 - t23*t38;
+        jacobian[3*lanes + lane] = cos_omega1_half_tau_by_tau*t14 + cos_omega2_half_tau_by_tau*t16 + t17*t40 - t21*t41;
+        jacobian[4*lanes + lane] = 0;
+        jacobian[5*lanes + lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+        jacobian[6*lanes + lane] = -cos_omega1_half_tau*t38 + cos_omega2_half_tau*p1;
+        jacobian[7*lanes + lane] = p3*sin_omega1_half_tau*t18 - p3*t23;
+        jacobian[8*lanes + lane] = cos_omega1_half_tau_by_tau*t26 + cos_omega2_half_tau_by_tau*t27 + t29*t41 - t30*t40;
+        jacobian[9*lanes + lane] = 0;
+        jacobian[10*lanes + lane] = -cos_half_tau1;
+        jacobian[11*lanes + lane] = chi*cos_half_tau1 - chi;
+        jacobian[12*lanes + lane] = sin_half_tau1;
+        jacobian[13*lanes + lane] = 0;
+        jacobian[14*lanes + lane] = cos_half_tau1_by_tau1*t32 + sin_half_tau1_by_tau1*t34 + (1.0/2.0)*t33;
+        jacobian[15*lanes + lane] = 0;
+        jacobian[16*lanes + lane] = -1;
+        jacobian[17*lanes + lane] = 0;
+        jacobian[18*lanes + lane] = 0;
+        jacobian[19*lanes + lane] = (1.0/2.0)*V;
+        jacobian[20*lanes + lane] = -chi;
+        jacobian[21*lanes + lane] = chi;
+        jacobian[22*lanes + lane] = 0;
+        jacobian[23*lanes + lane] = 0;
+        jacobian[24*lanes + lane] = 0;
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2];
-    const double omega1_by_eta = spectrum_derivatives[3];
-    const double omega2_by_chi = spectrum_derivatives[4];
-    const double omega2_by_eta = spectrum_derivatives[5];
-    const double p1_by_chi = spectrum_derivatives[6];
-    const double p1_by_eta = spectrum_derivatives[7];
-    const double p2_by_chi = spectrum_derivatives[8];
-    const double p2_by_eta = spectrum_derivatives[9];
-    const double p3_by_chi = spectrum_derivatives[10];
-    const double p3_by_eta = spectrum_derivatives[11];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
+    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
+    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
+    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
+    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
+    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
+    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
+    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
+    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
+    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
     /* d/dchi of: functions of half_tau in slip-slip */
     const double t10 = half_tau*omega1_by_chi;
     const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t10;
@@ -858,56 +868,67 @@ void dry_friction_symmetric_equations(
     const double t54 = t30*t50;
     const double t55 = t29*t48;
     if (parameter_jacobian) {
-        parameter_jacobian[0] = cos_omega1_half_tau_by_chi*t14 + cos_omega2_half_tau_by_chi*t16 - omega1_by_chi*t51 + omega2_by_chi*t49 + p1_by_chi*t43 - p2_by_chi*t44 + sin_omega1_half_tau_by_chi*t46 - sin_omega2_half_tau_by_chi*t47;
-        parameter_jacobian[1] = cos_omega1_half_tau_by_eta*t14 + cos_omega2_half_tau_by_eta*t16 - omega1_by_eta*t51 + omega2_by_eta*t49 + p1_by_eta*t43 - p2_by_eta*t44 + sin_omega1_half_tau_by_eta*t46 - sin_omega2_half_tau_by_eta*t47;
-        parameter_jacobian[2] = p2*sin_omega1_half_tau*t18 - p2*t23;
-        parameter_jacobian[3] = 0;
-        parameter_jacobian[4] = cos_omega1_half_tau_by_chi*t26 + cos_omega2_half_tau_by_chi*t27 + omega1_by_chi*t54 - omega2_by_chi*t55 + p1_by_chi*t44 + p3_by_chi*t43 - sin_omega1_half_tau_by_chi*t53 + sin_omega2_half_tau_by_chi*t52;
-        parameter_jacobian[5] = cos_omega1_half_tau_by_eta*t26 + cos_omega2_half_tau_by_eta*t27 + omega1_by_eta*t54 - omega2_by_eta*t55 + p1_by_eta*t44 + p3_by_eta*t43 - sin_omega1_half_tau_by_eta*t53 + sin_omega2_half_tau_by_eta*t52;
-        parameter_jacobian[6] = p1*t23 - t19*t38;
-        parameter_jacobian[7] = 0;
-        parameter_jacobian[8] = -V*sin_half_tau1 + cos_half_tau1*z20 + t37;
-        parameter_jacobian[9] = 0;
-        parameter_jacobian[10] = chi*half_tau1 - chi*sin_half_tau1;
-        parameter_jacobian[11] = 0;
-        parameter_jacobian[12] = 0;
-        parameter_jacobian[13] = 0;
-        parameter_jacobian[14] = half_tau1;
-        parameter_jacobian[15] = 0;
-        parameter_jacobian[16] = -z10 + z20;
-        parameter_jacobian[17] = 0;
-        parameter_jacobian[18] = 0;
-        parameter_jacobian[19] = -1;
+        parameter_jacobian[lane] = cos_omega1_half_tau_by_chi*t14 + cos_omega2_half_tau_by_chi*t16 - omega1_by_chi*t51 + omega2_by_chi*t49 + p1_by_chi*t43 - p2_by_chi*t44 + sin_omega1_half_tau_by_chi*t46 - sin_omega2_half_tau_by_chi*t47;
+        parameter_jacobian[1*lanes + lane] = cos_omega1_half_tau_by_eta*t14 + cos_omega2_half_tau_by_eta*t16 - omega1_by_eta*t51 + omega2_by_eta*t49 + p1_by_eta*t43 - p2_by_eta*t44 + sin_omega1_half_tau_by_eta*t46 - sin_omega2_half_tau_by_eta*t47;
+        parameter_jacobian[2*lanes + lane] = p2*sin_omega1_half_tau*t18 - p2*t23;
+        parameter_jacobian[3*lanes + lane] = 0;
+        parameter_jacobian[4*lanes + lane] = cos_omega1_half_tau_by_chi*t26 + cos_omega2_half_tau_by_chi*t27 + omega1_by_chi*t54 - omega2_by_chi*t55 + p1_by_chi*t44 + p3_by_chi*t43 - sin_omega1_half_tau_by_chi*t53 + sin_omega2_half_tau_by_chi*t52;
+        parameter_jacobian[5*lanes + lane] = cos_omega1_half_tau_by_eta*t26 + cos_omega2_half_tau_by_eta*t27 + omega1_by_eta*t54 - omega2_by_eta*t55 + p1_by_eta*t44 + p3_by_eta*t43 - sin_omega1_half_tau_by_eta*t53 + sin_omega2_half_tau_by_eta*t52;
+        parameter_jacobian[6*lanes + lane] = p1*t23 - t19*t38;
+        parameter_jacobian[7*lanes + lane] = 0;
+        parameter_jacobian[8*lanes + lane] = -V*sin_half_tau1 + cos_half_tau1*z20 + t37;
+        parameter_jacobian[9*lanes + lane] = 0;
+        parameter_jacobian[10*lanes + lane] = chi*half_tau1 - chi*sin_half_tau1;
+        parameter_jacobian[11*lanes + lane] = 0;
+        parameter_jacobian[12*lanes + lane] = 0;
+        parameter_jacobian[13*lanes + lane] = 0;
+        parameter_jacobian[14*lanes + lane] = half_tau1;
+        parameter_jacobian[15*lanes + lane] = 0;
+        parameter_jacobian[16*lanes + lane] = -z10 + z20;
+        parameter_jacobian[17*lanes + lane] = 0;
+        parameter_jacobian[18*lanes + lane] = 0;
+        parameter_jacobian[19*lanes + lane] = -1;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_symmetric_equations(
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
+{
+    dry_friction_symmetric_equations_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, residual, jacobian, parameter_jacobian);
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
  * Operations: 672. Intermediate terms: 150. */
-NONSMOOTH_UNMERGED
-void dry_friction_symmetric_trace(
-    const double parameters[4], const double spectrum[7], const double unknowns[5],
+static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double v10 = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
+    const double V = parameters[2*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double z10 = unknowns[lane];
+    const double z20 = unknowns[1*lanes + lane];
+    const double v10 = unknowns[2*lanes + lane];
+    const double tau = unknowns[3*lanes + lane];
+    const double tau1 = unknowns[4*lanes + lane];
     /* functions of tau in slip-slip */
     const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_tau = wave_0.cosine;
+    const double sin_omega1_tau = wave_0.sine;
     const double t3 = omega2*tau;
-    const double cos_omega2_tau = cos(t3);
-    const double sin_omega2_tau = sin(t3);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_tau = wave_1.cosine;
+    const double sin_omega2_tau = wave_1.sine;
     /* slip-slip for tau, until second-reaches-belt */
     const double t6 = (1.0/(omega1));
     const double t7 = p1*sin_omega1_tau;
@@ -941,8 +962,9 @@ void dry_friction_symmetric_trace(
     const double t36 = sin_omega1_tau*t35 + sin_omega2_tau*t34;
     const double v2_1 = V*t20 + t19*v10 - t32*z10 - t36*z20;
     /* functions of tau1 in slip-stick */
-    const double cos_tau1 = cos(tau1);
-    const double sin_tau1 = sin(tau1);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, tau1);
+    const double cos_tau1 = wave_2.cosine;
+    const double sin_tau1 = wave_2.sine;
     /* slip-stick for tau1, until second-breaks-forward */
     const double t40 = -chi*cos_tau1 + chi;
     const double t41 = chi*sin_tau1;
@@ -995,20 +1017,20 @@ void dry_friction_symmetric_trace(
     const double t53 = chi*z2_2 - z1_2;
     const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t53;
     if (trace) {
-        *trace = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
+        trace[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2];
-    const double omega1_by_eta = spectrum_derivatives[3];
-    const double omega2_by_chi = spectrum_derivatives[4];
-    const double omega2_by_eta = spectrum_derivatives[5];
-    const double p1_by_chi = spectrum_derivatives[6];
-    const double p1_by_eta = spectrum_derivatives[7];
-    const double p2_by_chi = spectrum_derivatives[8];
-    const double p2_by_eta = spectrum_derivatives[9];
-    const double p3_by_chi = spectrum_derivatives[10];
-    const double p3_by_eta = spectrum_derivatives[11];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
+    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
+    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
+    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
+    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
+    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
+    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
+    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
+    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
+    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
     /* back through: derivatives of the time to the boundary after tau1 */
     const double slope_by_delay_tau1_by_v10 = t53;
     /* back through: rate of the exit boundary after tau1 */
@@ -1091,16 +1113,25 @@ void dry_friction_symmetric_trace(
     const double t98 = slope_by_carried_v2_1_by_v10*t88 - slope_by_carried_v2_1_by_z20*t87 + slope_by_v2_1*t90 + slope_by_z2_1*t94 - slope_by_z2_1_on_boundary_by_v10*t92 + slope_by_z2_1_on_boundary_by_z20*t88;
     const double t99 = 1 - cos_tau1;
     if (trace_gradient) {
-        trace_gradient[0] = -slope_by_v1_1*t26 - slope_by_v2_1*t32 + slope_by_z1_1*t13 + slope_by_z2_1*t19;
-        trace_gradient[1] = -slope_by_v1_1*t29 - slope_by_v2_1*t36 + slope_by_z1_1*t14 + slope_by_z2_1*t20;
-        trace_gradient[2] = slope_by_v1_1*t13 + slope_by_v2_1*t19 + slope_by_z1_1*t12 + slope_by_z2_1*t18;
-        trace_gradient[3] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t79 - omega2*t78;
-        trace_gradient[4] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t47;
-        trace_gradient[5] = V*t48*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t83 + omega2_by_chi*t86 + p1_by_chi*t96 + p2_by_chi*t97 + p3_by_chi*t98 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t99*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t99*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t43) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t99 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t99*z2_1) + t55*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t62*z2_1 + t63*z2_1;
-        trace_gradient[6] = omega1_by_eta*t83 + omega2_by_eta*t86 + p1_by_eta*t96 + p2_by_eta*t97 + p3_by_eta*t98 + slope_by_rate_1*(chi*z1_1 - t44);
-        trace_gradient[7] = delay_tau1_by_z20 + slope_by_v1_1*t14 + slope_by_v1_2*t40 + slope_by_v2_1*t20 + slope_by_z1_1*t16 + slope_by_z1_2*t42 + slope_by_z2_1*t23 + slope_by_z2_2*tau1 + t59;
-        trace_gradient[8] = 0;
+        trace_gradient[lane] = -slope_by_v1_1*t26 - slope_by_v2_1*t32 + slope_by_z1_1*t13 + slope_by_z2_1*t19;
+        trace_gradient[1*lanes + lane] = -slope_by_v1_1*t29 - slope_by_v2_1*t36 + slope_by_z1_1*t14 + slope_by_z2_1*t20;
+        trace_gradient[2*lanes + lane] = slope_by_v1_1*t13 + slope_by_v2_1*t19 + slope_by_z1_1*t12 + slope_by_z2_1*t18;
+        trace_gradient[3*lanes + lane] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t79 - omega2*t78;
+        trace_gradient[4*lanes + lane] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t47;
+        trace_gradient[5*lanes + lane] = V*t48*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t83 + omega2_by_chi*t86 + p1_by_chi*t96 + p2_by_chi*t97 + p3_by_chi*t98 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t99*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t99*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t43) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t99 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t99*z2_1) + t55*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t62*z2_1 + t63*z2_1;
+        trace_gradient[6*lanes + lane] = omega1_by_eta*t83 + omega2_by_eta*t86 + p1_by_eta*t96 + p2_by_eta*t97 + p3_by_eta*t98 + slope_by_rate_1*(chi*z1_1 - t44);
+        trace_gradient[7*lanes + lane] = delay_tau1_by_z20 + slope_by_v1_1*t14 + slope_by_v1_2*t40 + slope_by_v2_1*t20 + slope_by_z1_1*t16 + slope_by_z1_2*t42 + slope_by_z2_1*t23 + slope_by_z2_2*tau1 + t59;
+        trace_gradient[8*lanes + lane] = 0;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_symmetric_trace(
+    const double parameters[4], const double spectrum[7], const double unknowns[5],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
+{
+    dry_friction_symmetric_trace_in_lane(1, 0, parameters, spectrum, unknowns, spectrum_derivatives,
+        trace, trace_gradient);
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
@@ -1636,36 +1667,36 @@ void dry_friction_symmetric_reduced(
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
  * Operations: 683. Intermediate terms: 198. */
-NONSMOOTH_UNMERGED
-void dry_friction_global_stick_equations(
-    const double parameters[5], const double spectrum[7], const double unknowns[6],
+static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double e1 = parameters[3];
-    const double e2 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double ta = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
-    const double tau2 = unknowns[5];
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
+    const double V = parameters[2*lanes + lane];
+    const double e1 = parameters[3*lanes + lane];
+    const double e2 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double z10 = unknowns[lane];
+    const double z20 = unknowns[1*lanes + lane];
+    const double ta = unknowns[2*lanes + lane];
+    const double tau = unknowns[3*lanes + lane];
+    const double tau1 = unknowns[4*lanes + lane];
+    const double tau2 = unknowns[5*lanes + lane];
     /* stick-stick for ta, until first-breaks-forward */
     const double t0 = V*ta;
     const double z1_1 = t0 + z10;
     const double z2_1 = t0 + z20;
     /* functions of tau in slip-stick */
-    const double cos_tau = cos(tau);
-    const double sin_tau = sin(tau);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
+    const double cos_tau = wave_0.cosine;
+    const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
     const double t1 = V*sin_tau;
     const double t3 = chi*cos_tau;
@@ -1677,11 +1708,13 @@ void dry_friction_global_stick_equations(
     const double v1_2 = -sin_tau*z1_1 + t5*z2_1 + t6;
     /* functions of tau1 in slip-slip */
     const double t7 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t7);
-    const double sin_omega1_tau1 = sin(t7);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t7);
+    const double cos_omega1_tau1 = wave_1.cosine;
+    const double sin_omega1_tau1 = wave_1.sine;
     const double t10 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t10);
-    const double sin_omega2_tau1 = sin(t10);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t10);
+    const double cos_omega2_tau1 = wave_2.cosine;
+    const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
     const double t13 = (1.0/(omega1));
     const double t14 = sin_omega1_tau1*t13;
@@ -1713,8 +1746,9 @@ void dry_friction_global_stick_equations(
     const double v2_3 = t33*z1_2 - t34*z2_2 + t37;
     /* functions of tau2 in stick-slip */
     const double t38 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t38);
-    const double sin_omega3_tau2 = sin(t38);
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t38);
+    const double cos_omega3_tau2 = wave_3.cosine;
+    const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
     const double t41 = 1 - cos_omega3_tau2;
@@ -1727,12 +1761,12 @@ void dry_friction_global_stick_equations(
     const double t47 = sin_omega3_tau2*z2_3;
     const double v2_4 = V*t41 + omega3*t46 - omega3*t47 + t45;
     if (residual) {
-        residual[0] = -chi*z2_1 - e1 + z1_1;
-        residual[1] = -chi*z1_2 + chi*z2_2 - e2;
-        residual[2] = -V + v1_3;
-        residual[3] = -V + v2_4;
-        residual[4] = -z10 + z1_4;
-        residual[5] = -z20 + z2_4;
+        residual[lane] = -chi*z2_1 - e1 + z1_1;
+        residual[1*lanes + lane] = -chi*z1_2 + chi*z2_2 - e2;
+        residual[2*lanes + lane] = -V + v1_3;
+        residual[3*lanes + lane] = -V + v2_4;
+        residual[4*lanes + lane] = -z10 + z1_4;
+        residual[5*lanes + lane] = -z20 + z2_4;
     }
     if (!jacobian && !parameter_jacobian)
         return;
@@ -1782,57 +1816,57 @@ void dry_friction_global_stick_equations(
     /* jacobian */
     const double t118 = V*chi;
     if (jacobian) {
-        jacobian[0] = 1;
-        jacobian[1] = -chi;
-        jacobian[2] = V - t118;
-        jacobian[3] = 0;
-        jacobian[4] = 0;
-        jacobian[5] = 0;
-        jacobian[6] = -t3;
-        jacobian[7] = -chi*z1_2_by_z20 + chi;
-        jacobian[8] = -chi*z1_2_by_ta + t118;
-        jacobian[9] = -chi*v1_2 + t118;
-        jacobian[10] = 0;
-        jacobian[11] = 0;
-        jacobian[12] = v1_3_by_z10;
-        jacobian[13] = v1_3_by_z20;
-        jacobian[14] = v1_3_by_ta;
-        jacobian[15] = v1_3_by_tau;
-        jacobian[16] = v1_3_by_tau1;
-        jacobian[17] = 0;
-        jacobian[18] = v2_4_by_z10;
-        jacobian[19] = v2_4_by_z20;
-        jacobian[20] = v2_4_by_ta;
-        jacobian[21] = v2_4_by_tau;
-        jacobian[22] = v2_4_by_tau1;
-        jacobian[23] = v2_4_by_tau2;
-        jacobian[24] = z1_3_by_z10 - 1;
-        jacobian[25] = z1_3_by_z20;
-        jacobian[26] = z1_3_by_ta;
-        jacobian[27] = z1_3_by_tau;
-        jacobian[28] = v1_3;
-        jacobian[29] = V;
-        jacobian[30] = z2_4_by_z10;
-        jacobian[31] = z2_4_by_z20 - 1;
-        jacobian[32] = z2_4_by_ta;
-        jacobian[33] = z2_4_by_tau;
-        jacobian[34] = z2_4_by_tau1;
-        jacobian[35] = v2_4;
+        jacobian[lane] = 1;
+        jacobian[1*lanes + lane] = -chi;
+        jacobian[2*lanes + lane] = V - t118;
+        jacobian[3*lanes + lane] = 0;
+        jacobian[4*lanes + lane] = 0;
+        jacobian[5*lanes + lane] = 0;
+        jacobian[6*lanes + lane] = -t3;
+        jacobian[7*lanes + lane] = -chi*z1_2_by_z20 + chi;
+        jacobian[8*lanes + lane] = -chi*z1_2_by_ta + t118;
+        jacobian[9*lanes + lane] = -chi*v1_2 + t118;
+        jacobian[10*lanes + lane] = 0;
+        jacobian[11*lanes + lane] = 0;
+        jacobian[12*lanes + lane] = v1_3_by_z10;
+        jacobian[13*lanes + lane] = v1_3_by_z20;
+        jacobian[14*lanes + lane] = v1_3_by_ta;
+        jacobian[15*lanes + lane] = v1_3_by_tau;
+        jacobian[16*lanes + lane] = v1_3_by_tau1;
+        jacobian[17*lanes + lane] = 0;
+        jacobian[18*lanes + lane] = v2_4_by_z10;
+        jacobian[19*lanes + lane] = v2_4_by_z20;
+        jacobian[20*lanes + lane] = v2_4_by_ta;
+        jacobian[21*lanes + lane] = v2_4_by_tau;
+        jacobian[22*lanes + lane] = v2_4_by_tau1;
+        jacobian[23*lanes + lane] = v2_4_by_tau2;
+        jacobian[24*lanes + lane] = z1_3_by_z10 - 1;
+        jacobian[25*lanes + lane] = z1_3_by_z20;
+        jacobian[26*lanes + lane] = z1_3_by_ta;
+        jacobian[27*lanes + lane] = z1_3_by_tau;
+        jacobian[28*lanes + lane] = v1_3;
+        jacobian[29*lanes + lane] = V;
+        jacobian[30*lanes + lane] = z2_4_by_z10;
+        jacobian[31*lanes + lane] = z2_4_by_z20 - 1;
+        jacobian[32*lanes + lane] = z2_4_by_ta;
+        jacobian[33*lanes + lane] = z2_4_by_tau;
+        jacobian[34*lanes + lane] = z2_4_by_tau1;
+        jacobian[35*lanes + lane] = v2_4;
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2];
-    const double omega1_by_eta = spectrum_derivatives[3];
-    const double omega2_by_chi = spectrum_derivatives[4];
-    const double omega2_by_eta = spectrum_derivatives[5];
-    const double p1_by_chi = spectrum_derivatives[6];
-    const double p1_by_eta = spectrum_derivatives[7];
-    const double p2_by_chi = spectrum_derivatives[8];
-    const double p2_by_eta = spectrum_derivatives[9];
-    const double p3_by_chi = spectrum_derivatives[10];
-    const double p3_by_eta = spectrum_derivatives[11];
-    const double omega3_by_chi = spectrum_derivatives[12];
-    const double omega3_by_eta = spectrum_derivatives[13];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
+    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
+    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
+    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
+    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
+    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
+    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
+    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
+    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
+    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
+    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
+    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
     const double t53 = 1 - cos_tau;
     const double z1_2_by_chi = V*(-sin_tau + tau) + t53*z2_1;
@@ -1943,62 +1977,72 @@ void dry_friction_global_stick_equations(
     const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t41*z1_3_by_V + t43*v2_3_by_V + t44;
     const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t52*z1_3_by_V - t52*z2_3_by_V + 1;
     if (parameter_jacobian) {
-        parameter_jacobian[0] = -z2_1;
-        parameter_jacobian[1] = 0;
-        parameter_jacobian[2] = -chi*ta + ta;
-        parameter_jacobian[3] = -1;
-        parameter_jacobian[4] = 0;
-        parameter_jacobian[5] = -chi*z1_2_by_chi - z1_2 + z2_2;
-        parameter_jacobian[6] = 0;
-        parameter_jacobian[7] = -chi*z1_2_by_V + chi*z2_2_by_V;
-        parameter_jacobian[8] = 0;
-        parameter_jacobian[9] = -1;
-        parameter_jacobian[10] = v1_3_by_chi;
-        parameter_jacobian[11] = v1_3_by_eta;
-        parameter_jacobian[12] = v1_3_by_V - 1;
-        parameter_jacobian[13] = 0;
-        parameter_jacobian[14] = 0;
-        parameter_jacobian[15] = v2_4_by_chi;
-        parameter_jacobian[16] = v2_4_by_eta;
-        parameter_jacobian[17] = v2_4_by_V - 1;
-        parameter_jacobian[18] = 0;
-        parameter_jacobian[19] = 0;
-        parameter_jacobian[20] = z1_3_by_chi;
-        parameter_jacobian[21] = z1_3_by_eta;
-        parameter_jacobian[22] = z1_4_by_V;
-        parameter_jacobian[23] = 0;
-        parameter_jacobian[24] = 0;
-        parameter_jacobian[25] = z2_4_by_chi;
-        parameter_jacobian[26] = z2_4_by_eta;
-        parameter_jacobian[27] = z2_4_by_V;
-        parameter_jacobian[28] = 0;
-        parameter_jacobian[29] = 0;
+        parameter_jacobian[lane] = -z2_1;
+        parameter_jacobian[1*lanes + lane] = 0;
+        parameter_jacobian[2*lanes + lane] = -chi*ta + ta;
+        parameter_jacobian[3*lanes + lane] = -1;
+        parameter_jacobian[4*lanes + lane] = 0;
+        parameter_jacobian[5*lanes + lane] = -chi*z1_2_by_chi - z1_2 + z2_2;
+        parameter_jacobian[6*lanes + lane] = 0;
+        parameter_jacobian[7*lanes + lane] = -chi*z1_2_by_V + chi*z2_2_by_V;
+        parameter_jacobian[8*lanes + lane] = 0;
+        parameter_jacobian[9*lanes + lane] = -1;
+        parameter_jacobian[10*lanes + lane] = v1_3_by_chi;
+        parameter_jacobian[11*lanes + lane] = v1_3_by_eta;
+        parameter_jacobian[12*lanes + lane] = v1_3_by_V - 1;
+        parameter_jacobian[13*lanes + lane] = 0;
+        parameter_jacobian[14*lanes + lane] = 0;
+        parameter_jacobian[15*lanes + lane] = v2_4_by_chi;
+        parameter_jacobian[16*lanes + lane] = v2_4_by_eta;
+        parameter_jacobian[17*lanes + lane] = v2_4_by_V - 1;
+        parameter_jacobian[18*lanes + lane] = 0;
+        parameter_jacobian[19*lanes + lane] = 0;
+        parameter_jacobian[20*lanes + lane] = z1_3_by_chi;
+        parameter_jacobian[21*lanes + lane] = z1_3_by_eta;
+        parameter_jacobian[22*lanes + lane] = z1_4_by_V;
+        parameter_jacobian[23*lanes + lane] = 0;
+        parameter_jacobian[24*lanes + lane] = 0;
+        parameter_jacobian[25*lanes + lane] = z2_4_by_chi;
+        parameter_jacobian[26*lanes + lane] = z2_4_by_eta;
+        parameter_jacobian[27*lanes + lane] = z2_4_by_V;
+        parameter_jacobian[28*lanes + lane] = 0;
+        parameter_jacobian[29*lanes + lane] = 0;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_global_stick_equations(
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
+{
+    dry_friction_global_stick_equations_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, residual, jacobian, parameter_jacobian);
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
  * Operations: 774. Intermediate terms: 175. */
-NONSMOOTH_UNMERGED
-void dry_friction_global_stick_trace(
-    const double parameters[5], const double spectrum[7], const double unknowns[6],
+static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double e1 = parameters[3];
-    const double e2 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
+    const double V = parameters[2*lanes + lane];
+    const double e1 = parameters[3*lanes + lane];
+    const double e2 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double tau = unknowns[3*lanes + lane];
+    const double tau1 = unknowns[4*lanes + lane];
     /* functions of tau in slip-stick */
-    const double cos_tau = cos(tau);
-    const double sin_tau = sin(tau);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
+    const double cos_tau = wave_0.cosine;
+    const double sin_tau = wave_0.sine;
     /* z2_1: linear in second-breaks-forward */
     const double t2 = V*tau;
     const double t3 = chi - 1;
@@ -2018,11 +2062,13 @@ void dry_friction_global_stick_trace(
     const double v1_2 = V*cos_tau + V*t11 + sin_tau*t8 - sin_tau*t9;
     /* functions of tau1 in slip-slip */
     const double t13 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t13);
-    const double sin_omega1_tau1 = sin(t13);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t13);
+    const double cos_omega1_tau1 = wave_1.cosine;
+    const double sin_omega1_tau1 = wave_1.sine;
     const double t16 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t16);
-    const double sin_omega2_tau1 = sin(t16);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t16);
+    const double cos_omega2_tau1 = wave_2.cosine;
+    const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1 */
     const double t19 = (1.0/(omega1));
     const double t20 = sin_omega1_tau1*t19;
@@ -2097,22 +2143,22 @@ void dry_friction_global_stick_trace(
     const double t60 = amplitude_tau2_by_tau1*v1_3_by_tau;
     const double t62 = amplitude_tau2_by_tau*t55 - t52*t55*t60;
     if (trace) {
-        *trace = t53*t62;
+        trace[lane] = t53*t62;
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2];
-    const double omega1_by_eta = spectrum_derivatives[3];
-    const double omega2_by_chi = spectrum_derivatives[4];
-    const double omega2_by_eta = spectrum_derivatives[5];
-    const double p1_by_chi = spectrum_derivatives[6];
-    const double p1_by_eta = spectrum_derivatives[7];
-    const double p2_by_chi = spectrum_derivatives[8];
-    const double p2_by_eta = spectrum_derivatives[9];
-    const double p3_by_chi = spectrum_derivatives[10];
-    const double p3_by_eta = spectrum_derivatives[11];
-    const double omega3_by_chi = spectrum_derivatives[12];
-    const double omega3_by_eta = spectrum_derivatives[13];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
+    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
+    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
+    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
+    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
+    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
+    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
+    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
+    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
+    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
+    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
+    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: d/dtau1 of: first return of tau2 */
     const double t56 = t53*t55;
     const double t57 = t52*t56;
@@ -2223,18 +2269,27 @@ void dry_friction_global_stick_trace(
     const double t119 = cos_tau_by_tau*slope_by_v1_2_by_tau;
     const double t121 = slope_by_z2_1*t4;
     if (trace_gradient) {
-        trace_gradient[0] = 0;
-        trace_gradient[1] = 0;
-        trace_gradient[2] = 0;
-        trace_gradient[3] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t93;
-        trace_gradient[4] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t95 - omega2*t94;
-        trace_gradient[5] = 0;
-        trace_gradient[6] = V*slope_by_v1_2*t116 - V*t119 + omega1_by_chi*t97 + omega2_by_chi*t100 + omega3_by_chi*t102 + p1_by_chi*t113 + p2_by_chi*t114 + p3_by_chi*t115 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t45) + slope_by_z1_2*(-V*t117 + cos_tau*z2_1 + t116*z2_1) + slope_by_z1_2_by_tau*(t39 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t118 + t118*t7 + e2*t4/(chi*chi)) + slope_by_z2_1_by_tau*t118*t40 + t53*(-amplitude_tau2_by_tau*t118*t54 + amplitude_tau2_by_tau1*t118*t52*t54*v1_3_by_tau);
-        trace_gradient[7] = omega1_by_eta*t97 + omega2_by_eta*t100 + omega3_by_eta*t102 + p1_by_eta*t113 + p2_by_eta*t114 + p3_by_eta*t115 + slope_by_v2_3_by_tau1*(chi*z1_3 - t44);
-        trace_gradient[8] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t10) + slope_by_v1_3*t26 + slope_by_v2_3*t30 + slope_by_z1_2*(chi*tau + sin_tau - t12) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t3) + slope_by_z1_3*t27 + slope_by_z2_1*t117 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t31 - t119*t3;
-        trace_gradient[9] = cos_tau*slope_by_z1_2 - cos_tau*t121 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t4 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau;
-        trace_gradient[10] = -t121*t6;
+        trace_gradient[lane] = 0;
+        trace_gradient[1*lanes + lane] = 0;
+        trace_gradient[2*lanes + lane] = 0;
+        trace_gradient[3*lanes + lane] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t93;
+        trace_gradient[4*lanes + lane] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t95 - omega2*t94;
+        trace_gradient[5*lanes + lane] = 0;
+        trace_gradient[6*lanes + lane] = V*slope_by_v1_2*t116 - V*t119 + omega1_by_chi*t97 + omega2_by_chi*t100 + omega3_by_chi*t102 + p1_by_chi*t113 + p2_by_chi*t114 + p3_by_chi*t115 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t45) + slope_by_z1_2*(-V*t117 + cos_tau*z2_1 + t116*z2_1) + slope_by_z1_2_by_tau*(t39 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t118 + t118*t7 + e2*t4/(chi*chi)) + slope_by_z2_1_by_tau*t118*t40 + t53*(-amplitude_tau2_by_tau*t118*t54 + amplitude_tau2_by_tau1*t118*t52*t54*v1_3_by_tau);
+        trace_gradient[7*lanes + lane] = omega1_by_eta*t97 + omega2_by_eta*t100 + omega3_by_eta*t102 + p1_by_eta*t113 + p2_by_eta*t114 + p3_by_eta*t115 + slope_by_v2_3_by_tau1*(chi*z1_3 - t44);
+        trace_gradient[8*lanes + lane] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t10) + slope_by_v1_3*t26 + slope_by_v2_3*t30 + slope_by_z1_2*(chi*tau + sin_tau - t12) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t3) + slope_by_z1_3*t27 + slope_by_z2_1*t117 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t31 - t119*t3;
+        trace_gradient[9*lanes + lane] = cos_tau*slope_by_z1_2 - cos_tau*t121 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t4 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau;
+        trace_gradient[10*lanes + lane] = -t121*t6;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_global_stick_trace(
+    const double parameters[5], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
+{
+    dry_friction_global_stick_trace_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, trace, trace_gradient);
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
@@ -3103,30 +3158,30 @@ void dry_friction_global_stick_period_map(
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
  * Operations: 684. Intermediate terms: 192. */
-NONSMOOTH_UNMERGED
-void dry_friction_solution_ii_equations(
-    const double parameters[4], const double spectrum[7], const double unknowns[6],
+static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double tau = unknowns[2];
-    const double tau1 = unknowns[3];
-    const double tau2 = unknowns[4];
-    const double e1 = unknowns[5];
+    const double chi = parameters[lane];
+    const double V = parameters[2*lanes + lane];
+    const double e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double z10 = unknowns[lane];
+    const double z20 = unknowns[1*lanes + lane];
+    const double tau = unknowns[2*lanes + lane];
+    const double tau1 = unknowns[3*lanes + lane];
+    const double tau2 = unknowns[4*lanes + lane];
+    const double e1 = unknowns[5*lanes + lane];
     /* functions of tau in slip-stick */
-    const double cos_tau = cos(tau);
-    const double sin_tau = sin(tau);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
+    const double cos_tau = wave_0.cosine;
+    const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
     const double t3 = chi*cos_tau;
     const double t4 = chi - t3;
@@ -3136,11 +3191,13 @@ void dry_friction_solution_ii_equations(
     const double v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20;
     /* functions of tau1 in slip-slip */
     const double t6 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t6);
-    const double sin_omega1_tau1 = sin(t6);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t6);
+    const double cos_omega1_tau1 = wave_1.cosine;
+    const double sin_omega1_tau1 = wave_1.sine;
     const double t9 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t9);
-    const double sin_omega2_tau1 = sin(t9);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t9);
+    const double cos_omega2_tau1 = wave_2.cosine;
+    const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
     const double t12 = (1.0/(omega1));
     const double t13 = sin_omega1_tau1*t12;
@@ -3170,8 +3227,9 @@ void dry_friction_solution_ii_equations(
     const double v2_3 = t22*v1_2 + t31*z1_2 - t32*z2_2 + t34;
     /* functions of tau2 in stick-slip */
     const double t35 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t35);
-    const double sin_omega3_tau2 = sin(t35);
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t35);
+    const double cos_omega3_tau2 = wave_3.cosine;
+    const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
     const double t38 = 1 - cos_omega3_tau2;
@@ -3185,12 +3243,12 @@ void dry_friction_solution_ii_equations(
     /* residual */
     const double t44 = chi*z20 - z10;
     if (residual) {
-        residual[0] = -e1 - t44;
-        residual[1] = -chi*z1_2 + chi*z2_2 - e2;
-        residual[2] = -V + v1_3;
-        residual[3] = -V + v2_4;
-        residual[4] = -z10 + z1_4;
-        residual[5] = -z20 + z2_4;
+        residual[lane] = -e1 - t44;
+        residual[1*lanes + lane] = -chi*z1_2 + chi*z2_2 - e2;
+        residual[2*lanes + lane] = -V + v1_3;
+        residual[3*lanes + lane] = -V + v2_4;
+        residual[4*lanes + lane] = -z10 + z1_4;
+        residual[5*lanes + lane] = -z20 + z2_4;
     }
     if (!jacobian && !parameter_jacobian)
         return;
@@ -3283,57 +3341,57 @@ void dry_friction_solution_ii_equations(
     const double t78 = t42 - t43;
     const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t77 + sin_omega3_tau2_by_tau2*t78;
     if (jacobian) {
-        jacobian[0] = 1;
-        jacobian[1] = -chi;
-        jacobian[2] = 0;
-        jacobian[3] = 0;
-        jacobian[4] = 0;
-        jacobian[5] = -1;
-        jacobian[6] = -t3;
-        jacobian[7] = -chi*z1_2_by_z20 + chi;
-        jacobian[8] = -chi*z1_2_by_tau + t45;
-        jacobian[9] = 0;
-        jacobian[10] = 0;
-        jacobian[11] = 0;
-        jacobian[12] = v1_3_by_z10;
-        jacobian[13] = v1_3_by_z20;
-        jacobian[14] = v1_3_by_tau;
-        jacobian[15] = v1_3_by_tau1;
-        jacobian[16] = 0;
-        jacobian[17] = 0;
-        jacobian[18] = v2_4_by_z10;
-        jacobian[19] = v2_4_by_z20;
-        jacobian[20] = v2_4_by_tau;
-        jacobian[21] = v2_4_by_tau1;
-        jacobian[22] = v2_4_by_tau2;
-        jacobian[23] = 0;
-        jacobian[24] = z1_3_by_z10 - 1;
-        jacobian[25] = z1_3_by_z20;
-        jacobian[26] = z1_3_by_tau;
-        jacobian[27] = z1_3_by_tau1;
-        jacobian[28] = V;
-        jacobian[29] = 0;
-        jacobian[30] = z2_4_by_z10;
-        jacobian[31] = z2_4_by_z20 - 1;
-        jacobian[32] = z2_4_by_tau;
-        jacobian[33] = z2_4_by_tau1;
-        jacobian[34] = z2_4_by_tau2;
-        jacobian[35] = 0;
+        jacobian[lane] = 1;
+        jacobian[1*lanes + lane] = -chi;
+        jacobian[2*lanes + lane] = 0;
+        jacobian[3*lanes + lane] = 0;
+        jacobian[4*lanes + lane] = 0;
+        jacobian[5*lanes + lane] = -1;
+        jacobian[6*lanes + lane] = -t3;
+        jacobian[7*lanes + lane] = -chi*z1_2_by_z20 + chi;
+        jacobian[8*lanes + lane] = -chi*z1_2_by_tau + t45;
+        jacobian[9*lanes + lane] = 0;
+        jacobian[10*lanes + lane] = 0;
+        jacobian[11*lanes + lane] = 0;
+        jacobian[12*lanes + lane] = v1_3_by_z10;
+        jacobian[13*lanes + lane] = v1_3_by_z20;
+        jacobian[14*lanes + lane] = v1_3_by_tau;
+        jacobian[15*lanes + lane] = v1_3_by_tau1;
+        jacobian[16*lanes + lane] = 0;
+        jacobian[17*lanes + lane] = 0;
+        jacobian[18*lanes + lane] = v2_4_by_z10;
+        jacobian[19*lanes + lane] = v2_4_by_z20;
+        jacobian[20*lanes + lane] = v2_4_by_tau;
+        jacobian[21*lanes + lane] = v2_4_by_tau1;
+        jacobian[22*lanes + lane] = v2_4_by_tau2;
+        jacobian[23*lanes + lane] = 0;
+        jacobian[24*lanes + lane] = z1_3_by_z10 - 1;
+        jacobian[25*lanes + lane] = z1_3_by_z20;
+        jacobian[26*lanes + lane] = z1_3_by_tau;
+        jacobian[27*lanes + lane] = z1_3_by_tau1;
+        jacobian[28*lanes + lane] = V;
+        jacobian[29*lanes + lane] = 0;
+        jacobian[30*lanes + lane] = z2_4_by_z10;
+        jacobian[31*lanes + lane] = z2_4_by_z20 - 1;
+        jacobian[32*lanes + lane] = z2_4_by_tau;
+        jacobian[33*lanes + lane] = z2_4_by_tau1;
+        jacobian[34*lanes + lane] = z2_4_by_tau2;
+        jacobian[35*lanes + lane] = 0;
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2];
-    const double omega1_by_eta = spectrum_derivatives[3];
-    const double omega2_by_chi = spectrum_derivatives[4];
-    const double omega2_by_eta = spectrum_derivatives[5];
-    const double p1_by_chi = spectrum_derivatives[6];
-    const double p1_by_eta = spectrum_derivatives[7];
-    const double p2_by_chi = spectrum_derivatives[8];
-    const double p2_by_eta = spectrum_derivatives[9];
-    const double p3_by_chi = spectrum_derivatives[10];
-    const double p3_by_eta = spectrum_derivatives[11];
-    const double omega3_by_chi = spectrum_derivatives[12];
-    const double omega3_by_eta = spectrum_derivatives[13];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
+    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
+    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
+    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
+    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
+    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
+    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
+    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
+    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
+    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
+    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
+    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
     const double t79 = 1 - cos_tau;
     const double z1_2_by_chi = V*(-sin_tau + tau) + t79*z20;
@@ -3413,57 +3471,67 @@ void dry_friction_solution_ii_equations(
     const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t38*z1_3_by_V + t40*v2_3_by_V + t41;
     const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t74*z1_3_by_V - t74*z2_3_by_V + 1;
     if (parameter_jacobian) {
-        parameter_jacobian[0] = -z20;
-        parameter_jacobian[1] = 0;
-        parameter_jacobian[2] = 0;
-        parameter_jacobian[3] = 0;
-        parameter_jacobian[4] = -chi*z1_2_by_chi - z1_2 + z2_2;
-        parameter_jacobian[5] = 0;
-        parameter_jacobian[6] = -chi*z1_2_by_V + t80;
-        parameter_jacobian[7] = -1;
-        parameter_jacobian[8] = v1_3_by_chi;
-        parameter_jacobian[9] = v1_3_by_eta;
-        parameter_jacobian[10] = v1_3_by_V - 1;
-        parameter_jacobian[11] = 0;
-        parameter_jacobian[12] = v2_4_by_chi;
-        parameter_jacobian[13] = v2_4_by_eta;
-        parameter_jacobian[14] = v2_4_by_V - 1;
-        parameter_jacobian[15] = 0;
-        parameter_jacobian[16] = z1_3_by_chi;
-        parameter_jacobian[17] = z1_3_by_eta;
-        parameter_jacobian[18] = z1_4_by_V;
-        parameter_jacobian[19] = 0;
-        parameter_jacobian[20] = z2_4_by_chi;
-        parameter_jacobian[21] = z2_4_by_eta;
-        parameter_jacobian[22] = z2_4_by_V;
-        parameter_jacobian[23] = 0;
+        parameter_jacobian[lane] = -z20;
+        parameter_jacobian[1*lanes + lane] = 0;
+        parameter_jacobian[2*lanes + lane] = 0;
+        parameter_jacobian[3*lanes + lane] = 0;
+        parameter_jacobian[4*lanes + lane] = -chi*z1_2_by_chi - z1_2 + z2_2;
+        parameter_jacobian[5*lanes + lane] = 0;
+        parameter_jacobian[6*lanes + lane] = -chi*z1_2_by_V + t80;
+        parameter_jacobian[7*lanes + lane] = -1;
+        parameter_jacobian[8*lanes + lane] = v1_3_by_chi;
+        parameter_jacobian[9*lanes + lane] = v1_3_by_eta;
+        parameter_jacobian[10*lanes + lane] = v1_3_by_V - 1;
+        parameter_jacobian[11*lanes + lane] = 0;
+        parameter_jacobian[12*lanes + lane] = v2_4_by_chi;
+        parameter_jacobian[13*lanes + lane] = v2_4_by_eta;
+        parameter_jacobian[14*lanes + lane] = v2_4_by_V - 1;
+        parameter_jacobian[15*lanes + lane] = 0;
+        parameter_jacobian[16*lanes + lane] = z1_3_by_chi;
+        parameter_jacobian[17*lanes + lane] = z1_3_by_eta;
+        parameter_jacobian[18*lanes + lane] = z1_4_by_V;
+        parameter_jacobian[19*lanes + lane] = 0;
+        parameter_jacobian[20*lanes + lane] = z2_4_by_chi;
+        parameter_jacobian[21*lanes + lane] = z2_4_by_eta;
+        parameter_jacobian[22*lanes + lane] = z2_4_by_V;
+        parameter_jacobian[23*lanes + lane] = 0;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_solution_ii_equations(
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
+{
+    dry_friction_solution_ii_equations_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, residual, jacobian, parameter_jacobian);
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
  * Operations: 1118. Intermediate terms: 249. */
-NONSMOOTH_UNMERGED
-void dry_friction_solution_ii_trace(
-    const double parameters[4], const double spectrum[7], const double unknowns[6],
+static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double tau = unknowns[2];
-    const double tau1 = unknowns[3];
-    const double tau2 = unknowns[4];
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
+    const double V = parameters[2*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double z10 = unknowns[lane];
+    const double z20 = unknowns[1*lanes + lane];
+    const double tau = unknowns[2*lanes + lane];
+    const double tau1 = unknowns[3*lanes + lane];
+    const double tau2 = unknowns[4*lanes + lane];
     /* functions of tau in slip-stick */
-    const double cos_tau = cos(tau);
-    const double sin_tau = sin(tau);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
+    const double cos_tau = wave_0.cosine;
+    const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
     const double t2 = chi*cos_tau;
     const double t3 = chi - t2;
@@ -3473,11 +3541,13 @@ void dry_friction_solution_ii_trace(
     const double v1_2 = V*cos_tau + V*t3 - sin_tau*z10 + t4*z20;
     /* functions of tau1 in slip-slip */
     const double t5 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t5);
-    const double sin_omega1_tau1 = sin(t5);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t5);
+    const double cos_omega1_tau1 = wave_1.cosine;
+    const double sin_omega1_tau1 = wave_1.sine;
     const double t8 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t8);
-    const double sin_omega2_tau1 = sin(t8);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t8);
+    const double cos_omega2_tau1 = wave_2.cosine;
+    const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
     const double t11 = (1.0/(omega1));
     const double t12 = sin_omega1_tau1*t11;
@@ -3504,8 +3574,9 @@ void dry_friction_solution_ii_trace(
     const double v2_3 = V*t22 + t21*v1_2 + t28*z1_2 + t29*z2_2;
     /* functions of tau2 in stick-slip */
     const double t30 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t30);
-    const double sin_omega3_tau2 = sin(t30);
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t30);
+    const double cos_omega3_tau2 = wave_3.cosine;
+    const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
     const double t33 = 1 - cos_omega3_tau2;
@@ -3597,22 +3668,22 @@ void dry_friction_solution_ii_trace(
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
     if (trace) {
-        *trace = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20;
+        trace[lane] = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20;
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2];
-    const double omega1_by_eta = spectrum_derivatives[3];
-    const double omega2_by_chi = spectrum_derivatives[4];
-    const double omega2_by_eta = spectrum_derivatives[5];
-    const double p1_by_chi = spectrum_derivatives[6];
-    const double p1_by_eta = spectrum_derivatives[7];
-    const double p2_by_chi = spectrum_derivatives[8];
-    const double p2_by_eta = spectrum_derivatives[9];
-    const double p3_by_chi = spectrum_derivatives[10];
-    const double p3_by_eta = spectrum_derivatives[11];
-    const double omega3_by_chi = spectrum_derivatives[12];
-    const double omega3_by_eta = spectrum_derivatives[13];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
+    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
+    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
+    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
+    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
+    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
+    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
+    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
+    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
+    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
+    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
+    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: rate of the exit boundary after tau2 */
     const double t61 = (1.0/(rate_4*rate_4));
     const double slope_by_rate_4 = V*carried_v2_4_by_z10*t61 + carried_v2_4_by_z20*t61*v2_4;
@@ -3769,17 +3840,26 @@ void dry_friction_solution_ii_trace(
     const double t148 = -eta*z2_3 + t52;
     const double t149 = chi*z1_3 - t50;
     if (trace_gradient) {
-        trace_gradient[0] = cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2;
-        trace_gradient[1] = slope_by_v1_2*t4 + slope_by_z1_2*t3 + slope_by_z2_2;
-        trace_gradient[2] = V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t39;
-        trace_gradient[3] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t120 - omega2*t119;
-        trace_gradient[4] = V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t121 - omega3*t122;
-        trace_gradient[5] = 0;
-        trace_gradient[6] = -V*slope_by_rate_1 + omega1_by_chi*t125 + omega2_by_chi*t129 + omega3_by_chi*t131 + p1_by_chi*t144 + p2_by_chi*t145 + p3_by_chi*t146 + slope_by_carried_z1_2_by_z10*t147*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t147*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t41 + slope_by_delay_tau_by_z10*t44*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t44*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t58 - t59) + slope_by_v1_2*(V*t147 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t147*z20) + t114*z2_2 + t115*z2_2 + t148*t75 + t148*t76 + t70*z2_1_on_boundary_by_z20 + t71*z2_1_on_boundary_by_z10;
-        trace_gradient[7] = omega1_by_eta*t125 + omega2_by_eta*t129 + omega3_by_eta*t131 + p1_by_eta*t144 + p2_by_eta*t145 + p3_by_eta*t146 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t149*t75 + t149*t76;
-        trace_gradient[8] = delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t33 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t2) + slope_by_v1_3*t18 + slope_by_v2_3*t22 + slope_by_z1_2*(chi*tau + sin_tau - t4) + slope_by_z1_3*t19 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t23 + slope_by_z2_4*t36 + t113;
-        trace_gradient[9] = 0;
+        trace_gradient[lane] = cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2;
+        trace_gradient[1*lanes + lane] = slope_by_v1_2*t4 + slope_by_z1_2*t3 + slope_by_z2_2;
+        trace_gradient[2*lanes + lane] = V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t39;
+        trace_gradient[3*lanes + lane] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t120 - omega2*t119;
+        trace_gradient[4*lanes + lane] = V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t121 - omega3*t122;
+        trace_gradient[5*lanes + lane] = 0;
+        trace_gradient[6*lanes + lane] = -V*slope_by_rate_1 + omega1_by_chi*t125 + omega2_by_chi*t129 + omega3_by_chi*t131 + p1_by_chi*t144 + p2_by_chi*t145 + p3_by_chi*t146 + slope_by_carried_z1_2_by_z10*t147*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t147*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t41 + slope_by_delay_tau_by_z10*t44*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t44*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t58 - t59) + slope_by_v1_2*(V*t147 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t147*z20) + t114*z2_2 + t115*z2_2 + t148*t75 + t148*t76 + t70*z2_1_on_boundary_by_z20 + t71*z2_1_on_boundary_by_z10;
+        trace_gradient[7*lanes + lane] = omega1_by_eta*t125 + omega2_by_eta*t129 + omega3_by_eta*t131 + p1_by_eta*t144 + p2_by_eta*t145 + p3_by_eta*t146 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t149*t75 + t149*t76;
+        trace_gradient[8*lanes + lane] = delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t33 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t2) + slope_by_v1_3*t18 + slope_by_v2_3*t22 + slope_by_z1_2*(chi*tau + sin_tau - t4) + slope_by_z1_3*t19 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t23 + slope_by_z2_4*t36 + t113;
+        trace_gradient[9*lanes + lane] = 0;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_solution_ii_trace(
+    const double parameters[4], const double spectrum[7], const double unknowns[6],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
+{
+    dry_friction_solution_ii_trace_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, trace, trace_gradient);
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
@@ -5195,499 +5275,34 @@ void dry_friction_symmetric_admissible(
 }
 
 /* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
- * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
+ * `count` points. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_symmetric_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
 {
-    enum { lanes = 16, n = 5, p = 4, width = 5 + 4 };
+    enum { lanes = NONSMOOTH_LANES, n = 5, p = 4 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[p][lanes], unknown[n][lanes], fixed[15][lanes];
-        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
-        for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < p; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            for (int i = 0; i < n; ++i)
-                unknown[i][lane] = unknowns[i * count + point];
-            size[lane] = 0.0;
-            least[lane] = INFINITY;
-        }
+        double parameter[p * lanes], unknown[n * lanes];
+        double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
+        nonsmooth_load(p, parameters, count, start, parameter);
+        nonsmooth_load(n, unknowns, count, start, unknown);
+        double own[2 * lanes], spectrum[7 * lanes], spectrum_derivatives[14 * lanes];
+        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            /* spectrum */
-            const double t0 = chi*eta;
-            const double t1 = 1 - t0;
-            const double t2 = 4*(chi*chi);
-            const double gap1 = sqrt(eta*t2 + (t1*t1));
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t0 + 1.0/2.0);
-            const double t3 = (1.0/(omega1));
-            const double t4 = sqrt(1 - chi);
-            const double t5 = sqrt(chi);
-            const double t6 = sqrt(eta);
-            const double t7 = t5*t6;
-            const double t8 = t4*t7;
-            const double omega2 = t3*t8;
-            const double t9 = (1.0/(gap1));
-            const double t10 = (1.0/2.0)*t9;
-            const double p1 = t1*t10 + 1.0/2.0;
-            const double t11 = chi*t9;
-            const double p2 = -t11;
-            const double p3 = -t0*t9;
-            /* d/dchi of: spectrum */
-            const double t13 = 2*t1;
-            const double gap1_by_chi = t10*(-eta*t13 + 8*t0);
-            const double t14 = (1.0/2.0)*gap1_by_chi;
-            const double t15 = (1.0/2.0)*eta;
-            const double t16 = (1.0/2.0)*t3;
-            const double omega1_by_chi = t16*(t14 + t15);
-            const double t17 = (1.0/(t5));
-            const double t18 = t8/(omega1*omega1);
-            const double omega2_by_chi = -omega1_by_chi*t18 - t16*t7/t4 + (1.0/2.0)*t17*t3*t4*t6;
-            const double t19 = (1.0/(gap1*gap1));
-            const double t20 = t1*t19;
-            const double p1_by_chi = -t14*t20 - t15*t9;
-            const double t21 = chi*t19;
-            const double p2_by_chi = gap1_by_chi*t21 - t9;
-            const double t22 = t0*t19;
-            const double p3_by_chi = -eta*t9 + gap1_by_chi*t22;
-            /* d/deta of: spectrum */
-            const double gap1_by_eta = t10*(-chi*t13 + t2);
-            const double t23 = (1.0/2.0)*gap1_by_eta;
-            const double omega1_by_eta = t16*((1.0/2.0)*chi + t23);
-            const double t24 = (1.0/(t6));
-            const double omega2_by_eta = -omega1_by_eta*t18 + (1.0/2.0)*t24*t3*t4*t5;
-            const double p1_by_eta = -1.0/2.0*t11 - t20*t23;
-            const double p2_by_eta = gap1_by_eta*t21;
-            const double p3_by_eta = gap1_by_eta*t22 - t11;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega1_by_chi;
-            fixed[6][lane] = omega1_by_eta;
-            fixed[7][lane] = omega2_by_chi;
-            fixed[8][lane] = omega2_by_eta;
-            fixed[9][lane] = p1_by_chi;
-            fixed[10][lane] = p1_by_eta;
-            fixed[11][lane] = p2_by_chi;
-            fixed[12][lane] = p2_by_eta;
-            fixed[13][lane] = p3_by_chi;
-            fixed[14][lane] = p3_by_eta;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double V = parameter[2][lane];
-            const double z10 = unknown[0][lane];
-            const double z20 = unknown[1][lane];
-            const double v10 = unknown[2][lane];
-            const double tau = unknown[3][lane];
-            const double tau1 = unknown[4][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega1_by_chi = fixed[5][lane];
-            const double omega1_by_eta = fixed[6][lane];
-            const double omega2_by_chi = fixed[7][lane];
-            const double omega2_by_eta = fixed[8][lane];
-            const double p1_by_chi = fixed[9][lane];
-            const double p1_by_eta = fixed[10][lane];
-            const double p2_by_chi = fixed[11][lane];
-            const double p2_by_eta = fixed[12][lane];
-            const double p3_by_chi = fixed[13][lane];
-            const double p3_by_eta = fixed[14][lane];
-            /* half of tau */
-            const double half_tau = (1.0/2.0)*tau;
-            /* functions of half_tau in slip-slip */
-            const double t0 = half_tau*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_half_tau = cosine_0;
-            const double sin_omega1_half_tau = sine_0;
-            const double t3 = half_tau*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_half_tau = cosine_1;
-            const double sin_omega2_half_tau = sine_1;
-            /* half of tau1 */
-            const double half_tau1 = (1.0/2.0)*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
-            const double cos_half_tau1 = cosine_2;
-            const double sin_half_tau1 = sine_2;
-            /* d/dtau of: functions of half_tau in slip-slip */
-            const double t8 = (1.0/2.0)*omega1;
-            const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t8;
-            const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t8;
-            const double t9 = (1.0/2.0)*omega2;
-            const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t9;
-            const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t9;
-            /* d/dtau1 of: functions of half_tau1 in slip-stick */
-            const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
-            const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
-            /* jacobian */
-            const double t14 = p1 - 1;
-            const double t16 = (1.0/(omega2));
-            const double t17 = sin_omega2_half_tau*t16;
-            const double t18 = (1.0/(omega1));
-            const double t19 = p1*z10 + p2*z20;
-            const double t21 = -t19 + z10;
-            const double t22 = V*p2 + p1*v10;
-            const double t23 = sin_omega1_half_tau_by_tau*t18;
-            const double t25 = t22 - v10;
-            const double t26 = sin_omega2_half_tau_by_tau*t16;
-            const double t27 = p3*z10;
-            const double t28 = p1*z20;
-            const double t29 = t27 - t28 + z20;
-            const double t30 = -t27 + t28;
-            const double t31 = p3*v10;
-            const double t32 = V*p1 - t31;
-            const double t33 = V*p1 - V - t31;
-            const double t35 = V*chi;
-            /* d/dchi of: functions of half_tau in slip-slip */
-            const double t10 = half_tau*omega1_by_chi;
-            const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t10;
-            const double sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t10;
-            const double t11 = half_tau*omega2_by_chi;
-            const double cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t11;
-            const double sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t11;
-            /* d/deta of: functions of half_tau in slip-slip */
-            const double t12 = half_tau*omega1_by_eta;
-            const double cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t12;
-            const double sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t12;
-            const double t13 = half_tau*omega2_by_eta;
-            const double cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t13;
-            const double sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t13;
-            /* parameter_jacobian */
-            const double t36 = sin_omega1_half_tau*t18;
-            const double t37 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 - t17*v10 + t36*v10;
-            const double t38 = -V*sin_omega1_half_tau*t18 + V*t17 - cos_omega1_half_tau*z20 + cos_omega2_half_tau*z20;
-            const double t40 = t18*t22;
-            const double t41 = t16*t25;
-            const double t42 = sin_omega2_half_tau/(omega2*omega2);
-            const double t43 = t25*t42;
-            const double t44 = sin_omega1_half_tau/(omega1*omega1);
-            const double t45 = t22*t44;
-            const double t46 = t16*t32;
-            const double t47 = t18*t33;
-            const double t48 = t33*t44;
-            const double t49 = t32*t42;
-            matrix[0][0][lane] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t14;
-            matrix[0][1][lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-            matrix[0][2][lane] = p1*sin_omega1_half_tau*t18 - t14*t17;
-            matrix[0][3][lane] = cos_omega1_half_tau_by_tau*t19 + cos_omega2_half_tau_by_tau*t21 + t22*t23 - t25*t26;
-            matrix[0][4][lane] = 0;
-            matrix[1][0][lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-            matrix[1][1][lane] = -cos_omega1_half_tau*t14 + cos_omega2_half_tau*p1;
-            matrix[1][2][lane] = p3*sin_omega1_half_tau*t18 - p3*t17;
-            matrix[1][3][lane] = cos_omega1_half_tau_by_tau*t29 + cos_omega2_half_tau_by_tau*t30 - t23*t33 + t26*t32;
-            matrix[1][4][lane] = 0;
-            matrix[2][0][lane] = -cos_half_tau1;
-            matrix[2][1][lane] = chi*cos_half_tau1 - chi;
-            matrix[2][2][lane] = sin_half_tau1;
-            matrix[2][3][lane] = 0;
-            matrix[2][4][lane] = cos_half_tau1_by_tau1*(chi*z20 - z10) + sin_half_tau1_by_tau1*(-t35 + v10) + (1.0/2.0)*t35;
-            matrix[3][0][lane] = 0;
-            matrix[3][1][lane] = -1;
-            matrix[3][2][lane] = 0;
-            matrix[3][3][lane] = 0;
-            matrix[3][4][lane] = (1.0/2.0)*V;
-            matrix[4][0][lane] = -chi;
-            matrix[4][1][lane] = chi;
-            matrix[4][2][lane] = 0;
-            matrix[4][3][lane] = 0;
-            matrix[4][4][lane] = 0;
-            matrix[0][5][lane] = -cos_omega1_half_tau_by_chi*t19 - cos_omega2_half_tau_by_chi*t21 + omega1_by_chi*t45 - omega2_by_chi*t43 - p1_by_chi*t37 + p2_by_chi*t38 - sin_omega1_half_tau_by_chi*t40 + sin_omega2_half_tau_by_chi*t41;
-            matrix[0][6][lane] = -cos_omega1_half_tau_by_eta*t19 - cos_omega2_half_tau_by_eta*t21 + omega1_by_eta*t45 - omega2_by_eta*t43 - p1_by_eta*t37 + p2_by_eta*t38 - sin_omega1_half_tau_by_eta*t40 + sin_omega2_half_tau_by_eta*t41;
-            matrix[0][7][lane] = -p2*sin_omega1_half_tau*t18 + p2*t17;
-            matrix[0][8][lane] = 0;
-            matrix[1][5][lane] = -cos_omega1_half_tau_by_chi*t29 - cos_omega2_half_tau_by_chi*t30 - omega1_by_chi*t48 + omega2_by_chi*t49 - p1_by_chi*t38 - p3_by_chi*t37 + sin_omega1_half_tau_by_chi*t47 - sin_omega2_half_tau_by_chi*t46;
-            matrix[1][6][lane] = -cos_omega1_half_tau_by_eta*t29 - cos_omega2_half_tau_by_eta*t30 - omega1_by_eta*t48 + omega2_by_eta*t49 - p1_by_eta*t38 - p3_by_eta*t37 + sin_omega1_half_tau_by_eta*t47 - sin_omega2_half_tau_by_eta*t46;
-            matrix[1][7][lane] = -p1*t17 + t14*t36;
-            matrix[1][8][lane] = 0;
-            matrix[2][5][lane] = -V*half_tau1 + V*sin_half_tau1 - cos_half_tau1*z20 + z20;
-            matrix[2][6][lane] = 0;
-            matrix[2][7][lane] = -chi*half_tau1 + chi*sin_half_tau1;
-            matrix[2][8][lane] = 0;
-            matrix[3][5][lane] = 0;
-            matrix[3][6][lane] = 0;
-            matrix[3][7][lane] = -half_tau1;
-            matrix[3][8][lane] = 0;
-            matrix[4][5][lane] = z10 - z20;
-            matrix[4][6][lane] = 0;
-            matrix[4][7][lane] = 0;
-            matrix[4][8][lane] = 1;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_symmetric_equations_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, jacobian, moved);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            const double V = parameter[2][lane];
-            const double z10 = unknown[0][lane];
-            const double z20 = unknown[1][lane];
-            const double v10 = unknown[2][lane];
-            const double tau = unknown[3][lane];
-            const double tau1 = unknown[4][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega1_by_chi = fixed[5][lane];
-            const double omega1_by_eta = fixed[6][lane];
-            const double omega2_by_chi = fixed[7][lane];
-            const double omega2_by_eta = fixed[8][lane];
-            const double p1_by_chi = fixed[9][lane];
-            const double p1_by_eta = fixed[10][lane];
-            const double p2_by_chi = fixed[11][lane];
-            const double p2_by_eta = fixed[12][lane];
-            const double p3_by_chi = fixed[13][lane];
-            const double p3_by_eta = fixed[14][lane];
-            /* functions of tau in slip-slip */
-            const double t0 = omega1*tau;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_tau = cosine_0;
-            const double sin_omega1_tau = sine_0;
-            const double t3 = omega2*tau;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_tau = cosine_1;
-            const double sin_omega2_tau = sine_1;
-            /* slip-slip for tau, until second-reaches-belt */
-            const double t6 = (1.0/(omega1));
-            const double t7 = p1*sin_omega1_tau;
-            const double t8 = (1.0/(omega2));
-            const double t9 = p1 - 1;
-            const double t11 = -sin_omega2_tau*t9;
-            const double t12 = t11*t8 + t6*t7;
-            const double t13 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-            const double t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-            const double t15 = p2*sin_omega2_tau;
-            const double t16 = p2*sin_omega1_tau*t6 - t15*t8;
-            const double z1_1 = V*t16 + t12*v10 + t13*z10 + t14*z20;
-            const double t17 = p3*sin_omega2_tau;
-            const double t18 = p3*sin_omega1_tau*t6 - t17*t8;
-            const double t19 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-            const double t20 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-            const double t21 = p1*sin_omega2_tau;
-            const double t22 = -sin_omega1_tau*t9;
-            const double t23 = t21*t8 + t22*t6;
-            const double z2_1 = V*t23 + t18*v10 + t19*z10 + t20*z20;
-            const double t24 = -omega2*t9;
-            const double t25 = omega1*p1;
-            const double t26 = sin_omega1_tau*t25 + sin_omega2_tau*t24;
-            const double t28 = omega1*p2;
-            const double t29 = -omega2*p2*sin_omega2_tau + sin_omega1_tau*t28;
-            const double v1_1 = V*t14 + t13*v10 - t26*z10 - t29*z20;
-            const double t31 = omega1*p3;
-            const double t32 = -omega2*p3*sin_omega2_tau + sin_omega1_tau*t31;
-            const double t34 = omega2*p1;
-            const double t35 = -omega1*t9;
-            const double t36 = sin_omega1_tau*t35 + sin_omega2_tau*t34;
-            const double v2_1 = V*t20 + t19*v10 - t32*z10 - t36*z20;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(tau1, &sine_2, &cosine_2);
-            const double cos_tau1 = cosine_2;
-            const double sin_tau1 = sine_2;
-            /* slip-stick for tau1, until second-breaks-forward */
-            const double t40 = -chi*cos_tau1 + chi;
-            const double t41 = chi*sin_tau1;
-            const double t42 = chi*tau1 - t41;
-            const double z1_2 = V*t42 + cos_tau1*z1_1 + sin_tau1*v1_1 + t40*z2_1;
-            const double z2_2 = V*tau1 + z2_1;
-            const double v1_2 = V*t40 + cos_tau1*v1_1 - sin_tau1*z1_1 + t41*z2_1;
-            /* Phi along tau */
-            const double carried_z1_1_by_z20 = t13 + t14;
-            const double carried_z1_1_by_v10 = t12;
-            const double carried_z2_1_by_z20 = t19 + t20;
-            const double carried_z2_1_by_v10 = t18;
-            const double carried_v1_1_by_z20 = -t26 - t29;
-            const double carried_v1_1_by_v10 = t13;
-            const double carried_v2_1_by_z20 = -t32 - t36;
-            const double carried_v2_1_by_v10 = t19;
-            /* rate of the exit boundary after tau */
-            const double t43 = eta*z1_1;
-            const double t44 = chi*z2_1;
-            const double rate_1 = chi*t43 - eta*t44;
-            /* derivatives of the time to the boundary after tau */
-            const double t45 = (1.0/(rate_1));
-            const double delay_tau_by_z20 = -carried_v2_1_by_z20*t45;
-            const double delay_tau_by_v10 = -carried_v2_1_by_v10*t45;
-            /* perturbation on the boundary after tau */
-            const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
-            const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
-            const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
-            const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-            const double t46 = t44 - z1_1;
-            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t46;
-            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t46;
-            /* Phi along tau1 */
-            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t40*z2_1_on_boundary_by_z20;
-            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t40*z2_1_on_boundary_by_v10;
-            /* rate of the exit boundary after tau1 */
-            const double t47 = V*chi;
-            const double rate_2 = -chi*v1_2 + t47;
-            /* derivatives of the time to the boundary after tau1 */
-            const double t48 = (1.0/(rate_2));
-            const double t49 = chi*z2_1_on_boundary_by_z20;
-            const double t50 = carried_z1_2_by_z20*chi - t49;
-            const double delay_tau1_by_z20 = t48*t50;
-            const double t51 = chi*z2_1_on_boundary_by_v10;
-            const double t52 = carried_z1_2_by_v10*chi - t51;
-            const double delay_tau1_by_v10 = t48*t52;
-            /* back through: derivatives of the time to the boundary after tau1 */
-            const double slope_by_delay_tau1_by_v10 = chi*z2_2 - z1_2;
-            /* back through: rate of the exit boundary after tau1 */
-            const double t53 = (1.0/(rate_2*rate_2));
-            const double slope_by_rate_2 = -V*t50*t53 - slope_by_delay_tau1_by_v10*t52*t53;
-            /* back through: Phi along tau1 */
-            const double t54 = slope_by_delay_tau1_by_v10*t48;
-            const double slope_by_carried_z1_2_by_v10 = chi*t54;
-            const double slope_by_carried_z1_2_by_z20 = t47*t48;
-            /* back through: perturbation on the boundary after tau */
-            const double slope_by_v1_1_on_boundary_by_v10 = cos_tau1 + sin_tau1*slope_by_carried_z1_2_by_v10;
-            const double slope_by_v1_1_on_boundary_by_z20 = sin_tau1*slope_by_carried_z1_2_by_z20;
-            const double slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t40 - slope_by_carried_z1_2_by_v10 + t41;
-            const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t40 - slope_by_carried_z1_2_by_z20 + 1;
-            const double slope_by_z1_1_on_boundary_by_v10 = cos_tau1*slope_by_carried_z1_2_by_v10 - sin_tau1;
-            const double slope_by_z1_1_on_boundary_by_z20 = cos_tau1*slope_by_carried_z1_2_by_z20;
-            /* back through: derivatives of the time to the boundary after tau */
-            const double slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t46 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1;
-            const double slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t46 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1;
-            /* back through: rate of the exit boundary after tau */
-            const double t57 = (1.0/(rate_1*rate_1));
-            const double slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t57 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t57;
-            /* back through: Phi along tau */
-            const double slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t45;
-            const double slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t45;
-            /* back through: slip-stick for tau1, until second-breaks-forward */
-            const double t58 = chi*slope_by_rate_2;
-            const double slope_by_v1_2 = -t58;
-            const double slope_by_z2_2 = chi*delay_tau1_by_v10;
-            const double slope_by_z1_2 = -delay_tau1_by_v10;
-            /* back through: functions of tau1 in slip-stick */
-            const double t59 = -t47 + v1_1;
-            const double t60 = t51 - z1_1_on_boundary_by_v10;
-            const double slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t46 + slope_by_z1_2*t59 + t60;
-            const double slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t60 + slope_by_carried_z1_2_by_z20*(-t49 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t59 - slope_by_z1_2*t46 + v1_1_on_boundary_by_v10;
-            /* back through: slip-slip for tau, until second-reaches-belt */
-            const double slope_by_v2_1 = delay_tau_by_v10*slope_by_z2_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z2_1_on_boundary_by_z20;
-            const double slope_by_v1_1 = cos_tau1*slope_by_v1_2 + delay_tau_by_v10*slope_by_z1_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z1_1_on_boundary_by_z20 + sin_tau1*slope_by_z1_2;
-            const double t61 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10;
-            const double t62 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20;
-            const double t63 = -chi*eta*slope_by_rate_1;
-            const double slope_by_z2_1 = chi*t61 + chi*t62 + slope_by_v1_2*t41 + slope_by_z1_2*t40 + slope_by_z2_2 + t63;
-            const double slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t61 - t62 - t63;
-            /* back through: functions of tau in slip-slip */
-            const double t64 = omega2*p2;
-            const double t65 = V*p2;
-            const double t66 = V*p1;
-            const double t67 = p3*v10;
-            const double t68 = p3*slope_by_z2_1_on_boundary_by_v10;
-            const double slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(omega2*p3 - t34) + slope_by_v1_1*(-t24*z10 + t64*z20) + slope_by_v1_1_on_boundary_by_z20*(-t24 + t64) + slope_by_v2_1*(omega2*p3*z10 - t34*z20) + slope_by_z1_1*(-t65*t8 - t8*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t8*t9 + slope_by_z2_1*(t66*t8 - t67*t8) - t68*t8;
-            const double t69 = p2*z20;
-            const double t70 = p1*z20;
-            const double t71 = p3*z10;
-            const double t72 = p3*slope_by_carried_v2_1_by_v10;
-            const double slope_by_cos_omega2_tau = slope_by_v1_1*(-t65 - t9*v10) - slope_by_v1_1_on_boundary_by_v10*t9 + slope_by_v2_1*(t66 - t67) + slope_by_z1_1*(-t69 - t9*z10) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t9) + slope_by_z2_1*(t70 - t71) + slope_by_z2_1_on_boundary_by_z20*(p1 - p3) - t72;
-            const double t73 = p1*v10;
-            const double t74 = -V*t9;
-            const double slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t6 + slope_by_carried_v2_1_by_z20*(-t31 - t35) + slope_by_v1_1*(-omega1*t69 - t25*z10) + slope_by_v1_1_on_boundary_by_z20*(-t25 - t28) + slope_by_v2_1*(-omega1*t71 - t35*z20) + slope_by_z1_1*(t6*t65 + t6*t73) + slope_by_z2_1*(t6*t67 + t6*t74) + t6*t68;
-            const double t75 = p1*z10;
-            const double t76 = -t9*z20;
-            const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t65 + t73) + slope_by_v2_1*(t67 + t74) + slope_by_z1_1*(t69 + t75) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t71 + t76) + slope_by_z2_1_on_boundary_by_z20*(-p1 + p3 + 1) + t72;
-            /* trace_gradient */
-            const double t77 = sin_omega2_tau*slope_by_cos_omega2_tau;
-            const double t78 = sin_omega1_tau*slope_by_cos_omega1_tau;
-            const double t79 = p3*sin_omega1_tau;
-            const double t80 = (1.0/(omega1*omega1));
-            const double t81 = sin_omega1_tau*t80;
-            const double t82 = cos_omega1_tau*slope_by_sin_omega1_tau*tau + slope_by_carried_v2_1_by_z20*(-t22 - t79) + slope_by_v1_1*(-sin_omega1_tau*t69 - sin_omega1_tau*t75) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t7) + slope_by_v2_1*(-sin_omega1_tau*t71 - sin_omega1_tau*t76) + slope_by_z1_1*(-t65*t81 - t73*t81) - slope_by_z1_1_on_boundary_by_v10*t7*t80 + slope_by_z2_1*(-t67*t81 - t74*t81) - slope_by_z2_1_on_boundary_by_v10*t79*t80 - t78*tau;
-            const double t83 = (1.0/(omega2*omega2));
-            const double t84 = sin_omega2_tau*t83;
-            const double t85 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + slope_by_carried_v2_1_by_z20*(p3*sin_omega2_tau - t21) + slope_by_v1_1*(sin_omega2_tau*t69 + sin_omega2_tau*t9*z10) + slope_by_v1_1_on_boundary_by_z20*(-t11 + t15) + slope_by_v2_1*(p3*sin_omega2_tau*z10 - sin_omega2_tau*t70) + slope_by_z1_1*(t65*t84 + t84*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t11*t83 + slope_by_z2_1*(p3*sin_omega2_tau*t83*v10 - t66*t84) + slope_by_z2_1_on_boundary_by_v10*t17*t83 - t77*tau;
-            const double t86 = omega1*sin_omega1_tau - omega2*sin_omega2_tau;
-            const double t87 = cos_omega1_tau - cos_omega2_tau;
-            const double t89 = -t86*z10 + t87*v10;
-            const double t91 = -sin_omega1_tau*t6 + sin_omega2_tau*t8;
-            const double t93 = t87*z10 - t91*v10;
-            const double t94 = -slope_by_v1_1_on_boundary_by_z20*t86 + slope_by_z1_1_on_boundary_by_z20*t87;
-            const double t95 = slope_by_carried_v2_1_by_z20*t86 + slope_by_v1_1*t89 + slope_by_v1_1_on_boundary_by_v10*t87 + slope_by_v2_1*(-V*t87 + t86*z20) + slope_by_z1_1*t93 - slope_by_z1_1_on_boundary_by_v10*t91 + slope_by_z2_1*(V*t91 - t87*z20) - slope_by_z2_1_on_boundary_by_z20*t87 + t94;
-            const double t96 = slope_by_v1_1*(V*t87 - t86*z20) + slope_by_z1_1*(-V*t91 + t87*z20) + t94;
-            const double t97 = slope_by_carried_v2_1_by_v10*t87 - slope_by_carried_v2_1_by_z20*t86 + slope_by_v2_1*t89 + slope_by_z2_1*t93 - slope_by_z2_1_on_boundary_by_v10*t91 + slope_by_z2_1_on_boundary_by_z20*t87;
-            const double t98 = 1 - cos_tau1;
-            slope[0][lane] = -slope_by_v1_1*t26 - slope_by_v2_1*t32 + slope_by_z1_1*t13 + slope_by_z2_1*t19;
-            slope[1][lane] = -slope_by_v1_1*t29 - slope_by_v2_1*t36 + slope_by_z1_1*t14 + slope_by_z2_1*t20;
-            slope[2][lane] = slope_by_v1_1*t13 + slope_by_v2_1*t19 + slope_by_z1_1*t12 + slope_by_z2_1*t18;
-            slope[3][lane] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t78 - omega2*t77;
-            slope[4][lane] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t47;
-            slope[5][lane] = V*t48*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t82 + omega2_by_chi*t85 + p1_by_chi*t95 + p2_by_chi*t96 + p3_by_chi*t97 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t98*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t98*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t43) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t98 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t98*z2_1) + t54*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t61*z2_1 + t62*z2_1;
-            slope[6][lane] = omega1_by_eta*t82 + omega2_by_eta*t85 + p1_by_eta*t95 + p2_by_eta*t96 + p3_by_eta*t97 + slope_by_rate_1*(chi*z1_1 - t44);
-            slope[7][lane] = delay_tau1_by_z20 + slope_by_v1_1*t14 + slope_by_v1_2*t40 + slope_by_v2_1*t20 + slope_by_z1_1*t16 + slope_by_z1_2*t42 + slope_by_z2_1*t23 + slope_by_z2_2*tau1 + t58;
-            slope[8][lane] = 0;
-        }
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane)
-                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
-        for (int k = 0; k < n; ++k) {
-            for (int i = k + 1; i < n; ++i) {
-                double other[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
-                for (int j = k; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane) {
-                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
-                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
-                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
-                    }
-            }
-            NONSMOOTH_SIMD
-            for (int lane = 0; lane < lanes; ++lane) {
-                const double pivot = fabs(matrix[k][k][lane]);
-                least[lane] = pivot < least[lane] ? pivot : least[lane];
-                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
-            }
-            for (int i = k + 1; i < n; ++i) {
-                double factor[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
-                for (int j = k + 1; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
-            }
-        }
-        for (int k = n - 1; k >= 0; --k)
-            for (int j = n; j < width; ++j) {
-                for (int l = k + 1; l < n; ++l)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane) {
-                    matrix[k][j][lane] *= matrix[k][k][lane];
-                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
-                }
-            }
-        for (int lane = 0; lane < here; ++lane) {
-            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
-            for (int j = 0; j < p; ++j) {
-                for (int i = 0; i < n; ++i)
-                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
-                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
-            }
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_symmetric_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, slope);
+        nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
+        nonsmooth_store(n * p, moved, count, start, directions);
+        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }
 
@@ -6180,725 +5795,34 @@ void dry_friction_global_stick_admissible(
 }
 
 /* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
- * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
+ * `count` points. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
 {
-    enum { lanes = 16, n = 6, p = 5, width = 6 + 5 };
+    enum { lanes = NONSMOOTH_LANES, n = 6, p = 5 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[p][lanes], unknown[n][lanes], fixed[18][lanes];
-        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
-        for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < p; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            for (int i = 0; i < n; ++i)
-                unknown[i][lane] = unknowns[i * count + point];
-            size[lane] = 0.0;
-            least[lane] = INFINITY;
-        }
+        double parameter[p * lanes], unknown[n * lanes];
+        double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
+        nonsmooth_load(p, parameters, count, start, parameter);
+        nonsmooth_load(n, unknowns, count, start, unknown);
+        double own[2 * lanes], spectrum[7 * lanes], spectrum_derivatives[14 * lanes];
+        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            /* spectrum */
-            const double t0 = chi*eta;
-            const double t1 = 1 - t0;
-            const double t2 = 4*(chi*chi);
-            const double gap1 = sqrt(eta*t2 + (t1*t1));
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t0 + 1.0/2.0);
-            const double t3 = (1.0/(omega1));
-            const double t4 = sqrt(1 - chi);
-            const double t5 = sqrt(chi);
-            const double t6 = sqrt(eta);
-            const double t7 = t5*t6;
-            const double t8 = t4*t7;
-            const double omega2 = t3*t8;
-            const double t9 = (1.0/(gap1));
-            const double t10 = (1.0/2.0)*t9;
-            const double p1 = t1*t10 + 1.0/2.0;
-            const double t11 = chi*t9;
-            const double p2 = -t11;
-            const double p3 = -t0*t9;
-            const double omega3 = t7;
-            /* d/dchi of: spectrum */
-            const double t13 = 2*t1;
-            const double gap1_by_chi = t10*(-eta*t13 + 8*t0);
-            const double t14 = (1.0/2.0)*gap1_by_chi;
-            const double t15 = (1.0/2.0)*eta;
-            const double t16 = (1.0/2.0)*t3;
-            const double omega1_by_chi = t16*(t14 + t15);
-            const double t17 = (1.0/(t5));
-            const double t18 = t8/(omega1*omega1);
-            const double omega2_by_chi = -omega1_by_chi*t18 - t16*t7/t4 + (1.0/2.0)*t17*t3*t4*t6;
-            const double t19 = (1.0/(gap1*gap1));
-            const double t20 = t1*t19;
-            const double p1_by_chi = -t14*t20 - t15*t9;
-            const double t21 = chi*t19;
-            const double p2_by_chi = gap1_by_chi*t21 - t9;
-            const double t22 = t0*t19;
-            const double p3_by_chi = -eta*t9 + gap1_by_chi*t22;
-            const double omega3_by_chi = (1.0/2.0)*t17*t6;
-            /* d/deta of: spectrum */
-            const double gap1_by_eta = t10*(-chi*t13 + t2);
-            const double t23 = (1.0/2.0)*gap1_by_eta;
-            const double omega1_by_eta = t16*((1.0/2.0)*chi + t23);
-            const double t24 = (1.0/(t6));
-            const double omega2_by_eta = -omega1_by_eta*t18 + (1.0/2.0)*t24*t3*t4*t5;
-            const double p1_by_eta = -1.0/2.0*t11 - t20*t23;
-            const double p2_by_eta = gap1_by_eta*t21;
-            const double p3_by_eta = gap1_by_eta*t22 - t11;
-            const double omega3_by_eta = (1.0/2.0)*t24*t5;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega3;
-            fixed[6][lane] = omega1_by_chi;
-            fixed[7][lane] = omega1_by_eta;
-            fixed[8][lane] = omega2_by_chi;
-            fixed[9][lane] = omega2_by_eta;
-            fixed[10][lane] = p1_by_chi;
-            fixed[11][lane] = p1_by_eta;
-            fixed[12][lane] = p2_by_chi;
-            fixed[13][lane] = p2_by_eta;
-            fixed[14][lane] = p3_by_chi;
-            fixed[15][lane] = p3_by_eta;
-            fixed[16][lane] = omega3_by_chi;
-            fixed[17][lane] = omega3_by_eta;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            const double V = parameter[2][lane];
-            const double z10 = unknown[0][lane];
-            const double z20 = unknown[1][lane];
-            const double ta = unknown[2][lane];
-            const double tau = unknown[3][lane];
-            const double tau1 = unknown[4][lane];
-            const double tau2 = unknown[5][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double omega1_by_chi = fixed[6][lane];
-            const double omega1_by_eta = fixed[7][lane];
-            const double omega2_by_chi = fixed[8][lane];
-            const double omega2_by_eta = fixed[9][lane];
-            const double p1_by_chi = fixed[10][lane];
-            const double p1_by_eta = fixed[11][lane];
-            const double p2_by_chi = fixed[12][lane];
-            const double p2_by_eta = fixed[13][lane];
-            const double p3_by_chi = fixed[14][lane];
-            const double p3_by_eta = fixed[15][lane];
-            const double omega3_by_chi = fixed[16][lane];
-            const double omega3_by_eta = fixed[17][lane];
-            /* stick-stick for ta, until first-breaks-forward */
-            const double t0 = V*ta;
-            const double z1_1 = t0 + z10;
-            const double z2_1 = t0 + z20;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(tau, &sine_0, &cosine_0);
-            const double cos_tau = cosine_0;
-            const double sin_tau = sine_0;
-            /* slip-stick for tau, until second-breaks-forward */
-            const double t1 = V*sin_tau;
-            const double t3 = chi*cos_tau;
-            const double t4 = chi - t3;
-            const double t5 = chi*sin_tau;
-            const double z1_2 = V*(chi*tau - t5) + cos_tau*z1_1 + t1 + t4*z2_1;
-            const double z2_2 = V*tau + z2_1;
-            const double t6 = V*cos_tau + V*t4;
-            const double v1_2 = -sin_tau*z1_1 + t5*z2_1 + t6;
-            /* functions of tau1 in slip-slip */
-            const double t7 = omega1*tau1;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t7, &sine_1, &cosine_1);
-            const double cos_omega1_tau1 = cosine_1;
-            const double sin_omega1_tau1 = sine_1;
-            const double t10 = omega2*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t10, &sine_2, &cosine_2);
-            const double cos_omega2_tau1 = cosine_2;
-            const double sin_omega2_tau1 = sine_2;
-            /* slip-slip for tau1, until first-reaches-belt */
-            const double t13 = (1.0/(omega1));
-            const double t14 = sin_omega1_tau1*t13;
-            const double t15 = 1 - p1;
-            const double t16 = (1.0/(omega2));
-            const double t17 = sin_omega2_tau1*t16;
-            const double t18 = p1*t14 + t15*t17;
-            const double t19 = cos_omega1_tau1*p1 + cos_omega2_tau1*t15;
-            const double t20 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-            const double t21 = p2*t17;
-            const double z1_3 = V*(p2*sin_omega1_tau1*t13 - t21) + t18*v1_2 + t19*z1_2 + t20*z2_2;
-            const double t22 = p3*sin_omega1_tau1*t13 - p3*t17;
-            const double t23 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-            const double t24 = cos_omega1_tau1*t15 + cos_omega2_tau1*p1;
-            const double t25 = p1*t17 + t14*t15;
-            const double z2_3 = V*t25 + t22*v1_2 + t23*z1_2 + t24*z2_2;
-            const double t26 = omega2*sin_omega2_tau1;
-            const double t27 = omega1*sin_omega1_tau1;
-            const double t28 = -p1*t27 - t15*t26;
-            const double t29 = p2*t27;
-            const double t30 = omega2*p2*sin_omega2_tau1 - t29;
-            const double t31 = V*t20;
-            const double t32 = t19*v1_2 + t31;
-            const double v1_3 = t28*z1_2 + t30*z2_2 + t32;
-            const double t33 = omega2*p3*sin_omega2_tau1 - p3*t27;
-            const double t34 = p1*t26 + t15*t27;
-            const double t36 = V*t24;
-            const double t37 = t23*v1_2 + t36;
-            const double v2_3 = t33*z1_2 - t34*z2_2 + t37;
-            /* functions of tau2 in stick-slip */
-            const double t38 = omega3*tau2;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t38, &sine_3, &cosine_3);
-            const double cos_omega3_tau2 = cosine_3;
-            const double sin_omega3_tau2 = sine_3;
-            /* stick-slip for tau2, until second-reaches-belt */
-            const double z1_4 = V*tau2 + z1_3;
-            const double t41 = 1 - cos_omega3_tau2;
-            const double t42 = (1.0/(omega3));
-            const double t43 = sin_omega3_tau2*t42;
-            const double t44 = -t43 + tau2;
-            const double z2_4 = V*t44 + cos_omega3_tau2*z2_3 + t41*z1_3 + t43*v2_3;
-            const double t45 = cos_omega3_tau2*v2_3;
-            const double t46 = sin_omega3_tau2*z1_3;
-            const double t47 = sin_omega3_tau2*z2_3;
-            const double v2_4 = V*t41 + omega3*t46 - omega3*t47 + t45;
-            /* derivatives of the state after tau */
-            const double z1_2_by_z20 = t4;
-            const double z1_2_by_ta = t6;
-            const double v1_2_by_z10 = -sin_tau;
-            const double v1_2_by_z20 = t5;
-            const double v1_2_by_ta = chi*t1 - t1;
-            const double v1_2_by_tau = chi*z2_2 - z1_2;
-            /* derivatives of the state after tau1 */
-            const double z1_3_by_z10 = cos_tau*t19 + t18*v1_2_by_z10;
-            const double z1_3_by_z20 = t18*v1_2_by_z20 + t19*z1_2_by_z20 + t20;
-            const double z1_3_by_ta = t18*v1_2_by_ta + t19*z1_2_by_ta + t31;
-            const double z1_3_by_tau = t18*v1_2_by_tau + t32;
-            const double z2_3_by_z10 = cos_tau*t23 + t22*v1_2_by_z10;
-            const double z2_3_by_z20 = t22*v1_2_by_z20 + t23*z1_2_by_z20 + t24;
-            const double z2_3_by_ta = t22*v1_2_by_ta + t23*z1_2_by_ta + t36;
-            const double z2_3_by_tau = t22*v1_2_by_tau + t37;
-            const double v1_3_by_z10 = cos_tau*t28 + t19*v1_2_by_z10;
-            const double v1_3_by_z20 = p2*t26 + t19*v1_2_by_z20 + t28*z1_2_by_z20 - t29;
-            const double t48 = V*t30;
-            const double v1_3_by_ta = t19*v1_2_by_ta + t28*z1_2_by_ta + t48;
-            const double v1_3_by_tau = t19*v1_2_by_tau + t28*v1_2 + t48;
-            const double t49 = chi*z2_3;
-            const double v1_3_by_tau1 = t49 - z1_3;
-            const double v2_3_by_z10 = cos_tau*t33 + t23*v1_2_by_z10;
-            const double v2_3_by_z20 = t23*v1_2_by_z20 + t33*z1_2_by_z20 - t34;
-            const double t50 = -V*t34;
-            const double v2_3_by_ta = t23*v1_2_by_ta + t33*z1_2_by_ta + t50;
-            const double v2_3_by_tau = t23*v1_2_by_tau + t33*v1_2 + t50;
-            const double t51 = chi*eta;
-            const double v2_3_by_tau1 = -eta*t49 + t51*z1_3;
-            /* derivatives of the state after tau2 */
-            const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t41*z1_3_by_z10 + t43*v2_3_by_z10;
-            const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t41*z1_3_by_z20 + t43*v2_3_by_z20;
-            const double z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t41*z1_3_by_ta + t43*v2_3_by_ta;
-            const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t41*z1_3_by_tau + t43*v2_3_by_tau;
-            const double z2_4_by_tau1 = t41*v1_3 + t43*v2_3_by_tau1 + t45;
-            const double t52 = omega3*sin_omega3_tau2;
-            const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t52*z1_3_by_z10 - t52*z2_3_by_z10;
-            const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t52*z1_3_by_z20 - t52*z2_3_by_z20;
-            const double v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t52*z1_3_by_ta - t52*z2_3_by_ta;
-            const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t52*z1_3_by_tau - t52*z2_3_by_tau;
-            const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t52*v1_3 - t52*v2_3;
-            const double v2_4_by_tau2 = t51*z1_4 - t51*z2_4;
-            /* jacobian */
-            const double t118 = V*chi;
-            /* d/dchi of: slip-stick for tau, until second-breaks-forward */
-            const double t53 = 1 - cos_tau;
-            const double z1_2_by_chi = V*(-sin_tau + tau) + t53*z2_1;
-            const double v1_2_by_chi = V*t53 + sin_tau*z2_1;
-            /* d/dV of: slip-stick for tau, until second-breaks-forward */
-            const double z1_2_by_V = chi*tau + cos_tau*ta + sin_tau + t4*ta - t5;
-            const double z2_2_by_V = ta + tau;
-            const double v1_2_by_V = chi + cos_tau - sin_tau*ta - t3 + t5*ta;
-            /* d/dchi of: functions of tau1 in slip-slip */
-            const double t55 = omega1_by_chi*tau1;
-            const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t55;
-            const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t55;
-            const double t56 = omega2_by_chi*tau1;
-            const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t56;
-            const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t56;
-            /* d/deta of: functions of tau1 in slip-slip */
-            const double t57 = omega1_by_eta*tau1;
-            const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t57;
-            const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t57;
-            const double t58 = omega2_by_eta*tau1;
-            const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t58;
-            const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t58;
-            /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
-            const double t59 = p1*z1_2;
-            const double t60 = p2*z2_2;
-            const double t61 = t59 + t60;
-            const double t62 = t15*z1_2 - t60;
-            const double t63 = p1*v1_2;
-            const double t64 = sin_omega1_tau1/(omega1*omega1);
-            const double t65 = V*p2;
-            const double t66 = -t63*t64 - t64*t65;
-            const double t67 = (1.0/(omega2*omega2));
-            const double t68 = sin_omega2_tau1*t67;
-            const double t69 = -t15*t68*v1_2 + t65*t68;
-            const double t70 = -sin_omega1_tau1*t13 + t17;
-            const double t72 = cos_omega1_tau1 - cos_omega2_tau1;
-            const double t73 = -t70*v1_2 + t72*z1_2;
-            const double t74 = -V*t70 + t72*z2_2;
-            const double t75 = t13*t63 + t13*t65;
-            const double t76 = t15*t16*v1_2 - t16*t65;
-            const double z1_3_by_chi = cos_omega1_tau1_by_chi*t61 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t66 + omega2_by_chi*t69 + p1_by_chi*t73 + p2_by_chi*t74 + sin_omega1_tau1_by_chi*t75 + sin_omega2_tau1_by_chi*t76 + t18*v1_2_by_chi + t19*z1_2_by_chi;
-            const double t77 = p3*z1_2;
-            const double t78 = t15*z2_2;
-            const double t79 = t77 + t78;
-            const double t80 = p1*z2_2;
-            const double t81 = -t77 + t80;
-            const double t82 = p3*v1_2;
-            const double t83 = V*t15;
-            const double t84 = -t64*t82 - t64*t83;
-            const double t85 = V*p1;
-            const double t86 = p3*sin_omega2_tau1*t67*v1_2 - t68*t85;
-            const double t88 = V*t70 - t72*z2_2;
-            const double t89 = t13*t82 + t13*t83;
-            const double t90 = -t16*t82 + t16*t85;
-            const double z2_3_by_chi = cos_omega1_tau1_by_chi*t79 + cos_omega2_tau1_by_chi*t81 + omega1_by_chi*t84 + omega2_by_chi*t86 + p1_by_chi*t88 + p3_by_chi*t73 + sin_omega1_tau1_by_chi*t89 + sin_omega2_tau1_by_chi*t90 + t22*v1_2_by_chi + t23*z1_2_by_chi;
-            const double t91 = t63 + t65;
-            const double t92 = t15*v1_2 - t65;
-            const double t93 = -sin_omega1_tau1*t59 - sin_omega1_tau1*t60;
-            const double t94 = t15*z1_2;
-            const double t95 = sin_omega2_tau1*t60 - sin_omega2_tau1*t94;
-            const double t96 = -omega2*sin_omega2_tau1 + t27;
-            const double t98 = t72*v1_2 - t96*z1_2;
-            const double t99 = V*t72 - t96*z2_2;
-            const double t100 = -omega1*t59 - omega1*t60;
-            const double t101 = omega2*t60 - omega2*t94;
-            const double v1_3_by_chi = cos_omega1_tau1_by_chi*t91 + cos_omega2_tau1_by_chi*t92 + omega1_by_chi*t93 + omega2_by_chi*t95 + p1_by_chi*t98 + p2_by_chi*t99 + sin_omega1_tau1_by_chi*t100 + sin_omega2_tau1_by_chi*t101 + t19*v1_2_by_chi + t28*z1_2_by_chi;
-            const double t102 = t82 + t83;
-            const double t103 = -t82 + t85;
-            const double t104 = -sin_omega1_tau1*t77 - sin_omega1_tau1*t78;
-            const double t105 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t80;
-            const double t106 = -V*t72 + t96*z2_2;
-            const double t107 = -omega1*t77 - omega1*t78;
-            const double t108 = omega2*p3*z1_2 - omega2*t80;
-            const double v2_3_by_chi = cos_omega1_tau1_by_chi*t102 + cos_omega2_tau1_by_chi*t103 + omega1_by_chi*t104 + omega2_by_chi*t105 + p1_by_chi*t106 + p3_by_chi*t98 + sin_omega1_tau1_by_chi*t107 + sin_omega2_tau1_by_chi*t108 + t23*v1_2_by_chi + t33*z1_2_by_chi;
-            /* d/deta of: slip-slip for tau1, until first-reaches-belt */
-            const double z1_3_by_eta = cos_omega1_tau1_by_eta*t61 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t66 + omega2_by_eta*t69 + p1_by_eta*t73 + p2_by_eta*t74 + sin_omega1_tau1_by_eta*t75 + sin_omega2_tau1_by_eta*t76;
-            const double z2_3_by_eta = cos_omega1_tau1_by_eta*t79 + cos_omega2_tau1_by_eta*t81 + omega1_by_eta*t84 + omega2_by_eta*t86 + p1_by_eta*t88 + p3_by_eta*t73 + sin_omega1_tau1_by_eta*t89 + sin_omega2_tau1_by_eta*t90;
-            const double v1_3_by_eta = cos_omega1_tau1_by_eta*t91 + cos_omega2_tau1_by_eta*t92 + omega1_by_eta*t93 + omega2_by_eta*t95 + p1_by_eta*t98 + p2_by_eta*t99 + sin_omega1_tau1_by_eta*t100 + sin_omega2_tau1_by_eta*t101;
-            const double v2_3_by_eta = cos_omega1_tau1_by_eta*t102 + cos_omega2_tau1_by_eta*t103 + omega1_by_eta*t104 + omega2_by_eta*t105 + p1_by_eta*t106 + p3_by_eta*t98 + sin_omega1_tau1_by_eta*t107 + sin_omega2_tau1_by_eta*t108;
-            /* d/dV of: slip-slip for tau1, until first-reaches-belt */
-            const double z1_3_by_V = p2*t14 + t18*v1_2_by_V + t19*z1_2_by_V + t20*z2_2_by_V - t21;
-            const double z2_3_by_V = t22*v1_2_by_V + t23*z1_2_by_V + t24*z2_2_by_V + t25;
-            const double v1_3_by_V = t19*v1_2_by_V + t20 + t28*z1_2_by_V + t30*z2_2_by_V;
-            const double v2_3_by_V = t23*v1_2_by_V + t24 + t33*z1_2_by_V - t34*z2_2_by_V;
-            /* d/dchi of: functions of tau2 in stick-slip */
-            const double t109 = omega3_by_chi*tau2;
-            const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t109;
-            const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t109;
-            /* d/deta of: functions of tau2 in stick-slip */
-            const double t110 = omega3_by_eta*tau2;
-            const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t110;
-            const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t110;
-            /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
-            const double t111 = -z1_3 + z2_3;
-            const double t112 = sin_omega3_tau2/(omega3*omega3);
-            const double t113 = V*t112 - t112*v2_3;
-            const double t114 = -V*t42 + t42*v2_3;
-            const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t111 + omega3_by_chi*t113 + sin_omega3_tau2_by_chi*t114 + t41*z1_3_by_chi + t43*v2_3_by_chi;
-            const double t115 = -V + v2_3;
-            const double t116 = t46 - t47;
-            const double t117 = omega3*z1_3 - omega3*z2_3;
-            const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t115 + omega3_by_chi*t116 + sin_omega3_tau2_by_chi*t117 + t52*z1_3_by_chi - t52*z2_3_by_chi;
-            /* d/deta of: stick-slip for tau2, until second-reaches-belt */
-            const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t111 + omega3_by_eta*t113 + sin_omega3_tau2_by_eta*t114 + t41*z1_3_by_eta + t43*v2_3_by_eta;
-            const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t115 + omega3_by_eta*t116 + sin_omega3_tau2_by_eta*t117 + t52*z1_3_by_eta - t52*z2_3_by_eta;
-            /* d/dV of: stick-slip for tau2, until second-reaches-belt */
-            const double z1_4_by_V = tau2 + z1_3_by_V;
-            const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t41*z1_3_by_V + t43*v2_3_by_V + t44;
-            const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t52*z1_3_by_V - t52*z2_3_by_V + 1;
-            matrix[0][0][lane] = 1;
-            matrix[0][1][lane] = -chi;
-            matrix[0][2][lane] = V - t118;
-            matrix[0][3][lane] = 0;
-            matrix[0][4][lane] = 0;
-            matrix[0][5][lane] = 0;
-            matrix[1][0][lane] = -t3;
-            matrix[1][1][lane] = -chi*z1_2_by_z20 + chi;
-            matrix[1][2][lane] = -chi*z1_2_by_ta + t118;
-            matrix[1][3][lane] = -chi*v1_2 + t118;
-            matrix[1][4][lane] = 0;
-            matrix[1][5][lane] = 0;
-            matrix[2][0][lane] = v1_3_by_z10;
-            matrix[2][1][lane] = v1_3_by_z20;
-            matrix[2][2][lane] = v1_3_by_ta;
-            matrix[2][3][lane] = v1_3_by_tau;
-            matrix[2][4][lane] = v1_3_by_tau1;
-            matrix[2][5][lane] = 0;
-            matrix[3][0][lane] = v2_4_by_z10;
-            matrix[3][1][lane] = v2_4_by_z20;
-            matrix[3][2][lane] = v2_4_by_ta;
-            matrix[3][3][lane] = v2_4_by_tau;
-            matrix[3][4][lane] = v2_4_by_tau1;
-            matrix[3][5][lane] = v2_4_by_tau2;
-            matrix[4][0][lane] = z1_3_by_z10 - 1;
-            matrix[4][1][lane] = z1_3_by_z20;
-            matrix[4][2][lane] = z1_3_by_ta;
-            matrix[4][3][lane] = z1_3_by_tau;
-            matrix[4][4][lane] = v1_3;
-            matrix[4][5][lane] = V;
-            matrix[5][0][lane] = z2_4_by_z10;
-            matrix[5][1][lane] = z2_4_by_z20 - 1;
-            matrix[5][2][lane] = z2_4_by_ta;
-            matrix[5][3][lane] = z2_4_by_tau;
-            matrix[5][4][lane] = z2_4_by_tau1;
-            matrix[5][5][lane] = v2_4;
-            matrix[0][6][lane] = z2_1;
-            matrix[0][7][lane] = 0;
-            matrix[0][8][lane] = chi*ta - ta;
-            matrix[0][9][lane] = 1;
-            matrix[0][10][lane] = 0;
-            matrix[1][6][lane] = chi*z1_2_by_chi + z1_2 - z2_2;
-            matrix[1][7][lane] = 0;
-            matrix[1][8][lane] = chi*z1_2_by_V - chi*z2_2_by_V;
-            matrix[1][9][lane] = 0;
-            matrix[1][10][lane] = 1;
-            matrix[2][6][lane] = -v1_3_by_chi;
-            matrix[2][7][lane] = -v1_3_by_eta;
-            matrix[2][8][lane] = 1 - v1_3_by_V;
-            matrix[2][9][lane] = 0;
-            matrix[2][10][lane] = 0;
-            matrix[3][6][lane] = -v2_4_by_chi;
-            matrix[3][7][lane] = -v2_4_by_eta;
-            matrix[3][8][lane] = 1 - v2_4_by_V;
-            matrix[3][9][lane] = 0;
-            matrix[3][10][lane] = 0;
-            matrix[4][6][lane] = -z1_3_by_chi;
-            matrix[4][7][lane] = -z1_3_by_eta;
-            matrix[4][8][lane] = -z1_4_by_V;
-            matrix[4][9][lane] = 0;
-            matrix[4][10][lane] = 0;
-            matrix[5][6][lane] = -z2_4_by_chi;
-            matrix[5][7][lane] = -z2_4_by_eta;
-            matrix[5][8][lane] = -z2_4_by_V;
-            matrix[5][9][lane] = 0;
-            matrix[5][10][lane] = 0;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_global_stick_equations_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, jacobian, moved);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            const double V = parameter[2][lane];
-            const double e1 = parameter[3][lane];
-            const double e2 = parameter[4][lane];
-            const double tau = unknown[3][lane];
-            const double tau1 = unknown[4][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double omega1_by_chi = fixed[6][lane];
-            const double omega1_by_eta = fixed[7][lane];
-            const double omega2_by_chi = fixed[8][lane];
-            const double omega2_by_eta = fixed[9][lane];
-            const double p1_by_chi = fixed[10][lane];
-            const double p1_by_eta = fixed[11][lane];
-            const double p2_by_chi = fixed[12][lane];
-            const double p2_by_eta = fixed[13][lane];
-            const double p3_by_chi = fixed[14][lane];
-            const double p3_by_eta = fixed[15][lane];
-            const double omega3_by_chi = fixed[16][lane];
-            const double omega3_by_eta = fixed[17][lane];
-            double sine_0, cosine_0;
-            nonsmooth_sincos(tau, &sine_0, &cosine_0);
-            const double cos_tau = cosine_0;
-            const double sin_tau = sine_0;
-            /* z2_1: linear in second-breaks-forward */
-            const double t2 = V*tau;
-            const double t3 = chi - 1;
-            const double t4 = (1.0/(t3));
-            const double t5 = e1*t4;
-            const double t6 = (1.0/(chi));
-            const double t7 = e2*t6;
-            const double z2_1 = V*sin_tau - cos_tau*t5 - t2 - t4*t7;
-            /* slip-stick for tau */
-            const double t8 = chi*z2_1;
-            const double t9 = e1 + t8;
-            const double t10 = chi*cos_tau;
-            const double t11 = chi - t10;
-            const double t12 = chi*sin_tau;
-            const double z1_2 = V*sin_tau + V*(chi*tau - t12) + cos_tau*t9 + t11*z2_1;
-            const double z2_2 = t2 + z2_1;
-            const double v1_2 = V*cos_tau + V*t11 + sin_tau*t8 - sin_tau*t9;
-            /* functions of tau1 in slip-slip */
-            const double t13 = omega1*tau1;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t13, &sine_1, &cosine_1);
-            const double cos_omega1_tau1 = cosine_1;
-            const double sin_omega1_tau1 = sine_1;
-            const double t16 = omega2*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t16, &sine_2, &cosine_2);
-            const double cos_omega2_tau1 = cosine_2;
-            const double sin_omega2_tau1 = sine_2;
-            /* slip-slip for tau1 */
-            const double t19 = (1.0/(omega1));
-            const double t20 = sin_omega1_tau1*t19;
-            const double t21 = 1 - p1;
-            const double t22 = (1.0/(omega2));
-            const double t23 = sin_omega2_tau1*t22;
-            const double t24 = p1*t20 + t21*t23;
-            const double t25 = cos_omega1_tau1*p1 + cos_omega2_tau1*t21;
-            const double t26 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-            const double t27 = p2*sin_omega1_tau1*t19 - p2*t23;
-            const double z1_3 = V*t27 + t24*v1_2 + t25*z1_2 + t26*z2_2;
-            const double t28 = p3*sin_omega1_tau1*t19 - p3*t23;
-            const double t29 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-            const double t30 = cos_omega1_tau1*t21 + cos_omega2_tau1*p1;
-            const double t31 = p1*t23 + t20*t21;
-            const double z2_3 = V*t31 + t28*v1_2 + t29*z1_2 + t30*z2_2;
-            const double t32 = omega2*sin_omega2_tau1;
-            const double t33 = omega1*sin_omega1_tau1;
-            const double t34 = -p1*t33 - t21*t32;
-            const double t35 = omega2*p2*sin_omega2_tau1 - p2*t33;
-            const double v1_3 = V*t26 + t25*v1_2 + t34*z1_2 + t35*z2_2;
-            const double t36 = omega2*p3*sin_omega2_tau1 - p3*t33;
-            const double t37 = -p1*t32 - t21*t33;
-            const double v2_3 = V*t30 + t29*v1_2 + t36*z1_2 + t37*z2_2;
-            /* first return of tau2 */
-            const double cosine_part_tau2 = -V + v2_3;
-            const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
-            /* first return of tau2 */
-            const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
-            /* d/dtau of: functions of tau in slip-stick */
-            const double cos_tau_by_tau = -sin_tau;
-            const double sin_tau_by_tau = cos_tau;
-            /* d/dtau of: z2_1: linear in second-breaks-forward */
-            const double t39 = -V*sin_tau_by_tau;
-            const double t40 = cos_tau_by_tau*e1;
-            const double z2_1_by_tau = -V - t39 - t4*t40;
-            /* d/dtau of: slip-stick for tau */
-            const double t41 = V*chi;
-            const double t42 = V - t41;
-            const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t42 + t40 + t41;
-            const double z2_2_by_tau = V + z2_1_by_tau;
-            const double v1_2_by_tau = cos_tau_by_tau*t42 - e1*sin_tau_by_tau;
-            /* d/dtau of: slip-slip for tau1 */
-            const double z1_3_by_tau = t24*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau;
-            const double z2_3_by_tau = t28*v1_2_by_tau + t29*z1_2_by_tau + t30*z2_2_by_tau;
-            const double v1_3_by_tau = t25*v1_2_by_tau + t34*z1_2_by_tau + t35*z2_2_by_tau;
-            const double v2_3_by_tau = t29*v1_2_by_tau + t36*z1_2_by_tau + t37*z2_2_by_tau;
-            /* d/dtau1 of: slip-slip for tau1 */
-            const double t44 = chi*z2_3;
-            const double v1_3_by_tau1 = t44 - z1_3;
-            const double t45 = eta*z1_3;
-            const double v2_3_by_tau1 = chi*t45 - eta*t44;
-            /* d/dtau of: first return of tau2 */
-            const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
-            /* d/dtau1 of: first return of tau2 */
-            const double sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3;
-            /* d/dtau of: first return of tau2 */
-            const double t46 = 2*cosine_part_tau2;
-            const double t47 = 2*sine_part_tau2;
-            const double t48 = sine_part_tau2_by_tau*t47 + t46*v2_3_by_tau;
-            const double t49 = (1.0/(amplitude_tau2));
-            const double t50 = (1.0/2.0)*t49;
-            const double amplitude_tau2_by_tau = t48*t50;
-            /* d/dtau1 of: first return of tau2 */
-            const double t51 = sine_part_tau2_by_tau1*t47 + t46*v2_3_by_tau1;
-            const double amplitude_tau2_by_tau1 = t50*t51;
-            /* back through: d/dtau1 of: first return of tau2 */
-            const double t52 = (1.0/(v1_3_by_tau1));
-            const double t53 = (1.0/(z2_1_by_tau));
-            const double t54 = (1.0/(omega3));
-            const double t55 = t4*t54;
-            const double t56 = t53*t55;
-            const double t57 = t52*t56;
-            const double slope_by_amplitude_tau2_by_tau1 = -t57*v1_3_by_tau;
-            /* back through: d/dtau of: first return of tau2 */
-            const double slope_by_amplitude_tau2_by_tau = t56;
-            /* back through: d/dtau1 of: first return of tau2 */
-            const double t58 = sine_part_tau2*t49;
-            const double slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t58;
-            /* back through: d/dtau of: first return of tau2 */
-            const double slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t58;
-            /* back through: d/dtau1 of: slip-slip for tau1 */
-            const double t59 = cosine_part_tau2*t49;
-            const double slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t59;
-            const double t60 = amplitude_tau2_by_tau1*v1_3_by_tau;
-            const double slope_by_v1_3_by_tau1 = t56*t60/(v1_3_by_tau1*v1_3_by_tau1);
-            /* back through: d/dtau of: slip-slip for tau1 */
-            const double slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t59;
-            const double slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t57;
-            const double t61 = omega3*slope_by_sine_part_tau2_by_tau;
-            const double slope_by_z2_3_by_tau = -t61;
-            const double slope_by_z1_3_by_tau = t61;
-            /* back through: d/dtau of: slip-stick for tau */
-            const double slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t25 + slope_by_v2_3_by_tau*t29 + slope_by_z1_3_by_tau*t24 + slope_by_z2_3_by_tau*t28;
-            const double slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t35 + slope_by_v2_3_by_tau*t37 + slope_by_z1_3_by_tau*t26 + slope_by_z2_3_by_tau*t30;
-            const double slope_by_z1_2_by_tau = slope_by_v1_3_by_tau*t34 + slope_by_v2_3_by_tau*t36 + slope_by_z1_3_by_tau*t25 + slope_by_z2_3_by_tau*t29;
-            /* back through: d/dtau of: z2_1: linear in second-breaks-forward */
-            const double slope_by_z2_1_by_tau = chi*slope_by_z1_2_by_tau + slope_by_z2_2_by_tau - (amplitude_tau2_by_tau*t55 - t52*t55*t60)/(z2_1_by_tau*z2_1_by_tau);
-            /* back through: d/dtau of: functions of tau in slip-stick */
-            const double slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t42;
-            const double slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t42 - slope_by_z2_1_by_tau*t5;
-            /* back through: first return of tau2 */
-            const double t62 = (1.0/2.0)/(amplitude_tau2*amplitude_tau2);
-            const double slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t48*t62 - slope_by_amplitude_tau2_by_tau1*t51*t62;
-            /* back through: first return of tau2 */
-            const double t63 = slope_by_amplitude_tau2_by_tau*t49;
-            const double t64 = slope_by_amplitude_tau2_by_tau1*t49;
-            const double slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t63 + sine_part_tau2_by_tau1*t64 + slope_by_amplitude_tau2*t58;
-            const double slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t59 + t63*v2_3_by_tau + t64*v2_3_by_tau1;
-            /* back through: slip-slip for tau1 */
-            const double t66 = omega3*slope_by_sine_part_tau2_by_tau1;
-            const double slope_by_v2_3 = slope_by_cosine_part_tau2 - t66;
-            const double slope_by_v1_3 = t66;
-            const double t67 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2;
-            const double slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t67;
-            const double slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t67;
-            /* back through: functions of tau1 in slip-slip */
-            const double t68 = p2*z2_2;
-            const double t69 = t21*z1_2;
-            const double t70 = p2*z2_2_by_tau;
-            const double t71 = t21*z1_2_by_tau;
-            const double t72 = p1*z2_2;
-            const double t73 = p1*z2_2_by_tau;
-            const double t74 = V*p2;
-            const double t75 = V*p1;
-            const double t76 = p3*v1_2;
-            const double t77 = slope_by_z1_3_by_tau*v1_2_by_tau;
-            const double t78 = t21*t77;
-            const double t79 = p3*v1_2_by_tau;
-            const double t80 = slope_by_z2_3_by_tau*t79;
-            const double slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t68 - omega2*t69) + slope_by_v1_3_by_tau*(omega2*t70 - omega2*t71) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t72) + slope_by_v2_3_by_tau*(omega2*p3*z1_2_by_tau - omega2*t73) + slope_by_z1_3*(t21*t22*v1_2 - t22*t74) + slope_by_z2_3*(t22*t75 - t22*t76) + t22*t78 - t22*t80;
-            const double t81 = p3*z1_2;
-            const double t82 = p3*z1_2_by_tau;
-            const double t83 = slope_by_v1_3_by_tau*v1_2_by_tau;
-            const double t84 = slope_by_v2_3_by_tau*t79;
-            const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t21*v1_2 - t74) + slope_by_v2_3*(t75 - t76) + slope_by_z1_3*(t21*z1_2 - t68) + slope_by_z1_3_by_tau*(t21*z1_2_by_tau - t70) + slope_by_z2_3*(t72 - t81) + slope_by_z2_3_by_tau*(t73 - t82) + t21*t83 - t84;
-            const double t85 = p1*z1_2;
-            const double t86 = p1*z1_2_by_tau;
-            const double t87 = t21*z2_2;
-            const double t88 = t21*z2_2_by_tau;
-            const double t89 = p1*v1_2;
-            const double t90 = V*t21;
-            const double t91 = p1*t77;
-            const double slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t68 - omega1*t85) + slope_by_v1_3_by_tau*(-omega1*t70 - omega1*t86) + slope_by_v2_3*(-omega1*t81 - omega1*t87) + slope_by_v2_3_by_tau*(-omega1*t82 - omega1*t88) + slope_by_z1_3*(t19*t74 + t19*t89) + slope_by_z2_3*(t19*t76 + t19*t90) + t19*t80 + t19*t91;
-            const double slope_by_cos_omega1_tau1 = p1*t83 + slope_by_v1_3*(t74 + t89) + slope_by_v2_3*(t76 + t90) + slope_by_z1_3*(t68 + t85) + slope_by_z1_3_by_tau*(t70 + t86) + slope_by_z2_3*(t81 + t87) + slope_by_z2_3_by_tau*(t82 + t88) + t84;
-            /* back through: slip-stick for tau */
-            const double slope_by_v1_2 = slope_by_v1_3*t25 + slope_by_v2_3*t29 + slope_by_z1_3*t24 + slope_by_z2_3*t28;
-            const double slope_by_z2_2 = slope_by_v1_3*t35 + slope_by_v2_3*t37 + slope_by_z1_3*t26 + slope_by_z2_3*t30;
-            const double slope_by_z1_2 = slope_by_v1_3*t34 + slope_by_v2_3*t36 + slope_by_z1_3*t25 + slope_by_z2_3*t29;
-            /* back through: z2_1: linear in second-breaks-forward */
-            const double slope_by_z2_1 = chi*slope_by_z1_2 + slope_by_z2_2;
-            /* back through: functions of tau in slip-stick */
-            const double t92 = V*slope_by_z2_1;
-            const double slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t42 + t92;
-            const double slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t42 - slope_by_z2_1*t5;
-            /* trace_gradient */
-            const double t93 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
-            const double t94 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
-            const double t95 = sin_omega1_tau1/(omega1*omega1);
-            const double t96 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_v1_3*(-sin_omega1_tau1*t68 - sin_omega1_tau1*t85) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t70 - sin_omega1_tau1*t86) + slope_by_v2_3*(-sin_omega1_tau1*t81 - sin_omega1_tau1*t87) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t82 - sin_omega1_tau1*t88) + slope_by_z1_3*(-t74*t95 - t89*t95) + slope_by_z2_3*(-t76*t95 - t90*t95) - t80*t95 - t91*t95 - t94*tau1;
-            const double t97 = (1.0/(omega2*omega2));
-            const double t98 = sin_omega2_tau1*t97;
-            const double t99 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_v1_3*(sin_omega2_tau1*t68 - sin_omega2_tau1*t69) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t70 - sin_omega2_tau1*t71) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t72) + slope_by_v2_3_by_tau*(p3*sin_omega2_tau1*z1_2_by_tau - sin_omega2_tau1*t73) + slope_by_z1_3*(-t21*t98*v1_2 + t74*t98) + slope_by_z2_3*(p3*sin_omega2_tau1*t97*v1_2 - t75*t98) - t78*t98 + t80*t98 - t93*tau1;
-            const double t100 = (1.0/(omega3*omega3));
-            const double t101 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t53*(-amplitude_tau2_by_tau*t100*t4 + amplitude_tau2_by_tau1*t100*t4*t52*v1_3_by_tau);
-            const double t102 = cos_omega1_tau1 - cos_omega2_tau1;
-            const double t103 = -omega2*sin_omega2_tau1 + t33;
-            const double t105 = t102*v1_2 - t103*z1_2;
-            const double t106 = t102*v1_2_by_tau - t103*z1_2_by_tau;
-            const double t108 = -sin_omega1_tau1*t19 + t23;
-            const double t110 = t102*z1_2 - t108*v1_2;
-            const double t111 = t102*z1_2_by_tau - t108*v1_2_by_tau;
-            const double t112 = slope_by_v1_3*t105 + slope_by_v1_3_by_tau*t106 + slope_by_v2_3*(-V*t102 + t103*z2_2) + slope_by_v2_3_by_tau*t103*z2_2_by_tau + slope_by_z1_3*t110 + slope_by_z1_3_by_tau*t111 + slope_by_z2_3*(V*t108 - t102*z2_2) - slope_by_z2_3_by_tau*t102*z2_2_by_tau;
-            const double t113 = slope_by_v1_3*(V*t102 - t103*z2_2) - slope_by_v1_3_by_tau*t103*z2_2_by_tau + slope_by_z1_3*(-V*t108 + t102*z2_2) + slope_by_z1_3_by_tau*t102*z2_2_by_tau;
-            const double t114 = slope_by_v2_3*t105 + slope_by_v2_3_by_tau*t106 + slope_by_z2_3*t110 + slope_by_z2_3_by_tau*t111;
-            const double t115 = 1 - cos_tau;
-            const double t116 = sin_tau - tau;
-            const double t117 = (1.0/(t3*t3));
-            const double t118 = cos_tau_by_tau*slope_by_v1_2_by_tau;
-            const double t120 = slope_by_z2_1*t4;
-            slope[0][lane] = 0;
-            slope[1][lane] = 0;
-            slope[2][lane] = 0;
-            slope[3][lane] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t92;
-            slope[4][lane] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t94 - omega2*t93;
-            slope[5][lane] = 0;
-            slope[6][lane] = V*slope_by_v1_2*t115 - V*t118 + omega1_by_chi*t96 + omega2_by_chi*t99 + omega3_by_chi*t101 + p1_by_chi*t112 + p2_by_chi*t113 + p3_by_chi*t114 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t45) + slope_by_z1_2*(-V*t116 + cos_tau*z2_1 + t115*z2_1) + slope_by_z1_2_by_tau*(t39 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t117 + t117*t7 + e2*t4/(chi*chi)) + slope_by_z2_1_by_tau*t117*t40 + t53*(-amplitude_tau2_by_tau*t117*t54 + amplitude_tau2_by_tau1*t117*t52*t54*v1_3_by_tau);
-            slope[7][lane] = omega1_by_eta*t96 + omega2_by_eta*t99 + omega3_by_eta*t101 + p1_by_eta*t112 + p2_by_eta*t113 + p3_by_eta*t114 + slope_by_v2_3_by_tau1*(chi*z1_3 - t44);
-            slope[8][lane] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t10) + slope_by_v1_3*t26 + slope_by_v2_3*t30 + slope_by_z1_2*(chi*tau + sin_tau - t12) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t3) + slope_by_z1_3*t27 + slope_by_z2_1*t116 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t31 - t118*t3;
-            slope[9][lane] = cos_tau*slope_by_z1_2 - cos_tau*t120 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t4 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau;
-            slope[10][lane] = -t120*t6;
-        }
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane)
-                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
-        for (int k = 0; k < n; ++k) {
-            for (int i = k + 1; i < n; ++i) {
-                double other[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
-                for (int j = k; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane) {
-                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
-                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
-                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
-                    }
-            }
-            NONSMOOTH_SIMD
-            for (int lane = 0; lane < lanes; ++lane) {
-                const double pivot = fabs(matrix[k][k][lane]);
-                least[lane] = pivot < least[lane] ? pivot : least[lane];
-                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
-            }
-            for (int i = k + 1; i < n; ++i) {
-                double factor[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
-                for (int j = k + 1; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
-            }
-        }
-        for (int k = n - 1; k >= 0; --k)
-            for (int j = n; j < width; ++j) {
-                for (int l = k + 1; l < n; ++l)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane) {
-                    matrix[k][j][lane] *= matrix[k][k][lane];
-                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
-                }
-            }
-        for (int lane = 0; lane < here; ++lane) {
-            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
-            for (int j = 0; j < p; ++j) {
-                for (int i = 0; i < n; ++i)
-                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
-                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
-            }
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_global_stick_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, slope);
+        nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
+        nonsmooth_store(n * p, moved, count, start, directions);
+        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }
 

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation c95b40eee0de940e
+# SymPy 1.14.0, derivation 10e857581e62d2f8
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "c95b40eee0de940e"
+DERIVATION = "10e857581e62d2f8"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",

@@ -1,25 +1,27 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation bf1832f0bd73ae77 */
+ * SymPy 1.14.0, derivation 795b651b261d23ea */
 #include "elastic_stop.h"
 
 #include <math.h>
 
 #include "nonsmooth_compiler.h"
+#include "nonsmooth_elimination.h"
+#include "nonsmooth_lanes.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Operations: 310. Intermediate terms: 144. */
-void elastic_stop_spectrum(
-    const double parameters[5], double *spectrum, double *spectrum_derivatives)
+static NONSMOOTH_INLINE void elastic_stop_spectrum_in_lane(
+    int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double k1 = parameters[0];
-    const double k2 = parameters[1];
-    const double k3 = parameters[2];
-    const double m1 = parameters[3];
-    const double m2 = parameters[4];
+    const double k1 = parameters[lane];
+    const double k2 = parameters[1*lanes + lane];
+    const double k3 = parameters[2*lanes + lane];
+    const double m1 = parameters[3*lanes + lane];
+    const double m2 = parameters[4*lanes + lane];
     /* spectrum */
     const double t0 = (1.0/(m2));
     const double t1 = k1 + k2;
@@ -62,18 +64,18 @@ void elastic_stop_spectrum(
     const double t27 = t0*t25;
     const double p6 = -k1*t27;
     if (spectrum) {
-        spectrum[0] = gap1;
-        spectrum[1] = omega1;
-        spectrum[2] = omega2;
-        spectrum[3] = p1;
-        spectrum[4] = p2;
-        spectrum[5] = p3;
-        spectrum[6] = gap2;
-        spectrum[7] = omega3;
-        spectrum[8] = omega4;
-        spectrum[9] = p4;
-        spectrum[10] = p5;
-        spectrum[11] = p6;
+        spectrum[lane] = gap1;
+        spectrum[1*lanes + lane] = omega1;
+        spectrum[2*lanes + lane] = omega2;
+        spectrum[3*lanes + lane] = p1;
+        spectrum[4*lanes + lane] = p2;
+        spectrum[5*lanes + lane] = p3;
+        spectrum[6*lanes + lane] = gap2;
+        spectrum[7*lanes + lane] = omega3;
+        spectrum[8*lanes + lane] = omega4;
+        spectrum[9*lanes + lane] = p4;
+        spectrum[10*lanes + lane] = p5;
+        spectrum[11*lanes + lane] = p6;
     }
     if (!spectrum_derivatives)
         return;
@@ -187,67 +189,73 @@ void elastic_stop_spectrum(
     const double p5_by_m2 = t18*t77;
     const double p6_by_m2 = t25*t75 + t51*t77;
     if (spectrum_derivatives) {
-        spectrum_derivatives[0] = gap1_by_k1;
-        spectrum_derivatives[1] = gap1_by_k2;
-        spectrum_derivatives[2] = gap1_by_k3;
-        spectrum_derivatives[3] = gap1_by_m1;
-        spectrum_derivatives[4] = gap1_by_m2;
-        spectrum_derivatives[5] = omega1_by_k1;
-        spectrum_derivatives[6] = omega1_by_k2;
-        spectrum_derivatives[7] = omega1_by_k3;
-        spectrum_derivatives[8] = omega1_by_m1;
-        spectrum_derivatives[9] = omega1_by_m2;
-        spectrum_derivatives[10] = omega2_by_k1;
-        spectrum_derivatives[11] = omega2_by_k2;
-        spectrum_derivatives[12] = omega2_by_k3;
-        spectrum_derivatives[13] = omega2_by_m1;
-        spectrum_derivatives[14] = omega2_by_m2;
-        spectrum_derivatives[15] = p1_by_k1;
-        spectrum_derivatives[16] = p1_by_k2;
-        spectrum_derivatives[17] = p1_by_k3;
-        spectrum_derivatives[18] = p1_by_m1;
-        spectrum_derivatives[19] = p1_by_m2;
-        spectrum_derivatives[20] = p2_by_k1;
-        spectrum_derivatives[21] = p2_by_k2;
-        spectrum_derivatives[22] = p2_by_k3;
-        spectrum_derivatives[23] = p2_by_m1;
-        spectrum_derivatives[24] = p2_by_m2;
-        spectrum_derivatives[25] = p3_by_k1;
-        spectrum_derivatives[26] = p3_by_k2;
-        spectrum_derivatives[27] = p3_by_k3;
-        spectrum_derivatives[28] = p3_by_m1;
-        spectrum_derivatives[29] = p3_by_m2;
-        spectrum_derivatives[30] = gap2_by_k1;
-        spectrum_derivatives[31] = gap2_by_k2;
-        spectrum_derivatives[32] = 0;
-        spectrum_derivatives[33] = gap2_by_m1;
-        spectrum_derivatives[34] = gap2_by_m2;
-        spectrum_derivatives[35] = omega3_by_k1;
-        spectrum_derivatives[36] = omega3_by_k2;
-        spectrum_derivatives[37] = 0;
-        spectrum_derivatives[38] = omega3_by_m1;
-        spectrum_derivatives[39] = omega3_by_m2;
-        spectrum_derivatives[40] = omega4_by_k1;
-        spectrum_derivatives[41] = omega4_by_k2;
-        spectrum_derivatives[42] = 0;
-        spectrum_derivatives[43] = omega4_by_m1;
-        spectrum_derivatives[44] = omega4_by_m2;
-        spectrum_derivatives[45] = p4_by_k1;
-        spectrum_derivatives[46] = p4_by_k2;
-        spectrum_derivatives[47] = 0;
-        spectrum_derivatives[48] = p4_by_m1;
-        spectrum_derivatives[49] = p4_by_m2;
-        spectrum_derivatives[50] = p5_by_k1;
-        spectrum_derivatives[51] = p5_by_k2;
-        spectrum_derivatives[52] = 0;
-        spectrum_derivatives[53] = p5_by_m1;
-        spectrum_derivatives[54] = p5_by_m2;
-        spectrum_derivatives[55] = p6_by_k1;
-        spectrum_derivatives[56] = p6_by_k2;
-        spectrum_derivatives[57] = 0;
-        spectrum_derivatives[58] = p6_by_m1;
-        spectrum_derivatives[59] = p6_by_m2;
+        spectrum_derivatives[lane] = gap1_by_k1;
+        spectrum_derivatives[1*lanes + lane] = gap1_by_k2;
+        spectrum_derivatives[2*lanes + lane] = gap1_by_k3;
+        spectrum_derivatives[3*lanes + lane] = gap1_by_m1;
+        spectrum_derivatives[4*lanes + lane] = gap1_by_m2;
+        spectrum_derivatives[5*lanes + lane] = omega1_by_k1;
+        spectrum_derivatives[6*lanes + lane] = omega1_by_k2;
+        spectrum_derivatives[7*lanes + lane] = omega1_by_k3;
+        spectrum_derivatives[8*lanes + lane] = omega1_by_m1;
+        spectrum_derivatives[9*lanes + lane] = omega1_by_m2;
+        spectrum_derivatives[10*lanes + lane] = omega2_by_k1;
+        spectrum_derivatives[11*lanes + lane] = omega2_by_k2;
+        spectrum_derivatives[12*lanes + lane] = omega2_by_k3;
+        spectrum_derivatives[13*lanes + lane] = omega2_by_m1;
+        spectrum_derivatives[14*lanes + lane] = omega2_by_m2;
+        spectrum_derivatives[15*lanes + lane] = p1_by_k1;
+        spectrum_derivatives[16*lanes + lane] = p1_by_k2;
+        spectrum_derivatives[17*lanes + lane] = p1_by_k3;
+        spectrum_derivatives[18*lanes + lane] = p1_by_m1;
+        spectrum_derivatives[19*lanes + lane] = p1_by_m2;
+        spectrum_derivatives[20*lanes + lane] = p2_by_k1;
+        spectrum_derivatives[21*lanes + lane] = p2_by_k2;
+        spectrum_derivatives[22*lanes + lane] = p2_by_k3;
+        spectrum_derivatives[23*lanes + lane] = p2_by_m1;
+        spectrum_derivatives[24*lanes + lane] = p2_by_m2;
+        spectrum_derivatives[25*lanes + lane] = p3_by_k1;
+        spectrum_derivatives[26*lanes + lane] = p3_by_k2;
+        spectrum_derivatives[27*lanes + lane] = p3_by_k3;
+        spectrum_derivatives[28*lanes + lane] = p3_by_m1;
+        spectrum_derivatives[29*lanes + lane] = p3_by_m2;
+        spectrum_derivatives[30*lanes + lane] = gap2_by_k1;
+        spectrum_derivatives[31*lanes + lane] = gap2_by_k2;
+        spectrum_derivatives[32*lanes + lane] = 0;
+        spectrum_derivatives[33*lanes + lane] = gap2_by_m1;
+        spectrum_derivatives[34*lanes + lane] = gap2_by_m2;
+        spectrum_derivatives[35*lanes + lane] = omega3_by_k1;
+        spectrum_derivatives[36*lanes + lane] = omega3_by_k2;
+        spectrum_derivatives[37*lanes + lane] = 0;
+        spectrum_derivatives[38*lanes + lane] = omega3_by_m1;
+        spectrum_derivatives[39*lanes + lane] = omega3_by_m2;
+        spectrum_derivatives[40*lanes + lane] = omega4_by_k1;
+        spectrum_derivatives[41*lanes + lane] = omega4_by_k2;
+        spectrum_derivatives[42*lanes + lane] = 0;
+        spectrum_derivatives[43*lanes + lane] = omega4_by_m1;
+        spectrum_derivatives[44*lanes + lane] = omega4_by_m2;
+        spectrum_derivatives[45*lanes + lane] = p4_by_k1;
+        spectrum_derivatives[46*lanes + lane] = p4_by_k2;
+        spectrum_derivatives[47*lanes + lane] = 0;
+        spectrum_derivatives[48*lanes + lane] = p4_by_m1;
+        spectrum_derivatives[49*lanes + lane] = p4_by_m2;
+        spectrum_derivatives[50*lanes + lane] = p5_by_k1;
+        spectrum_derivatives[51*lanes + lane] = p5_by_k2;
+        spectrum_derivatives[52*lanes + lane] = 0;
+        spectrum_derivatives[53*lanes + lane] = p5_by_m1;
+        spectrum_derivatives[54*lanes + lane] = p5_by_m2;
+        spectrum_derivatives[55*lanes + lane] = p6_by_k1;
+        spectrum_derivatives[56*lanes + lane] = p6_by_k2;
+        spectrum_derivatives[57*lanes + lane] = 0;
+        spectrum_derivatives[58*lanes + lane] = p6_by_m1;
+        spectrum_derivatives[59*lanes + lane] = p6_by_m2;
     }
+}
+
+void elastic_stop_spectrum(
+    const double parameters[5], double *spectrum, double *spectrum_derivatives)
+{
+    elastic_stop_spectrum_in_lane(1, 0, parameters, spectrum, spectrum_derivatives);
 }
 
 /* State after a time in contact.
@@ -564,50 +572,53 @@ void elastic_stop_modes(
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
  * Operations: 776. Intermediate terms: 191. */
-NONSMOOTH_UNMERGED
-void elastic_stop_one_contact_equations(
-    const double parameters[6], const double spectrum[12], const double unknowns[4],
+static NONSMOOTH_INLINE void elastic_stop_one_contact_equations_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
+    const double k1 = parameters[2*lanes + lane];
+    const double k2 = parameters[3*lanes + lane];
+    const double k3 = parameters[4*lanes + lane];
+    const double T = parameters[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[7*lanes + lane];
+    const double omega4 = spectrum[8*lanes + lane];
+    const double p4 = spectrum[9*lanes + lane];
+    const double p5 = spectrum[10*lanes + lane];
+    const double p6 = spectrum[11*lanes + lane];
+    const double y = unknowns[lane];
+    const double u = unknowns[1*lanes + lane];
+    const double w = unknowns[2*lanes + lane];
+    const double tau = unknowns[3*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
     /* functions of half_tau in contact */
     const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_tau = wave_0.cosine;
+    const double sin_omega1_half_tau = wave_0.sine;
     const double t3 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t3);
-    const double sin_omega2_half_tau = sin(t3);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_half_tau = wave_1.cosine;
+    const double sin_omega2_half_tau = wave_1.sine;
     /* tau1 completes the period */
     const double tau1 = T - tau;
     /* half of tau1 */
     const double half_tau1 = (1.0/2.0)*tau1;
     /* functions of half_tau1 in free */
     const double t6 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t6);
-    const double sin_omega3_half_tau1 = sin(t6);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t6);
+    const double cos_omega3_half_tau1 = wave_2.cosine;
+    const double sin_omega3_half_tau1 = wave_2.sine;
     const double t9 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t9);
-    const double sin_omega4_half_tau1 = sin(t9);
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t9);
+    const double cos_omega4_half_tau1 = wave_3.cosine;
+    const double sin_omega4_half_tau1 = wave_3.sine;
     /* residual */
     const double t40 = p1*u + p2*w;
     const double t42 = -t40 + u;
@@ -648,10 +659,10 @@ void elastic_stop_one_contact_equations(
     const double t80 = p4*y - p6 - y;
     const double t81 = p4*y - p6;
     if (residual) {
-        residual[0] = cos_omega1_half_tau*t40 + cos_omega2_half_tau*t42 - t51*t58 + t52*t56;
-        residual[1] = cos_omega1_half_tau*t61 + cos_omega2_half_tau*t62 - t56*t68 + t58*t67;
-        residual[2] = -cos_omega3_half_tau1*t69 + cos_omega4_half_tau1*t71 - t72*t75 + t73*t74;
-        residual[3] = cos_omega3_half_tau1*t78 + cos_omega4_half_tau1*t79 - t74*t81 + t75*t80;
+        residual[lane] = cos_omega1_half_tau*t40 + cos_omega2_half_tau*t42 - t51*t58 + t52*t56;
+        residual[1*lanes + lane] = cos_omega1_half_tau*t61 + cos_omega2_half_tau*t62 - t56*t68 + t58*t67;
+        residual[2*lanes + lane] = -cos_omega3_half_tau1*t69 + cos_omega4_half_tau1*t71 - t72*t75 + t73*t74;
+        residual[3*lanes + lane] = cos_omega3_half_tau1*t78 + cos_omega4_half_tau1*t79 - t74*t81 + t75*t80;
     }
     if (!jacobian && !parameter_jacobian)
         return;
@@ -681,75 +692,75 @@ void elastic_stop_one_contact_equations(
     const double t88 = omega4*sin_omega4_half_tau1_by_tau;
     const double t89 = omega3*sin_omega3_half_tau1_by_tau;
     if (jacobian) {
-        jacobian[0] = omega2*sin_omega2_half_tau*t54*t82 - t58*t82;
-        jacobian[1] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t83;
-        jacobian[2] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-        jacobian[3] = cos_omega1_half_tau_by_tau*t40 + cos_omega2_half_tau_by_tau*t42 - t51*t85 + t52*t84;
-        jacobian[4] = -t56*t86 + t58*(-t43 - t46 - t49 + t86);
-        jacobian[5] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-        jacobian[6] = cos_omega1_half_tau*t83 + cos_omega2_half_tau*p1;
-        jacobian[7] = cos_omega1_half_tau_by_tau*t61 + cos_omega2_half_tau_by_tau*t62 + t67*t85 - t68*t84;
-        jacobian[8] = omega4*p5*sin_omega4_half_tau1 - p5*t75;
-        jacobian[9] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t87;
-        jacobian[10] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-        jacobian[11] = -cos_omega3_half_tau1_by_tau*t69 + cos_omega4_half_tau1_by_tau*t71 - t72*t89 + t73*t88;
-        jacobian[12] = -p4*t74 + t75*t87;
-        jacobian[13] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
-        jacobian[14] = cos_omega3_half_tau1*t87 - cos_omega4_half_tau1*p4;
-        jacobian[15] = cos_omega3_half_tau1_by_tau*t78 + cos_omega4_half_tau1_by_tau*t79 + t80*t89 - t81*t88;
+        jacobian[lane] = omega2*sin_omega2_half_tau*t54*t82 - t58*t82;
+        jacobian[1*lanes + lane] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t83;
+        jacobian[2*lanes + lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+        jacobian[3*lanes + lane] = cos_omega1_half_tau_by_tau*t40 + cos_omega2_half_tau_by_tau*t42 - t51*t85 + t52*t84;
+        jacobian[4*lanes + lane] = -t56*t86 + t58*(-t43 - t46 - t49 + t86);
+        jacobian[5*lanes + lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+        jacobian[6*lanes + lane] = cos_omega1_half_tau*t83 + cos_omega2_half_tau*p1;
+        jacobian[7*lanes + lane] = cos_omega1_half_tau_by_tau*t61 + cos_omega2_half_tau_by_tau*t62 + t67*t85 - t68*t84;
+        jacobian[8*lanes + lane] = omega4*p5*sin_omega4_half_tau1 - p5*t75;
+        jacobian[9*lanes + lane] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t87;
+        jacobian[10*lanes + lane] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
+        jacobian[11*lanes + lane] = -cos_omega3_half_tau1_by_tau*t69 + cos_omega4_half_tau1_by_tau*t71 - t72*t89 + t73*t88;
+        jacobian[12*lanes + lane] = -p4*t74 + t75*t87;
+        jacobian[13*lanes + lane] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
+        jacobian[14*lanes + lane] = cos_omega3_half_tau1*t87 - cos_omega4_half_tau1*p4;
+        jacobian[15*lanes + lane] = cos_omega3_half_tau1_by_tau*t78 + cos_omega4_half_tau1_by_tau*t79 + t80*t89 - t81*t88;
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_k1 = spectrum_derivatives[5];
-    const double omega1_by_k2 = spectrum_derivatives[6];
-    const double omega1_by_k3 = spectrum_derivatives[7];
-    const double omega1_by_m1 = spectrum_derivatives[8];
-    const double omega1_by_m2 = spectrum_derivatives[9];
-    const double omega2_by_k1 = spectrum_derivatives[10];
-    const double omega2_by_k2 = spectrum_derivatives[11];
-    const double omega2_by_k3 = spectrum_derivatives[12];
-    const double omega2_by_m1 = spectrum_derivatives[13];
-    const double omega2_by_m2 = spectrum_derivatives[14];
-    const double p1_by_k1 = spectrum_derivatives[15];
-    const double p1_by_k2 = spectrum_derivatives[16];
-    const double p1_by_k3 = spectrum_derivatives[17];
-    const double p1_by_m1 = spectrum_derivatives[18];
-    const double p1_by_m2 = spectrum_derivatives[19];
-    const double p2_by_k1 = spectrum_derivatives[20];
-    const double p2_by_k2 = spectrum_derivatives[21];
-    const double p2_by_k3 = spectrum_derivatives[22];
-    const double p2_by_m1 = spectrum_derivatives[23];
-    const double p2_by_m2 = spectrum_derivatives[24];
-    const double p3_by_k1 = spectrum_derivatives[25];
-    const double p3_by_k2 = spectrum_derivatives[26];
-    const double p3_by_k3 = spectrum_derivatives[27];
-    const double p3_by_m1 = spectrum_derivatives[28];
-    const double p3_by_m2 = spectrum_derivatives[29];
-    const double omega3_by_k1 = spectrum_derivatives[35];
-    const double omega3_by_k2 = spectrum_derivatives[36];
-    const double omega3_by_k3 = spectrum_derivatives[37];
-    const double omega3_by_m1 = spectrum_derivatives[38];
-    const double omega3_by_m2 = spectrum_derivatives[39];
-    const double omega4_by_k1 = spectrum_derivatives[40];
-    const double omega4_by_k2 = spectrum_derivatives[41];
-    const double omega4_by_k3 = spectrum_derivatives[42];
-    const double omega4_by_m1 = spectrum_derivatives[43];
-    const double omega4_by_m2 = spectrum_derivatives[44];
-    const double p4_by_k1 = spectrum_derivatives[45];
-    const double p4_by_k2 = spectrum_derivatives[46];
-    const double p4_by_k3 = spectrum_derivatives[47];
-    const double p4_by_m1 = spectrum_derivatives[48];
-    const double p4_by_m2 = spectrum_derivatives[49];
-    const double p5_by_k1 = spectrum_derivatives[50];
-    const double p5_by_k2 = spectrum_derivatives[51];
-    const double p5_by_k3 = spectrum_derivatives[52];
-    const double p5_by_m1 = spectrum_derivatives[53];
-    const double p5_by_m2 = spectrum_derivatives[54];
-    const double p6_by_k1 = spectrum_derivatives[55];
-    const double p6_by_k2 = spectrum_derivatives[56];
-    const double p6_by_k3 = spectrum_derivatives[57];
-    const double p6_by_m1 = spectrum_derivatives[58];
-    const double p6_by_m2 = spectrum_derivatives[59];
+    const double omega1_by_k1 = spectrum_derivatives[5*lanes + lane];
+    const double omega1_by_k2 = spectrum_derivatives[6*lanes + lane];
+    const double omega1_by_k3 = spectrum_derivatives[7*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[8*lanes + lane];
+    const double omega1_by_m2 = spectrum_derivatives[9*lanes + lane];
+    const double omega2_by_k1 = spectrum_derivatives[10*lanes + lane];
+    const double omega2_by_k2 = spectrum_derivatives[11*lanes + lane];
+    const double omega2_by_k3 = spectrum_derivatives[12*lanes + lane];
+    const double omega2_by_m1 = spectrum_derivatives[13*lanes + lane];
+    const double omega2_by_m2 = spectrum_derivatives[14*lanes + lane];
+    const double p1_by_k1 = spectrum_derivatives[15*lanes + lane];
+    const double p1_by_k2 = spectrum_derivatives[16*lanes + lane];
+    const double p1_by_k3 = spectrum_derivatives[17*lanes + lane];
+    const double p1_by_m1 = spectrum_derivatives[18*lanes + lane];
+    const double p1_by_m2 = spectrum_derivatives[19*lanes + lane];
+    const double p2_by_k1 = spectrum_derivatives[20*lanes + lane];
+    const double p2_by_k2 = spectrum_derivatives[21*lanes + lane];
+    const double p2_by_k3 = spectrum_derivatives[22*lanes + lane];
+    const double p2_by_m1 = spectrum_derivatives[23*lanes + lane];
+    const double p2_by_m2 = spectrum_derivatives[24*lanes + lane];
+    const double p3_by_k1 = spectrum_derivatives[25*lanes + lane];
+    const double p3_by_k2 = spectrum_derivatives[26*lanes + lane];
+    const double p3_by_k3 = spectrum_derivatives[27*lanes + lane];
+    const double p3_by_m1 = spectrum_derivatives[28*lanes + lane];
+    const double p3_by_m2 = spectrum_derivatives[29*lanes + lane];
+    const double omega3_by_k1 = spectrum_derivatives[35*lanes + lane];
+    const double omega3_by_k2 = spectrum_derivatives[36*lanes + lane];
+    const double omega3_by_k3 = spectrum_derivatives[37*lanes + lane];
+    const double omega3_by_m1 = spectrum_derivatives[38*lanes + lane];
+    const double omega3_by_m2 = spectrum_derivatives[39*lanes + lane];
+    const double omega4_by_k1 = spectrum_derivatives[40*lanes + lane];
+    const double omega4_by_k2 = spectrum_derivatives[41*lanes + lane];
+    const double omega4_by_k3 = spectrum_derivatives[42*lanes + lane];
+    const double omega4_by_m1 = spectrum_derivatives[43*lanes + lane];
+    const double omega4_by_m2 = spectrum_derivatives[44*lanes + lane];
+    const double p4_by_k1 = spectrum_derivatives[45*lanes + lane];
+    const double p4_by_k2 = spectrum_derivatives[46*lanes + lane];
+    const double p4_by_k3 = spectrum_derivatives[47*lanes + lane];
+    const double p4_by_m1 = spectrum_derivatives[48*lanes + lane];
+    const double p4_by_m2 = spectrum_derivatives[49*lanes + lane];
+    const double p5_by_k1 = spectrum_derivatives[50*lanes + lane];
+    const double p5_by_k2 = spectrum_derivatives[51*lanes + lane];
+    const double p5_by_k3 = spectrum_derivatives[52*lanes + lane];
+    const double p5_by_m1 = spectrum_derivatives[53*lanes + lane];
+    const double p5_by_m2 = spectrum_derivatives[54*lanes + lane];
+    const double p6_by_k1 = spectrum_derivatives[55*lanes + lane];
+    const double p6_by_k2 = spectrum_derivatives[56*lanes + lane];
+    const double p6_by_k3 = spectrum_derivatives[57*lanes + lane];
+    const double p6_by_m1 = spectrum_derivatives[58*lanes + lane];
+    const double p6_by_m2 = spectrum_derivatives[59*lanes + lane];
     /* d/dm1 of: functions of half_tau in contact */
     const double t20 = half_tau*omega1_by_m1;
     const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t20;
@@ -879,67 +890,78 @@ void elastic_stop_one_contact_equations(
     const double t142 = sin_omega4_half_tau1*t81;
     const double t143 = omega4*t81;
     if (parameter_jacobian) {
-        parameter_jacobian[0] = cos_omega1_half_tau_by_m1*t40 + cos_omega2_half_tau_by_m1*t42 - omega1_by_m1*t96 + omega2_by_m1*t93 + p1_by_m1*t90 + p2_by_m1*t91 - sin_omega1_half_tau_by_m1*t97 + sin_omega2_half_tau_by_m1*t94;
-        parameter_jacobian[1] = cos_omega1_half_tau_by_m2*t40 + cos_omega2_half_tau_by_m2*t42 - omega1_by_m2*t96 + omega2_by_m2*t93 + p1_by_m2*t90 + p2_by_m2*t91 - sin_omega1_half_tau_by_m2*t97 + sin_omega2_half_tau_by_m2*t94;
-        parameter_jacobian[2] = cos_omega1_half_tau_by_k1*t40 + cos_omega2_half_tau_by_k1*t42 - omega1_by_k1*t96 + omega2_by_k1*t93 + p1_by_k1*t90 + p2_by_k1*t91 - sin_omega1_half_tau_by_k1*t97 + sin_omega2_half_tau_by_k1*t94 - t103*t58 + t105*t107 - t105*t109 + t56*(-k2 + t103);
-        parameter_jacobian[3] = cos_omega1_half_tau_by_k2*t40 + cos_omega2_half_tau_by_k2*t42 - omega1_by_k2*t96 + omega2_by_k2*t93 + p1_by_k2*t90 + p2_by_k2*t91 - sin_omega1_half_tau_by_k2*t97 + sin_omega2_half_tau_by_k2*t94 + t107*t114 - t109*t114 - t113*t58 + t56*(-k1 + t113);
-        parameter_jacobian[4] = cos_omega1_half_tau_by_k3*t40 + cos_omega2_half_tau_by_k3*t42 - omega1_by_k3*t96 + omega2_by_k3*t93 + p1_by_k3*t90 + p2_by_k3*t91 - sin_omega1_half_tau_by_k3*t97 + sin_omega2_half_tau_by_k3*t94 + t107*t116 - t109*t116 + t115*t56 - t115*t58;
-        parameter_jacobian[5] = 0;
-        parameter_jacobian[6] = cos_omega1_half_tau_by_m1*t61 + cos_omega2_half_tau_by_m1*t62 + omega1_by_m1*t118 - omega2_by_m1*t120 - p1_by_m1*t91 + p3_by_m1*t90 + sin_omega1_half_tau_by_m1*t119 - sin_omega2_half_tau_by_m1*t121;
-        parameter_jacobian[7] = cos_omega1_half_tau_by_m2*t61 + cos_omega2_half_tau_by_m2*t62 + omega1_by_m2*t118 - omega2_by_m2*t120 - p1_by_m2*t91 + p3_by_m2*t90 + sin_omega1_half_tau_by_m2*t119 - sin_omega2_half_tau_by_m2*t121;
-        parameter_jacobian[8] = cos_omega1_half_tau_by_k1*t61 + cos_omega2_half_tau_by_k1*t62 + omega1_by_k1*t118 - omega2_by_k1*t120 - p1_by_k1*t91 + p3_by_k1*t90 + sin_omega1_half_tau_by_k1*t119 - sin_omega2_half_tau_by_k1*t121 + t105*t127 - t105*t128 - t56*(-t122 - t123 + t125 + t126) + t58*(k2*p1*y + k3 - t100 - t122 - t123 - t124);
-        parameter_jacobian[9] = cos_omega1_half_tau_by_k2*t61 + cos_omega2_half_tau_by_k2*t62 + omega1_by_k2*t118 - omega2_by_k2*t120 - p1_by_k2*t91 + p3_by_k2*t90 + sin_omega1_half_tau_by_k2*t119 - sin_omega2_half_tau_by_k2*t121 + t114*t127 - t114*t128 - t56*(t126 - t129 + t131) + t58*(k1*p1*y - t124 - t129 - t130);
-        parameter_jacobian[10] = cos_omega1_half_tau_by_k3*t61 + cos_omega2_half_tau_by_k3*t62 + omega1_by_k3*t118 - omega2_by_k3*t120 - p1_by_k3*t91 + p3_by_k3*t90 + sin_omega1_half_tau_by_k3*t119 - sin_omega2_half_tau_by_k3*t121 + t116*t127 - t116*t128 - t132*t56 + t58*(k1 - t100 - t130 + t132);
-        parameter_jacobian[11] = 0;
-        parameter_jacobian[12] = -cos_omega3_half_tau1_by_m1*t69 + cos_omega4_half_tau1_by_m1*t71 - omega3_by_m1*t138 + omega4_by_m1*t136 + p4_by_m1*t133 - p5_by_m1*t134 - sin_omega3_half_tau1_by_m1*t139 + sin_omega4_half_tau1_by_m1*t137;
-        parameter_jacobian[13] = -cos_omega3_half_tau1_by_m2*t69 + cos_omega4_half_tau1_by_m2*t71 - omega3_by_m2*t138 + omega4_by_m2*t136 + p4_by_m2*t133 - p5_by_m2*t134 - sin_omega3_half_tau1_by_m2*t139 + sin_omega4_half_tau1_by_m2*t137;
-        parameter_jacobian[14] = -cos_omega3_half_tau1_by_k1*t69 + cos_omega4_half_tau1_by_k1*t71 - omega3_by_k1*t138 + omega4_by_k1*t136 + p4_by_k1*t133 - p5_by_k1*t134 - sin_omega3_half_tau1_by_k1*t139 + sin_omega4_half_tau1_by_k1*t137;
-        parameter_jacobian[15] = -cos_omega3_half_tau1_by_k2*t69 + cos_omega4_half_tau1_by_k2*t71 - omega3_by_k2*t138 + omega4_by_k2*t136 + p4_by_k2*t133 - p5_by_k2*t134 - sin_omega3_half_tau1_by_k2*t139 + sin_omega4_half_tau1_by_k2*t137;
-        parameter_jacobian[16] = -cos_omega3_half_tau1_by_k3*t69 + cos_omega4_half_tau1_by_k3*t71 - omega3_by_k3*t138 + omega4_by_k3*t136 + p4_by_k3*t133 - p5_by_k3*t134 - sin_omega3_half_tau1_by_k3*t139 + sin_omega4_half_tau1_by_k3*t137;
-        parameter_jacobian[17] = -cos_omega3_half_tau1_by_T*t69 + cos_omega4_half_tau1_by_T*t71 - sin_omega3_half_tau1_by_T*t139 + sin_omega4_half_tau1_by_T*t137;
-        parameter_jacobian[18] = cos_omega3_half_tau1_by_m1*t78 + cos_omega4_half_tau1_by_m1*t79 + omega3_by_m1*t140 - omega4_by_m1*t142 + p4_by_m1*t134 + p6_by_m1*t133 + sin_omega3_half_tau1_by_m1*t141 - sin_omega4_half_tau1_by_m1*t143;
-        parameter_jacobian[19] = cos_omega3_half_tau1_by_m2*t78 + cos_omega4_half_tau1_by_m2*t79 + omega3_by_m2*t140 - omega4_by_m2*t142 + p4_by_m2*t134 + p6_by_m2*t133 + sin_omega3_half_tau1_by_m2*t141 - sin_omega4_half_tau1_by_m2*t143;
-        parameter_jacobian[20] = cos_omega3_half_tau1_by_k1*t78 + cos_omega4_half_tau1_by_k1*t79 + omega3_by_k1*t140 - omega4_by_k1*t142 + p4_by_k1*t134 + p6_by_k1*t133 + sin_omega3_half_tau1_by_k1*t141 - sin_omega4_half_tau1_by_k1*t143;
-        parameter_jacobian[21] = cos_omega3_half_tau1_by_k2*t78 + cos_omega4_half_tau1_by_k2*t79 + omega3_by_k2*t140 - omega4_by_k2*t142 + p4_by_k2*t134 + p6_by_k2*t133 + sin_omega3_half_tau1_by_k2*t141 - sin_omega4_half_tau1_by_k2*t143;
-        parameter_jacobian[22] = cos_omega3_half_tau1_by_k3*t78 + cos_omega4_half_tau1_by_k3*t79 + omega3_by_k3*t140 - omega4_by_k3*t142 + p4_by_k3*t134 + p6_by_k3*t133 + sin_omega3_half_tau1_by_k3*t141 - sin_omega4_half_tau1_by_k3*t143;
-        parameter_jacobian[23] = cos_omega3_half_tau1_by_T*t78 + cos_omega4_half_tau1_by_T*t79 + sin_omega3_half_tau1_by_T*t141 - sin_omega4_half_tau1_by_T*t143;
+        parameter_jacobian[lane] = cos_omega1_half_tau_by_m1*t40 + cos_omega2_half_tau_by_m1*t42 - omega1_by_m1*t96 + omega2_by_m1*t93 + p1_by_m1*t90 + p2_by_m1*t91 - sin_omega1_half_tau_by_m1*t97 + sin_omega2_half_tau_by_m1*t94;
+        parameter_jacobian[1*lanes + lane] = cos_omega1_half_tau_by_m2*t40 + cos_omega2_half_tau_by_m2*t42 - omega1_by_m2*t96 + omega2_by_m2*t93 + p1_by_m2*t90 + p2_by_m2*t91 - sin_omega1_half_tau_by_m2*t97 + sin_omega2_half_tau_by_m2*t94;
+        parameter_jacobian[2*lanes + lane] = cos_omega1_half_tau_by_k1*t40 + cos_omega2_half_tau_by_k1*t42 - omega1_by_k1*t96 + omega2_by_k1*t93 + p1_by_k1*t90 + p2_by_k1*t91 - sin_omega1_half_tau_by_k1*t97 + sin_omega2_half_tau_by_k1*t94 - t103*t58 + t105*t107 - t105*t109 + t56*(-k2 + t103);
+        parameter_jacobian[3*lanes + lane] = cos_omega1_half_tau_by_k2*t40 + cos_omega2_half_tau_by_k2*t42 - omega1_by_k2*t96 + omega2_by_k2*t93 + p1_by_k2*t90 + p2_by_k2*t91 - sin_omega1_half_tau_by_k2*t97 + sin_omega2_half_tau_by_k2*t94 + t107*t114 - t109*t114 - t113*t58 + t56*(-k1 + t113);
+        parameter_jacobian[4*lanes + lane] = cos_omega1_half_tau_by_k3*t40 + cos_omega2_half_tau_by_k3*t42 - omega1_by_k3*t96 + omega2_by_k3*t93 + p1_by_k3*t90 + p2_by_k3*t91 - sin_omega1_half_tau_by_k3*t97 + sin_omega2_half_tau_by_k3*t94 + t107*t116 - t109*t116 + t115*t56 - t115*t58;
+        parameter_jacobian[5*lanes + lane] = 0;
+        parameter_jacobian[6*lanes + lane] = cos_omega1_half_tau_by_m1*t61 + cos_omega2_half_tau_by_m1*t62 + omega1_by_m1*t118 - omega2_by_m1*t120 - p1_by_m1*t91 + p3_by_m1*t90 + sin_omega1_half_tau_by_m1*t119 - sin_omega2_half_tau_by_m1*t121;
+        parameter_jacobian[7*lanes + lane] = cos_omega1_half_tau_by_m2*t61 + cos_omega2_half_tau_by_m2*t62 + omega1_by_m2*t118 - omega2_by_m2*t120 - p1_by_m2*t91 + p3_by_m2*t90 + sin_omega1_half_tau_by_m2*t119 - sin_omega2_half_tau_by_m2*t121;
+        parameter_jacobian[8*lanes + lane] = cos_omega1_half_tau_by_k1*t61 + cos_omega2_half_tau_by_k1*t62 + omega1_by_k1*t118 - omega2_by_k1*t120 - p1_by_k1*t91 + p3_by_k1*t90 + sin_omega1_half_tau_by_k1*t119 - sin_omega2_half_tau_by_k1*t121 + t105*t127 - t105*t128 - t56*(-t122 - t123 + t125 + t126) + t58*(k2*p1*y + k3 - t100 - t122 - t123 - t124);
+        parameter_jacobian[9*lanes + lane] = cos_omega1_half_tau_by_k2*t61 + cos_omega2_half_tau_by_k2*t62 + omega1_by_k2*t118 - omega2_by_k2*t120 - p1_by_k2*t91 + p3_by_k2*t90 + sin_omega1_half_tau_by_k2*t119 - sin_omega2_half_tau_by_k2*t121 + t114*t127 - t114*t128 - t56*(t126 - t129 + t131) + t58*(k1*p1*y - t124 - t129 - t130);
+        parameter_jacobian[10*lanes + lane] = cos_omega1_half_tau_by_k3*t61 + cos_omega2_half_tau_by_k3*t62 + omega1_by_k3*t118 - omega2_by_k3*t120 - p1_by_k3*t91 + p3_by_k3*t90 + sin_omega1_half_tau_by_k3*t119 - sin_omega2_half_tau_by_k3*t121 + t116*t127 - t116*t128 - t132*t56 + t58*(k1 - t100 - t130 + t132);
+        parameter_jacobian[11*lanes + lane] = 0;
+        parameter_jacobian[12*lanes + lane] = -cos_omega3_half_tau1_by_m1*t69 + cos_omega4_half_tau1_by_m1*t71 - omega3_by_m1*t138 + omega4_by_m1*t136 + p4_by_m1*t133 - p5_by_m1*t134 - sin_omega3_half_tau1_by_m1*t139 + sin_omega4_half_tau1_by_m1*t137;
+        parameter_jacobian[13*lanes + lane] = -cos_omega3_half_tau1_by_m2*t69 + cos_omega4_half_tau1_by_m2*t71 - omega3_by_m2*t138 + omega4_by_m2*t136 + p4_by_m2*t133 - p5_by_m2*t134 - sin_omega3_half_tau1_by_m2*t139 + sin_omega4_half_tau1_by_m2*t137;
+        parameter_jacobian[14*lanes + lane] = -cos_omega3_half_tau1_by_k1*t69 + cos_omega4_half_tau1_by_k1*t71 - omega3_by_k1*t138 + omega4_by_k1*t136 + p4_by_k1*t133 - p5_by_k1*t134 - sin_omega3_half_tau1_by_k1*t139 + sin_omega4_half_tau1_by_k1*t137;
+        parameter_jacobian[15*lanes + lane] = -cos_omega3_half_tau1_by_k2*t69 + cos_omega4_half_tau1_by_k2*t71 - omega3_by_k2*t138 + omega4_by_k2*t136 + p4_by_k2*t133 - p5_by_k2*t134 - sin_omega3_half_tau1_by_k2*t139 + sin_omega4_half_tau1_by_k2*t137;
+        parameter_jacobian[16*lanes + lane] = -cos_omega3_half_tau1_by_k3*t69 + cos_omega4_half_tau1_by_k3*t71 - omega3_by_k3*t138 + omega4_by_k3*t136 + p4_by_k3*t133 - p5_by_k3*t134 - sin_omega3_half_tau1_by_k3*t139 + sin_omega4_half_tau1_by_k3*t137;
+        parameter_jacobian[17*lanes + lane] = -cos_omega3_half_tau1_by_T*t69 + cos_omega4_half_tau1_by_T*t71 - sin_omega3_half_tau1_by_T*t139 + sin_omega4_half_tau1_by_T*t137;
+        parameter_jacobian[18*lanes + lane] = cos_omega3_half_tau1_by_m1*t78 + cos_omega4_half_tau1_by_m1*t79 + omega3_by_m1*t140 - omega4_by_m1*t142 + p4_by_m1*t134 + p6_by_m1*t133 + sin_omega3_half_tau1_by_m1*t141 - sin_omega4_half_tau1_by_m1*t143;
+        parameter_jacobian[19*lanes + lane] = cos_omega3_half_tau1_by_m2*t78 + cos_omega4_half_tau1_by_m2*t79 + omega3_by_m2*t140 - omega4_by_m2*t142 + p4_by_m2*t134 + p6_by_m2*t133 + sin_omega3_half_tau1_by_m2*t141 - sin_omega4_half_tau1_by_m2*t143;
+        parameter_jacobian[20*lanes + lane] = cos_omega3_half_tau1_by_k1*t78 + cos_omega4_half_tau1_by_k1*t79 + omega3_by_k1*t140 - omega4_by_k1*t142 + p4_by_k1*t134 + p6_by_k1*t133 + sin_omega3_half_tau1_by_k1*t141 - sin_omega4_half_tau1_by_k1*t143;
+        parameter_jacobian[21*lanes + lane] = cos_omega3_half_tau1_by_k2*t78 + cos_omega4_half_tau1_by_k2*t79 + omega3_by_k2*t140 - omega4_by_k2*t142 + p4_by_k2*t134 + p6_by_k2*t133 + sin_omega3_half_tau1_by_k2*t141 - sin_omega4_half_tau1_by_k2*t143;
+        parameter_jacobian[22*lanes + lane] = cos_omega3_half_tau1_by_k3*t78 + cos_omega4_half_tau1_by_k3*t79 + omega3_by_k3*t140 - omega4_by_k3*t142 + p4_by_k3*t134 + p6_by_k3*t133 + sin_omega3_half_tau1_by_k3*t141 - sin_omega4_half_tau1_by_k3*t143;
+        parameter_jacobian[23*lanes + lane] = cos_omega3_half_tau1_by_T*t78 + cos_omega4_half_tau1_by_T*t79 + sin_omega3_half_tau1_by_T*t141 - sin_omega4_half_tau1_by_T*t143;
     }
+}
+
+NONSMOOTH_UNMERGED
+void elastic_stop_one_contact_equations(
+    const double parameters[6], const double spectrum[12], const double unknowns[4],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
+{
+    elastic_stop_one_contact_equations_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, residual, jacobian, parameter_jacobian);
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
  * Operations: 1672. Intermediate terms: 325. */
-NONSMOOTH_UNMERGED
-void elastic_stop_one_contact_trace(
-    const double parameters[6], const double spectrum[12], const double unknowns[4],
+static NONSMOOTH_INLINE void elastic_stop_one_contact_trace_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
+    const double m1 = parameters[lane];
+    const double m2 = parameters[1*lanes + lane];
+    const double k1 = parameters[2*lanes + lane];
+    const double k2 = parameters[3*lanes + lane];
+    const double k3 = parameters[4*lanes + lane];
+    const double T = parameters[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[7*lanes + lane];
+    const double omega4 = spectrum[8*lanes + lane];
+    const double p4 = spectrum[9*lanes + lane];
+    const double p5 = spectrum[10*lanes + lane];
+    const double p6 = spectrum[11*lanes + lane];
+    const double y = unknowns[lane];
+    const double u = unknowns[1*lanes + lane];
+    const double w = unknowns[2*lanes + lane];
+    const double tau = unknowns[3*lanes + lane];
     /* functions of tau in contact */
     const double t0 = omega1*tau;
-    const double cos_omega1_tau = cos(t0);
-    const double sin_omega1_tau = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_tau = wave_0.cosine;
+    const double sin_omega1_tau = wave_0.sine;
     const double t3 = omega2*tau;
-    const double cos_omega2_tau = cos(t3);
-    const double sin_omega2_tau = sin(t3);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_tau = wave_1.cosine;
+    const double sin_omega2_tau = wave_1.sine;
     /* contact for tau, until first-leaves-stop */
     const double t6 = k1*k3;
     const double t7 = k2*k3 + t6;
@@ -990,11 +1012,13 @@ void elastic_stop_one_contact_trace(
     const double tau1 = T - tau;
     /* functions of tau1 in free */
     const double t49 = omega3*tau1;
-    const double cos_omega3_tau1 = cos(t49);
-    const double sin_omega3_tau1 = sin(t49);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t49);
+    const double cos_omega3_tau1 = wave_2.cosine;
+    const double sin_omega3_tau1 = wave_2.sine;
     const double t52 = omega4*tau1;
-    const double cos_omega4_tau1 = cos(t52);
-    const double sin_omega4_tau1 = sin(t52);
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t52);
+    const double cos_omega4_tau1 = wave_3.cosine;
+    const double sin_omega4_tau1 = wave_3.sine;
     /* free for tau1, until first-reaches-stop */
     const double t55 = (1.0/(omega3));
     const double t56 = sin_omega3_tau1*t55;
@@ -1086,60 +1110,60 @@ void elastic_stop_one_contact_trace(
     const double t94 = k1*t92 - t86*t93;
     const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*t94;
     if (trace) {
-        *trace = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
+        trace[lane] = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_k1 = spectrum_derivatives[5];
-    const double omega1_by_k2 = spectrum_derivatives[6];
-    const double omega1_by_k3 = spectrum_derivatives[7];
-    const double omega1_by_m1 = spectrum_derivatives[8];
-    const double omega1_by_m2 = spectrum_derivatives[9];
-    const double omega2_by_k1 = spectrum_derivatives[10];
-    const double omega2_by_k2 = spectrum_derivatives[11];
-    const double omega2_by_k3 = spectrum_derivatives[12];
-    const double omega2_by_m1 = spectrum_derivatives[13];
-    const double omega2_by_m2 = spectrum_derivatives[14];
-    const double p1_by_k1 = spectrum_derivatives[15];
-    const double p1_by_k2 = spectrum_derivatives[16];
-    const double p1_by_k3 = spectrum_derivatives[17];
-    const double p1_by_m1 = spectrum_derivatives[18];
-    const double p1_by_m2 = spectrum_derivatives[19];
-    const double p2_by_k1 = spectrum_derivatives[20];
-    const double p2_by_k2 = spectrum_derivatives[21];
-    const double p2_by_k3 = spectrum_derivatives[22];
-    const double p2_by_m1 = spectrum_derivatives[23];
-    const double p2_by_m2 = spectrum_derivatives[24];
-    const double p3_by_k1 = spectrum_derivatives[25];
-    const double p3_by_k2 = spectrum_derivatives[26];
-    const double p3_by_k3 = spectrum_derivatives[27];
-    const double p3_by_m1 = spectrum_derivatives[28];
-    const double p3_by_m2 = spectrum_derivatives[29];
-    const double omega3_by_k1 = spectrum_derivatives[35];
-    const double omega3_by_k2 = spectrum_derivatives[36];
-    const double omega3_by_k3 = spectrum_derivatives[37];
-    const double omega3_by_m1 = spectrum_derivatives[38];
-    const double omega3_by_m2 = spectrum_derivatives[39];
-    const double omega4_by_k1 = spectrum_derivatives[40];
-    const double omega4_by_k2 = spectrum_derivatives[41];
-    const double omega4_by_k3 = spectrum_derivatives[42];
-    const double omega4_by_m1 = spectrum_derivatives[43];
-    const double omega4_by_m2 = spectrum_derivatives[44];
-    const double p4_by_k1 = spectrum_derivatives[45];
-    const double p4_by_k2 = spectrum_derivatives[46];
-    const double p4_by_k3 = spectrum_derivatives[47];
-    const double p4_by_m1 = spectrum_derivatives[48];
-    const double p4_by_m2 = spectrum_derivatives[49];
-    const double p5_by_k1 = spectrum_derivatives[50];
-    const double p5_by_k2 = spectrum_derivatives[51];
-    const double p5_by_k3 = spectrum_derivatives[52];
-    const double p5_by_m1 = spectrum_derivatives[53];
-    const double p5_by_m2 = spectrum_derivatives[54];
-    const double p6_by_k1 = spectrum_derivatives[55];
-    const double p6_by_k2 = spectrum_derivatives[56];
-    const double p6_by_k3 = spectrum_derivatives[57];
-    const double p6_by_m1 = spectrum_derivatives[58];
-    const double p6_by_m2 = spectrum_derivatives[59];
+    const double omega1_by_k1 = spectrum_derivatives[5*lanes + lane];
+    const double omega1_by_k2 = spectrum_derivatives[6*lanes + lane];
+    const double omega1_by_k3 = spectrum_derivatives[7*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[8*lanes + lane];
+    const double omega1_by_m2 = spectrum_derivatives[9*lanes + lane];
+    const double omega2_by_k1 = spectrum_derivatives[10*lanes + lane];
+    const double omega2_by_k2 = spectrum_derivatives[11*lanes + lane];
+    const double omega2_by_k3 = spectrum_derivatives[12*lanes + lane];
+    const double omega2_by_m1 = spectrum_derivatives[13*lanes + lane];
+    const double omega2_by_m2 = spectrum_derivatives[14*lanes + lane];
+    const double p1_by_k1 = spectrum_derivatives[15*lanes + lane];
+    const double p1_by_k2 = spectrum_derivatives[16*lanes + lane];
+    const double p1_by_k3 = spectrum_derivatives[17*lanes + lane];
+    const double p1_by_m1 = spectrum_derivatives[18*lanes + lane];
+    const double p1_by_m2 = spectrum_derivatives[19*lanes + lane];
+    const double p2_by_k1 = spectrum_derivatives[20*lanes + lane];
+    const double p2_by_k2 = spectrum_derivatives[21*lanes + lane];
+    const double p2_by_k3 = spectrum_derivatives[22*lanes + lane];
+    const double p2_by_m1 = spectrum_derivatives[23*lanes + lane];
+    const double p2_by_m2 = spectrum_derivatives[24*lanes + lane];
+    const double p3_by_k1 = spectrum_derivatives[25*lanes + lane];
+    const double p3_by_k2 = spectrum_derivatives[26*lanes + lane];
+    const double p3_by_k3 = spectrum_derivatives[27*lanes + lane];
+    const double p3_by_m1 = spectrum_derivatives[28*lanes + lane];
+    const double p3_by_m2 = spectrum_derivatives[29*lanes + lane];
+    const double omega3_by_k1 = spectrum_derivatives[35*lanes + lane];
+    const double omega3_by_k2 = spectrum_derivatives[36*lanes + lane];
+    const double omega3_by_k3 = spectrum_derivatives[37*lanes + lane];
+    const double omega3_by_m1 = spectrum_derivatives[38*lanes + lane];
+    const double omega3_by_m2 = spectrum_derivatives[39*lanes + lane];
+    const double omega4_by_k1 = spectrum_derivatives[40*lanes + lane];
+    const double omega4_by_k2 = spectrum_derivatives[41*lanes + lane];
+    const double omega4_by_k3 = spectrum_derivatives[42*lanes + lane];
+    const double omega4_by_m1 = spectrum_derivatives[43*lanes + lane];
+    const double omega4_by_m2 = spectrum_derivatives[44*lanes + lane];
+    const double p4_by_k1 = spectrum_derivatives[45*lanes + lane];
+    const double p4_by_k2 = spectrum_derivatives[46*lanes + lane];
+    const double p4_by_k3 = spectrum_derivatives[47*lanes + lane];
+    const double p4_by_m1 = spectrum_derivatives[48*lanes + lane];
+    const double p4_by_m2 = spectrum_derivatives[49*lanes + lane];
+    const double p5_by_k1 = spectrum_derivatives[50*lanes + lane];
+    const double p5_by_k2 = spectrum_derivatives[51*lanes + lane];
+    const double p5_by_k3 = spectrum_derivatives[52*lanes + lane];
+    const double p5_by_m1 = spectrum_derivatives[53*lanes + lane];
+    const double p5_by_m2 = spectrum_derivatives[54*lanes + lane];
+    const double p6_by_k1 = spectrum_derivatives[55*lanes + lane];
+    const double p6_by_k2 = spectrum_derivatives[56*lanes + lane];
+    const double p6_by_k3 = spectrum_derivatives[57*lanes + lane];
+    const double p6_by_m1 = spectrum_derivatives[58*lanes + lane];
+    const double p6_by_m2 = spectrum_derivatives[59*lanes + lane];
     /* back through: derivatives of the time to the boundary after tau1 */
     const double slope_by_delay_tau1_by_w = t94;
     const double slope_by_delay_tau1_by_u = t91;
@@ -1338,17 +1362,26 @@ void elastic_stop_one_contact_trace(
     const double t246 = -p3*t236 - p3*t240;
     const double t247 = t80 - t82;
     if (trace_gradient) {
-        trace_gradient[0] = slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34;
-        trace_gradient[1] = slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32;
-        trace_gradient[2] = slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33;
-        trace_gradient[3] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t159 - omega2*t160 - slope_by_tau1;
-        trace_gradient[4] = delay_tau1_by_u*(t162*x1_2 - t162*x2_2) + omega1_by_m1*t166 + omega2_by_m1*t169 + omega3_by_m1*t173 + omega4_by_m1*t178 + p1_by_m1*t190 + p2_by_m1*t192 + p3_by_m1*t193 + p4_by_m1*t203 + p5_by_m1*t204 + p6_by_m1*t205 + t131*t206 + t132*t206 + t133*t206;
-        trace_gradient[5] = delay_tau1_by_w*(t207*t86*x2_2 - t208*x1_2) + omega1_by_m2*t166 + omega2_by_m2*t169 + omega3_by_m2*t173 + omega4_by_m2*t178 + p1_by_m2*t190 + p2_by_m2*t192 + p3_by_m2*t193 + p4_by_m2*t203 + p5_by_m2*t204 + p6_by_m2*t205 + t134*t209 + t136*t209 + t137*t209;
-        trace_gradient[6] = delay_tau1_by_u*(t80*x2_2 - t90) + delay_tau1_by_w*(t92 - t93) + omega1_by_k1*t166 + omega2_by_k1*t169 + omega3_by_k1*t173 + omega4_by_k1*t178 + p1_by_k1*t190 + p2_by_k1*t192 + p3_by_k1*t193 + p4_by_k1*t203 + p5_by_k1*t204 + p6_by_k1*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t212 + omega1*t219 + t211 + t216*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t213*t214*t7 - omega2*t212 - omega2*t219)) + slope_by_v2_1*(sin_omega1_tau*(t210*t221 + t216*t42 + t218*t221 + t220) + sin_omega2_tau*(omega2*t222 + omega2*t224 - t216*t45 - t223)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t216 - t222 - t225) + cos_omega2_tau*(t14*t216 + t225 + t226) + t210 + t216) + slope_by_x2_1*(cos_omega1_tau*(t14*t218 + t226 + t228) + cos_omega2_tau*(-t222 - t224 - t228) + t210 + t218) + t131*t229 + t132*t229 + t133*t229 + t134*t230 + t136*t230 + t137*t230;
-        trace_gradient[7] = -delay_tau1_by_w*t93 + omega1_by_k2*t166 + omega2_by_k2*t169 + omega3_by_k2*t173 + omega4_by_k2*t178 + p1_by_k2*t190 + p2_by_k2*t192 + p3_by_k2*t193 + p4_by_k2*t203 + p5_by_k2*t204 + p6_by_k2*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t234 + t211 + t232*t36) + sin_omega2_tau*(-omega2*t234 + t210*t41 + t232*t41)) + slope_by_v2_1*(sin_omega1_tau*(t220 + t221*t233 + t232*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t214*t81 - t223 - t232*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t232 - t222 - t234) + cos_omega2_tau*(t14*t232 + t226 + t234) + t210 + t232) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t214*t81 - t235) + cos_omega2_tau*(-p1*t233 + t235) + t233) - t134*t87 - t136*t87 - t137*t87;
-        trace_gradient[8] = omega1_by_k3*t166 + omega2_by_k3*t169 + omega3_by_k3*t173 + omega4_by_k3*t178 + p1_by_k3*t190 + p2_by_k3*t192 + p3_by_k3*t193 + p4_by_k3*t203 + p5_by_k3*t204 + p6_by_k3*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t238 + omega1*t242 + t236*t36 + t240*t36) + sin_omega2_tau*(omega2*t14*t214*t7*t86 - omega2*t14*t86*t9 - omega2*t238 - omega2*t242)) + slope_by_v2_1*(sin_omega1_tau*(t221*t237 + t221*t241 + t236*t42 + t240*t42) + sin_omega2_tau*(omega2*t243 + omega2*t244 - t236*t45 - t240*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t236 - p1*t240 - t245) + cos_omega2_tau*(t14*t236 + t14*t240 + t245) + t236 + t240) + slope_by_x2_1*(cos_omega1_tau*(t14*t237 + t14*t241 + t246) + cos_omega2_tau*(-t243 - t244 - t246) + t237 + t241) + t131*t247 + t132*t247 + t133*t247;
-        trace_gradient[9] = slope_by_tau1;
+        trace_gradient[lane] = slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34;
+        trace_gradient[1*lanes + lane] = slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32;
+        trace_gradient[2*lanes + lane] = slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33;
+        trace_gradient[3*lanes + lane] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t159 - omega2*t160 - slope_by_tau1;
+        trace_gradient[4*lanes + lane] = delay_tau1_by_u*(t162*x1_2 - t162*x2_2) + omega1_by_m1*t166 + omega2_by_m1*t169 + omega3_by_m1*t173 + omega4_by_m1*t178 + p1_by_m1*t190 + p2_by_m1*t192 + p3_by_m1*t193 + p4_by_m1*t203 + p5_by_m1*t204 + p6_by_m1*t205 + t131*t206 + t132*t206 + t133*t206;
+        trace_gradient[5*lanes + lane] = delay_tau1_by_w*(t207*t86*x2_2 - t208*x1_2) + omega1_by_m2*t166 + omega2_by_m2*t169 + omega3_by_m2*t173 + omega4_by_m2*t178 + p1_by_m2*t190 + p2_by_m2*t192 + p3_by_m2*t193 + p4_by_m2*t203 + p5_by_m2*t204 + p6_by_m2*t205 + t134*t209 + t136*t209 + t137*t209;
+        trace_gradient[6*lanes + lane] = delay_tau1_by_u*(t80*x2_2 - t90) + delay_tau1_by_w*(t92 - t93) + omega1_by_k1*t166 + omega2_by_k1*t169 + omega3_by_k1*t173 + omega4_by_k1*t178 + p1_by_k1*t190 + p2_by_k1*t192 + p3_by_k1*t193 + p4_by_k1*t203 + p5_by_k1*t204 + p6_by_k1*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t212 + omega1*t219 + t211 + t216*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t213*t214*t7 - omega2*t212 - omega2*t219)) + slope_by_v2_1*(sin_omega1_tau*(t210*t221 + t216*t42 + t218*t221 + t220) + sin_omega2_tau*(omega2*t222 + omega2*t224 - t216*t45 - t223)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t216 - t222 - t225) + cos_omega2_tau*(t14*t216 + t225 + t226) + t210 + t216) + slope_by_x2_1*(cos_omega1_tau*(t14*t218 + t226 + t228) + cos_omega2_tau*(-t222 - t224 - t228) + t210 + t218) + t131*t229 + t132*t229 + t133*t229 + t134*t230 + t136*t230 + t137*t230;
+        trace_gradient[7*lanes + lane] = -delay_tau1_by_w*t93 + omega1_by_k2*t166 + omega2_by_k2*t169 + omega3_by_k2*t173 + omega4_by_k2*t178 + p1_by_k2*t190 + p2_by_k2*t192 + p3_by_k2*t193 + p4_by_k2*t203 + p5_by_k2*t204 + p6_by_k2*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t234 + t211 + t232*t36) + sin_omega2_tau*(-omega2*t234 + t210*t41 + t232*t41)) + slope_by_v2_1*(sin_omega1_tau*(t220 + t221*t233 + t232*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t214*t81 - t223 - t232*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t232 - t222 - t234) + cos_omega2_tau*(t14*t232 + t226 + t234) + t210 + t232) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t214*t81 - t235) + cos_omega2_tau*(-p1*t233 + t235) + t233) - t134*t87 - t136*t87 - t137*t87;
+        trace_gradient[8*lanes + lane] = omega1_by_k3*t166 + omega2_by_k3*t169 + omega3_by_k3*t173 + omega4_by_k3*t178 + p1_by_k3*t190 + p2_by_k3*t192 + p3_by_k3*t193 + p4_by_k3*t203 + p5_by_k3*t204 + p6_by_k3*t205 + slope_by_v1_1*(sin_omega1_tau*(omega1*t238 + omega1*t242 + t236*t36 + t240*t36) + sin_omega2_tau*(omega2*t14*t214*t7*t86 - omega2*t14*t86*t9 - omega2*t238 - omega2*t242)) + slope_by_v2_1*(sin_omega1_tau*(t221*t237 + t221*t241 + t236*t42 + t240*t42) + sin_omega2_tau*(omega2*t243 + omega2*t244 - t236*t45 - t240*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t236 - p1*t240 - t245) + cos_omega2_tau*(t14*t236 + t14*t240 + t245) + t236 + t240) + slope_by_x2_1*(cos_omega1_tau*(t14*t237 + t14*t241 + t246) + cos_omega2_tau*(-t243 - t244 - t246) + t237 + t241) + t131*t247 + t132*t247 + t133*t247;
+        trace_gradient[9*lanes + lane] = slope_by_tau1;
     }
+}
+
+NONSMOOTH_UNMERGED
+void elastic_stop_one_contact_trace(
+    const double parameters[6], const double spectrum[12], const double unknowns[4],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
+{
+    elastic_stop_one_contact_trace_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, trace, trace_gradient);
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
@@ -2843,1058 +2876,36 @@ void elastic_stop_one_contact_admissible(
 }
 
 /* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
- * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
+ * `count` points. */
 NONSMOOTH_MULTIVERSION
 void elastic_stop_one_contact_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
 {
-    enum { lanes = 16, n = 4, p = 6, width = 4 + 6 };
+    enum { lanes = NONSMOOTH_LANES, n = 4, p = 6 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[p][lanes], unknown[n][lanes], fixed[60][lanes];
-        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
-        for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < p; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            for (int i = 0; i < n; ++i)
-                unknown[i][lane] = unknowns[i * count + point];
-            size[lane] = 0.0;
-            least[lane] = INFINITY;
-        }
+        double parameter[p * lanes], unknown[n * lanes];
+        double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
+        nonsmooth_load(p, parameters, count, start, parameter);
+        nonsmooth_load(n, unknowns, count, start, unknown);
+        double own[5 * lanes], spectrum[12 * lanes], spectrum_derivatives[60 * lanes];
+        nonsmooth_load(1, parameters + 2 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(1, parameters + 3 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(1, parameters + 4 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(1, parameters + 0 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(1, parameters + 1 * count, count, start, own + 4 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double k3 = parameter[4][lane];
-            /* spectrum */
-            const double t0 = (1.0/(m2));
-            const double t1 = k1 + k2;
-            const double t2 = t0*t1;
-            const double t3 = (1.0/(m1));
-            const double t4 = k1 + k3;
-            const double t5 = -t2 + t3*t4;
-            const double t6 = (k1*k1);
-            const double t7 = 4*t0*t6;
-            const double t8 = t3*t7;
-            const double gap1 = sqrt((t5*t5) + t8);
-            const double t9 = (1.0/2.0)*t2;
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t3*t4 + t9);
-            const double t10 = sqrt(k1*k2 + k1*k3 + k2*k3);
-            const double t11 = (1.0/(omega1));
-            const double t12 = (1.0/sqrt(m1));
-            const double t13 = (1.0/sqrt(m2));
-            const double t14 = t12*t13;
-            const double t15 = t11*t14;
-            const double omega2 = t10*t15;
-            const double t16 = (1.0/(gap1));
-            const double t17 = (1.0/2.0)*t16;
-            const double p1 = t17*t5 + 1.0/2.0;
-            const double t18 = k1*t3;
-            const double p2 = -t16*t18;
-            const double t19 = t0*t16;
-            const double p3 = -k1*t19;
-            const double t20 = t18 - t2;
-            const double gap2 = sqrt((t20*t20) + t8);
-            const double omega3 = sqrt((1.0/2.0)*gap2 + (1.0/2.0)*t18 + t9);
-            const double t21 = (1.0/(omega3));
-            const double t22 = sqrt(k1);
-            const double t23 = sqrt(k2);
-            const double t24 = t14*t22*t23;
-            const double omega4 = t21*t24;
-            const double t25 = (1.0/(gap2));
-            const double t26 = (1.0/2.0)*t25;
-            const double p4 = t20*t26 + 1.0/2.0;
-            const double p5 = -t18*t25;
-            const double t27 = t0*t25;
-            const double p6 = -k1*t27;
-            /* d/dk1 of: spectrum */
-            const double t28 = -2*t0 + 2*t3;
-            const double t29 = 8*t0*t18;
-            const double gap1_by_k1 = t17*(t28*t5 + t29);
-            const double t30 = (1.0/2.0)*gap1_by_k1;
-            const double t31 = (1.0/2.0)*t0;
-            const double t32 = (1.0/2.0)*t3;
-            const double t33 = t31 + t32;
-            const double t34 = (1.0/2.0)*t11;
-            const double omega1_by_k1 = t34*(t30 + t33);
-            const double t35 = (1.0/2.0)*k2;
-            const double t36 = (1.0/2.0)*k3;
-            const double t37 = t15/t10;
-            const double t38 = t10*t14/(omega1*omega1);
-            const double omega2_by_k1 = -omega1_by_k1*t38 + t37*(t35 + t36);
-            const double t39 = -t0 + t3;
-            const double t40 = (1.0/(gap1*gap1));
-            const double t41 = t40*t5;
-            const double p1_by_k1 = t17*t39 - t30*t41;
-            const double t42 = t16*t3;
-            const double p2_by_k1 = gap1_by_k1*k1*t3*t40 - t42;
-            const double p3_by_k1 = gap1_by_k1*k1*t0*t40 - t19;
-            const double gap2_by_k1 = t26*(t20*t28 + t29);
-            const double t43 = (1.0/2.0)*gap2_by_k1;
-            const double t44 = (1.0/2.0)*t21;
-            const double omega3_by_k1 = t44*(t33 + t43);
-            const double t45 = t24/(omega3*omega3);
-            const double omega4_by_k1 = -omega3_by_k1*t45 + (1.0/2.0)*t12*t13*t21*t23/t22;
-            const double t46 = (1.0/(gap2*gap2));
-            const double t47 = t20*t46;
-            const double p4_by_k1 = t26*t39 - t43*t47;
-            const double p5_by_k1 = gap2_by_k1*k1*t3*t46 - t25*t3;
-            const double p6_by_k1 = gap2_by_k1*k1*t0*t46 - t27;
-            /* d/dk2 of: spectrum */
-            const double gap1_by_k2 = -t19*t5;
-            const double t48 = (1.0/2.0)*gap1_by_k2;
-            const double omega1_by_k2 = t34*(t31 + t48);
-            const double t49 = (1.0/2.0)*k1;
-            const double omega2_by_k2 = -omega1_by_k2*t38 + t37*(t36 + t49);
-            const double p1_by_k2 = -t16*t31 - t41*t48;
-            const double t50 = gap1_by_k2*t40;
-            const double p2_by_k2 = t18*t50;
-            const double t51 = k1*t0;
-            const double p3_by_k2 = t50*t51;
-            const double gap2_by_k2 = -t20*t27;
-            const double t52 = (1.0/2.0)*gap2_by_k2;
-            const double omega3_by_k2 = t44*(t31 + t52);
-            const double omega4_by_k2 = -omega3_by_k2*t45 + (1.0/2.0)*t12*t13*t21*t22/t23;
-            const double p4_by_k2 = -t25*t31 - t47*t52;
-            const double t53 = gap2_by_k2*t46;
-            const double p5_by_k2 = t18*t53;
-            const double p6_by_k2 = t51*t53;
-            /* d/dk3 of: spectrum */
-            const double gap1_by_k3 = t42*t5;
-            const double t54 = (1.0/2.0)*gap1_by_k3;
-            const double omega1_by_k3 = t34*(t32 + t54);
-            const double omega2_by_k3 = -omega1_by_k3*t38 + t37*(t35 + t49);
-            const double p1_by_k3 = t16*t32 - t41*t54;
-            const double t55 = gap1_by_k3*t40;
-            const double p2_by_k3 = t18*t55;
-            const double p3_by_k3 = t51*t55;
-            /* d/dm1 of: spectrum */
-            const double t56 = (1.0/(m1*m1));
-            const double t57 = t4*t56;
-            const double t58 = t56*t7;
-            const double gap1_by_m1 = t17*(-2*t5*t57 - t58);
-            const double t59 = (1.0/2.0)*gap1_by_m1;
-            const double omega1_by_m1 = t34*(-1.0/2.0*t57 + t59);
-            const double t60 = t10*t34;
-            const double t61 = t13/(sqrt(m1)*sqrt(m1)*sqrt(m1));
-            const double omega2_by_m1 = -omega1_by_m1*t38 - t60*t61;
-            const double p1_by_m1 = -t17*t57 - t41*t59;
-            const double t62 = k1*t56;
-            const double t63 = gap1_by_m1*t40;
-            const double p2_by_m1 = t16*t62 + t18*t63;
-            const double p3_by_m1 = t51*t63;
-            const double gap2_by_m1 = t26*(-2*t20*t62 - t58);
-            const double t64 = (1.0/2.0)*gap2_by_m1;
-            const double t65 = t49*t56;
-            const double omega3_by_m1 = t44*(t64 - t65);
-            const double t66 = t22*t23*t44;
-            const double omega4_by_m1 = -omega3_by_m1*t45 - t61*t66;
-            const double p4_by_m1 = -t25*t65 - t47*t64;
-            const double t67 = gap2_by_m1*t46;
-            const double p5_by_m1 = t18*t67 + t25*t62;
-            const double p6_by_m1 = t51*t67;
-            /* d/dm2 of: spectrum */
-            const double t68 = (1.0/(m2*m2));
-            const double t69 = 4*t3*t6*t68;
-            const double gap1_by_m2 = t17*(2*t1*t5*t68 - t69);
-            const double t70 = (1.0/2.0)*gap1_by_m2;
-            const double t71 = t1*t68;
-            const double t72 = -1.0/2.0*t71;
-            const double omega1_by_m2 = t34*(t70 + t72);
-            const double t73 = t12/(sqrt(m2)*sqrt(m2)*sqrt(m2));
-            const double omega2_by_m2 = -omega1_by_m2*t38 - t60*t73;
-            const double p1_by_m2 = t17*t71 - t41*t70;
-            const double t74 = gap1_by_m2*t40;
-            const double p2_by_m2 = t18*t74;
-            const double t75 = k1*t68;
-            const double p3_by_m2 = t16*t75 + t51*t74;
-            const double gap2_by_m2 = t26*(2*t1*t20*t68 - t69);
-            const double t76 = (1.0/2.0)*gap2_by_m2;
-            const double omega3_by_m2 = t44*(t72 + t76);
-            const double omega4_by_m2 = -omega3_by_m2*t45 - t66*t73;
-            const double p4_by_m2 = t26*t71 - t47*t76;
-            const double t77 = gap2_by_m2*t46;
-            const double p5_by_m2 = t18*t77;
-            const double p6_by_m2 = t25*t75 + t51*t77;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega3;
-            fixed[6][lane] = omega4;
-            fixed[7][lane] = p4;
-            fixed[8][lane] = p5;
-            fixed[9][lane] = p6;
-            fixed[10][lane] = omega1_by_k1;
-            fixed[11][lane] = omega1_by_k2;
-            fixed[12][lane] = omega1_by_k3;
-            fixed[13][lane] = omega1_by_m1;
-            fixed[14][lane] = omega1_by_m2;
-            fixed[15][lane] = omega2_by_k1;
-            fixed[16][lane] = omega2_by_k2;
-            fixed[17][lane] = omega2_by_k3;
-            fixed[18][lane] = omega2_by_m1;
-            fixed[19][lane] = omega2_by_m2;
-            fixed[20][lane] = p1_by_k1;
-            fixed[21][lane] = p1_by_k2;
-            fixed[22][lane] = p1_by_k3;
-            fixed[23][lane] = p1_by_m1;
-            fixed[24][lane] = p1_by_m2;
-            fixed[25][lane] = p2_by_k1;
-            fixed[26][lane] = p2_by_k2;
-            fixed[27][lane] = p2_by_k3;
-            fixed[28][lane] = p2_by_m1;
-            fixed[29][lane] = p2_by_m2;
-            fixed[30][lane] = p3_by_k1;
-            fixed[31][lane] = p3_by_k2;
-            fixed[32][lane] = p3_by_k3;
-            fixed[33][lane] = p3_by_m1;
-            fixed[34][lane] = p3_by_m2;
-            fixed[35][lane] = omega3_by_k1;
-            fixed[36][lane] = omega3_by_k2;
-            fixed[37][lane] = 0;
-            fixed[38][lane] = omega3_by_m1;
-            fixed[39][lane] = omega3_by_m2;
-            fixed[40][lane] = omega4_by_k1;
-            fixed[41][lane] = omega4_by_k2;
-            fixed[42][lane] = 0;
-            fixed[43][lane] = omega4_by_m1;
-            fixed[44][lane] = omega4_by_m2;
-            fixed[45][lane] = p4_by_k1;
-            fixed[46][lane] = p4_by_k2;
-            fixed[47][lane] = 0;
-            fixed[48][lane] = p4_by_m1;
-            fixed[49][lane] = p4_by_m2;
-            fixed[50][lane] = p5_by_k1;
-            fixed[51][lane] = p5_by_k2;
-            fixed[52][lane] = 0;
-            fixed[53][lane] = p5_by_m1;
-            fixed[54][lane] = p5_by_m2;
-            fixed[55][lane] = p6_by_k1;
-            fixed[56][lane] = p6_by_k2;
-            fixed[57][lane] = 0;
-            fixed[58][lane] = p6_by_m1;
-            fixed[59][lane] = p6_by_m2;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double k3 = parameter[4][lane];
-            const double T = parameter[5][lane];
-            const double y = unknown[0][lane];
-            const double u = unknown[1][lane];
-            const double w = unknown[2][lane];
-            const double tau = unknown[3][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double omega4 = fixed[6][lane];
-            const double p4 = fixed[7][lane];
-            const double p5 = fixed[8][lane];
-            const double p6 = fixed[9][lane];
-            const double omega1_by_k1 = fixed[10][lane];
-            const double omega1_by_k2 = fixed[11][lane];
-            const double omega1_by_k3 = fixed[12][lane];
-            const double omega1_by_m1 = fixed[13][lane];
-            const double omega1_by_m2 = fixed[14][lane];
-            const double omega2_by_k1 = fixed[15][lane];
-            const double omega2_by_k2 = fixed[16][lane];
-            const double omega2_by_k3 = fixed[17][lane];
-            const double omega2_by_m1 = fixed[18][lane];
-            const double omega2_by_m2 = fixed[19][lane];
-            const double p1_by_k1 = fixed[20][lane];
-            const double p1_by_k2 = fixed[21][lane];
-            const double p1_by_k3 = fixed[22][lane];
-            const double p1_by_m1 = fixed[23][lane];
-            const double p1_by_m2 = fixed[24][lane];
-            const double p2_by_k1 = fixed[25][lane];
-            const double p2_by_k2 = fixed[26][lane];
-            const double p2_by_k3 = fixed[27][lane];
-            const double p2_by_m1 = fixed[28][lane];
-            const double p2_by_m2 = fixed[29][lane];
-            const double p3_by_k1 = fixed[30][lane];
-            const double p3_by_k2 = fixed[31][lane];
-            const double p3_by_k3 = fixed[32][lane];
-            const double p3_by_m1 = fixed[33][lane];
-            const double p3_by_m2 = fixed[34][lane];
-            const double omega3_by_k1 = fixed[35][lane];
-            const double omega3_by_k2 = fixed[36][lane];
-            const double omega3_by_k3 = fixed[37][lane];
-            const double omega3_by_m1 = fixed[38][lane];
-            const double omega3_by_m2 = fixed[39][lane];
-            const double omega4_by_k1 = fixed[40][lane];
-            const double omega4_by_k2 = fixed[41][lane];
-            const double omega4_by_k3 = fixed[42][lane];
-            const double omega4_by_m1 = fixed[43][lane];
-            const double omega4_by_m2 = fixed[44][lane];
-            const double p4_by_k1 = fixed[45][lane];
-            const double p4_by_k2 = fixed[46][lane];
-            const double p4_by_k3 = fixed[47][lane];
-            const double p4_by_m1 = fixed[48][lane];
-            const double p4_by_m2 = fixed[49][lane];
-            const double p5_by_k1 = fixed[50][lane];
-            const double p5_by_k2 = fixed[51][lane];
-            const double p5_by_k3 = fixed[52][lane];
-            const double p5_by_m1 = fixed[53][lane];
-            const double p5_by_m2 = fixed[54][lane];
-            const double p6_by_k1 = fixed[55][lane];
-            const double p6_by_k2 = fixed[56][lane];
-            const double p6_by_k3 = fixed[57][lane];
-            const double p6_by_m1 = fixed[58][lane];
-            const double p6_by_m2 = fixed[59][lane];
-            /* half of tau */
-            const double half_tau = (1.0/2.0)*tau;
-            /* functions of half_tau in contact */
-            const double t0 = half_tau*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_half_tau = cosine_0;
-            const double sin_omega1_half_tau = sine_0;
-            const double t3 = half_tau*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_half_tau = cosine_1;
-            const double sin_omega2_half_tau = sine_1;
-            /* tau1 completes the period */
-            const double tau1 = T - tau;
-            /* half of tau1 */
-            const double half_tau1 = (1.0/2.0)*tau1;
-            /* functions of half_tau1 in free */
-            const double t6 = half_tau1*omega3;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t6, &sine_2, &cosine_2);
-            const double cos_omega3_half_tau1 = cosine_2;
-            const double sin_omega3_half_tau1 = sine_2;
-            const double t9 = half_tau1*omega4;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t9, &sine_3, &cosine_3);
-            const double cos_omega4_half_tau1 = cosine_3;
-            const double sin_omega4_half_tau1 = sine_3;
-            /* d/dtau of: functions of half_tau in contact */
-            const double t12 = (1.0/2.0)*omega1;
-            const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12;
-            const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12;
-            const double t13 = (1.0/2.0)*omega2;
-            const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13;
-            const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13;
-            /* d/dtau of: functions of half_tau1 in free */
-            const double t14 = (1.0/2.0)*omega3;
-            const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14;
-            const double t16 = cos_omega3_half_tau1*t14;
-            const double sin_omega3_half_tau1_by_tau = -t16;
-            const double t17 = (1.0/2.0)*omega4;
-            const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t17;
-            const double t19 = cos_omega4_half_tau1*t17;
-            const double sin_omega4_half_tau1_by_tau = -t19;
-            /* jacobian */
-            const double t40 = k1*k2;
-            const double t41 = k1*k3;
-            const double t42 = k2*k3;
-            const double t43 = t40 + t41 + t42;
-            const double t44 = (1.0/(t43));
-            const double t45 = p2*t40;
-            const double t46 = p2*t41;
-            const double t47 = p2*t42;
-            const double t48 = t45 + t46 + t47;
-            const double t49 = omega1*sin_omega1_half_tau;
-            const double t50 = 1 - p1;
-            const double t51 = p1*u + p2*w;
-            const double t53 = -t51 + u;
-            const double t55 = p1*t40;
-            const double t56 = t45*y + t46*y - t46 + t47*y + t55;
-            const double t57 = -t40 + t56;
-            const double t58 = t44*t57;
-            const double t59 = omega2*sin_omega2_half_tau_by_tau;
-            const double t60 = t44*t56;
-            const double t61 = omega1*sin_omega1_half_tau_by_tau;
-            const double t63 = p1*t41;
-            const double t64 = p1*t42;
-            const double t65 = t55 + t63 + t64;
-            const double t66 = t44*t49;
-            const double t67 = omega2*sin_omega2_half_tau;
-            const double t68 = t44*t67;
-            const double t69 = p3*u;
-            const double t70 = p1*w;
-            const double t71 = t69 - t70 + w;
-            const double t72 = -t69 + t70;
-            const double t73 = p3*t40;
-            const double t74 = t40*y + t41*y - t41 + t42*y;
-            const double t75 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t63 - t73 - t74;
-            const double t76 = t44*t75;
-            const double t77 = t55*y + t63*y - t63 + t64*y - t73;
-            const double t78 = t44*t77;
-            const double t79 = omega3*sin_omega3_half_tau1;
-            const double t80 = p4 - 1;
-            const double t81 = p4*u + p5*w;
-            const double t83 = t81 - u;
-            const double t84 = p5*y;
-            const double t85 = t80 + t84;
-            const double t86 = omega4*sin_omega4_half_tau1_by_tau;
-            const double t87 = p4 + t84;
-            const double t88 = omega3*sin_omega3_half_tau1_by_tau;
-            const double t89 = p6*u;
-            const double t90 = p4*w;
-            const double t91 = -t89 + t90 - w;
-            const double t92 = t89 - t90;
-            const double t93 = p4*y - p6 - y;
-            const double t94 = p4*y - p6;
-            /* d/dm1 of: functions of half_tau in contact */
-            const double t20 = half_tau*omega1_by_m1;
-            const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t20;
-            const double sin_omega1_half_tau_by_m1 = cos_omega1_half_tau*t20;
-            const double t21 = half_tau*omega2_by_m1;
-            const double cos_omega2_half_tau_by_m1 = -sin_omega2_half_tau*t21;
-            const double sin_omega2_half_tau_by_m1 = cos_omega2_half_tau*t21;
-            /* d/dm2 of: functions of half_tau in contact */
-            const double t22 = half_tau*omega1_by_m2;
-            const double cos_omega1_half_tau_by_m2 = -sin_omega1_half_tau*t22;
-            const double sin_omega1_half_tau_by_m2 = cos_omega1_half_tau*t22;
-            const double t23 = half_tau*omega2_by_m2;
-            const double cos_omega2_half_tau_by_m2 = -sin_omega2_half_tau*t23;
-            const double sin_omega2_half_tau_by_m2 = cos_omega2_half_tau*t23;
-            /* d/dk1 of: functions of half_tau in contact */
-            const double t24 = half_tau*omega1_by_k1;
-            const double cos_omega1_half_tau_by_k1 = -sin_omega1_half_tau*t24;
-            const double sin_omega1_half_tau_by_k1 = cos_omega1_half_tau*t24;
-            const double t25 = half_tau*omega2_by_k1;
-            const double cos_omega2_half_tau_by_k1 = -sin_omega2_half_tau*t25;
-            const double sin_omega2_half_tau_by_k1 = cos_omega2_half_tau*t25;
-            /* d/dk2 of: functions of half_tau in contact */
-            const double t26 = half_tau*omega1_by_k2;
-            const double cos_omega1_half_tau_by_k2 = -sin_omega1_half_tau*t26;
-            const double sin_omega1_half_tau_by_k2 = cos_omega1_half_tau*t26;
-            const double t27 = half_tau*omega2_by_k2;
-            const double cos_omega2_half_tau_by_k2 = -sin_omega2_half_tau*t27;
-            const double sin_omega2_half_tau_by_k2 = cos_omega2_half_tau*t27;
-            /* d/dk3 of: functions of half_tau in contact */
-            const double t28 = half_tau*omega1_by_k3;
-            const double cos_omega1_half_tau_by_k3 = -sin_omega1_half_tau*t28;
-            const double sin_omega1_half_tau_by_k3 = cos_omega1_half_tau*t28;
-            const double t29 = half_tau*omega2_by_k3;
-            const double cos_omega2_half_tau_by_k3 = -sin_omega2_half_tau*t29;
-            const double sin_omega2_half_tau_by_k3 = cos_omega2_half_tau*t29;
-            /* d/dm1 of: functions of half_tau1 in free */
-            const double t30 = half_tau1*omega3_by_m1;
-            const double cos_omega3_half_tau1_by_m1 = -sin_omega3_half_tau1*t30;
-            const double sin_omega3_half_tau1_by_m1 = cos_omega3_half_tau1*t30;
-            const double t31 = half_tau1*omega4_by_m1;
-            const double cos_omega4_half_tau1_by_m1 = -sin_omega4_half_tau1*t31;
-            const double sin_omega4_half_tau1_by_m1 = cos_omega4_half_tau1*t31;
-            /* d/dm2 of: functions of half_tau1 in free */
-            const double t32 = half_tau1*omega3_by_m2;
-            const double cos_omega3_half_tau1_by_m2 = -sin_omega3_half_tau1*t32;
-            const double sin_omega3_half_tau1_by_m2 = cos_omega3_half_tau1*t32;
-            const double t33 = half_tau1*omega4_by_m2;
-            const double cos_omega4_half_tau1_by_m2 = -sin_omega4_half_tau1*t33;
-            const double sin_omega4_half_tau1_by_m2 = cos_omega4_half_tau1*t33;
-            /* d/dk1 of: functions of half_tau1 in free */
-            const double t34 = half_tau1*omega3_by_k1;
-            const double cos_omega3_half_tau1_by_k1 = -sin_omega3_half_tau1*t34;
-            const double sin_omega3_half_tau1_by_k1 = cos_omega3_half_tau1*t34;
-            const double t35 = half_tau1*omega4_by_k1;
-            const double cos_omega4_half_tau1_by_k1 = -sin_omega4_half_tau1*t35;
-            const double sin_omega4_half_tau1_by_k1 = cos_omega4_half_tau1*t35;
-            /* d/dk2 of: functions of half_tau1 in free */
-            const double t36 = half_tau1*omega3_by_k2;
-            const double cos_omega3_half_tau1_by_k2 = -sin_omega3_half_tau1*t36;
-            const double sin_omega3_half_tau1_by_k2 = cos_omega3_half_tau1*t36;
-            const double t37 = half_tau1*omega4_by_k2;
-            const double cos_omega4_half_tau1_by_k2 = -sin_omega4_half_tau1*t37;
-            const double sin_omega4_half_tau1_by_k2 = cos_omega4_half_tau1*t37;
-            /* d/dk3 of: functions of half_tau1 in free */
-            const double t38 = half_tau1*omega3_by_k3;
-            const double cos_omega3_half_tau1_by_k3 = -sin_omega3_half_tau1*t38;
-            const double sin_omega3_half_tau1_by_k3 = cos_omega3_half_tau1*t38;
-            const double t39 = half_tau1*omega4_by_k3;
-            const double cos_omega4_half_tau1_by_k3 = -sin_omega4_half_tau1*t39;
-            const double sin_omega4_half_tau1_by_k3 = cos_omega4_half_tau1*t39;
-            /* d/dT of: functions of half_tau1 in free */
-            const double cos_omega3_half_tau1_by_T = -cos_omega3_half_tau1_by_tau;
-            const double sin_omega3_half_tau1_by_T = t16;
-            const double cos_omega4_half_tau1_by_T = -cos_omega4_half_tau1_by_tau;
-            const double sin_omega4_half_tau1_by_T = t19;
-            /* parameter_jacobian */
-            const double t95 = cos_omega1_half_tau*u - cos_omega2_half_tau*u - t40*t66 + t40*t68;
-            const double t96 = cos_omega1_half_tau*w - cos_omega2_half_tau*w - t66*t74 + t68*t74;
-            const double t97 = sin_omega2_half_tau*t58;
-            const double t98 = omega2*t58;
-            const double t99 = sin_omega1_half_tau*t60;
-            const double t100 = omega1*t60;
-            const double t101 = k2*p1;
-            const double t102 = k3*p2;
-            const double t103 = k2*y;
-            const double t104 = p2*t103;
-            const double t105 = t102*y;
-            const double t106 = t101 - t102 + t104 + t105;
-            const double t107 = (1.0/(t43*t43));
-            const double t108 = t107*(-k2 - k3);
-            const double t109 = t57*t67;
-            const double t110 = t49*t56;
-            const double t111 = k1*p1;
-            const double t112 = k1*p2;
-            const double t113 = t112*y;
-            const double t114 = t105 + t111 + t113;
-            const double t115 = t107*(-k1 - k3);
-            const double t116 = t104 - t112 + t113;
-            const double t117 = t107*(-k1 - k2);
-            const double t119 = sin_omega1_half_tau*t76;
-            const double t120 = omega1*t76;
-            const double t121 = sin_omega2_half_tau*t78;
-            const double t122 = omega2*t78;
-            const double t123 = k3*p1;
-            const double t124 = k2*p3;
-            const double t125 = -k3*p1*y + k3*y;
-            const double t126 = t101*y;
-            const double t127 = t123*y;
-            const double t128 = t49*t75;
-            const double t129 = t67*t77;
-            const double t130 = k1*p3;
-            const double t131 = k1*y;
-            const double t132 = t111*y;
-            const double t133 = -t111 + t126 + t132;
-            const double t134 = -cos_omega3_half_tau1*u + cos_omega4_half_tau1*u + omega4*sin_omega4_half_tau1 - t79;
-            const double t135 = cos_omega3_half_tau1*w - cos_omega4_half_tau1*w - omega4*sin_omega4_half_tau1*y + t79*y;
-            const double t137 = sin_omega4_half_tau1*t85;
-            const double t138 = omega4*t85;
-            const double t139 = sin_omega3_half_tau1*t87;
-            const double t140 = omega3*t87;
-            const double t141 = sin_omega3_half_tau1*t93;
-            const double t142 = omega3*t93;
-            const double t143 = sin_omega4_half_tau1*t94;
-            const double t144 = omega4*t94;
-            matrix[0][0][lane] = omega2*sin_omega2_half_tau*t44*t48 - t44*t48*t49;
-            matrix[0][1][lane] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t50;
-            matrix[0][2][lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-            matrix[0][3][lane] = cos_omega1_half_tau_by_tau*t51 + cos_omega2_half_tau_by_tau*t53 + t58*t59 - t60*t61;
-            matrix[1][0][lane] = -t65*t68 + t66*(-t40 - t41 - t42 + t65);
-            matrix[1][1][lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-            matrix[1][2][lane] = cos_omega1_half_tau*t50 + cos_omega2_half_tau*p1;
-            matrix[1][3][lane] = cos_omega1_half_tau_by_tau*t71 + cos_omega2_half_tau_by_tau*t72 - t59*t78 + t61*t76;
-            matrix[2][0][lane] = omega4*p5*sin_omega4_half_tau1 - p5*t79;
-            matrix[2][1][lane] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t80;
-            matrix[2][2][lane] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-            matrix[2][3][lane] = -cos_omega3_half_tau1_by_tau*t81 + cos_omega4_half_tau1_by_tau*t83 + t85*t86 - t87*t88;
-            matrix[3][0][lane] = -omega4*p4*sin_omega4_half_tau1 + t79*t80;
-            matrix[3][1][lane] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
-            matrix[3][2][lane] = cos_omega3_half_tau1*t80 - cos_omega4_half_tau1*p4;
-            matrix[3][3][lane] = cos_omega3_half_tau1_by_tau*t91 + cos_omega4_half_tau1_by_tau*t92 - t86*t94 + t88*t93;
-            matrix[0][4][lane] = -cos_omega1_half_tau_by_m1*t51 - cos_omega2_half_tau_by_m1*t53 + omega1_by_m1*t99 - omega2_by_m1*t97 - p1_by_m1*t95 - p2_by_m1*t96 + sin_omega1_half_tau_by_m1*t100 - sin_omega2_half_tau_by_m1*t98;
-            matrix[0][5][lane] = -cos_omega1_half_tau_by_m2*t51 - cos_omega2_half_tau_by_m2*t53 + omega1_by_m2*t99 - omega2_by_m2*t97 - p1_by_m2*t95 - p2_by_m2*t96 + sin_omega1_half_tau_by_m2*t100 - sin_omega2_half_tau_by_m2*t98;
-            matrix[0][6][lane] = -cos_omega1_half_tau_by_k1*t51 - cos_omega2_half_tau_by_k1*t53 + omega1_by_k1*t99 - omega2_by_k1*t97 - p1_by_k1*t95 - p2_by_k1*t96 + sin_omega1_half_tau_by_k1*t100 - sin_omega2_half_tau_by_k1*t98 + t106*t66 - t108*t109 + t108*t110 - t68*(-k2 + t106);
-            matrix[0][7][lane] = -cos_omega1_half_tau_by_k2*t51 - cos_omega2_half_tau_by_k2*t53 + omega1_by_k2*t99 - omega2_by_k2*t97 - p1_by_k2*t95 - p2_by_k2*t96 + sin_omega1_half_tau_by_k2*t100 - sin_omega2_half_tau_by_k2*t98 - t109*t115 + t110*t115 + t114*t66 - t68*(-k1 + t114);
-            matrix[0][8][lane] = -cos_omega1_half_tau_by_k3*t51 - cos_omega2_half_tau_by_k3*t53 + omega1_by_k3*t99 - omega2_by_k3*t97 - p1_by_k3*t95 - p2_by_k3*t96 + sin_omega1_half_tau_by_k3*t100 - sin_omega2_half_tau_by_k3*t98 - t109*t117 + t110*t117 + t116*t66 - t116*t68;
-            matrix[0][9][lane] = 0;
-            matrix[1][4][lane] = -cos_omega1_half_tau_by_m1*t71 - cos_omega2_half_tau_by_m1*t72 - omega1_by_m1*t119 + omega2_by_m1*t121 + p1_by_m1*t96 - p3_by_m1*t95 - sin_omega1_half_tau_by_m1*t120 + sin_omega2_half_tau_by_m1*t122;
-            matrix[1][5][lane] = -cos_omega1_half_tau_by_m2*t71 - cos_omega2_half_tau_by_m2*t72 - omega1_by_m2*t119 + omega2_by_m2*t121 + p1_by_m2*t96 - p3_by_m2*t95 - sin_omega1_half_tau_by_m2*t120 + sin_omega2_half_tau_by_m2*t122;
-            matrix[1][6][lane] = -cos_omega1_half_tau_by_k1*t71 - cos_omega2_half_tau_by_k1*t72 - omega1_by_k1*t119 + omega2_by_k1*t121 + p1_by_k1*t96 - p3_by_k1*t95 - sin_omega1_half_tau_by_k1*t120 + sin_omega2_half_tau_by_k1*t122 - t108*t128 + t108*t129 - t66*(k2*p1*y + k3 - t103 - t123 - t124 - t125) + t68*(-t123 - t124 + t126 + t127);
-            matrix[1][7][lane] = -cos_omega1_half_tau_by_k2*t71 - cos_omega2_half_tau_by_k2*t72 - omega1_by_k2*t119 + omega2_by_k2*t121 + p1_by_k2*t96 - p3_by_k2*t95 - sin_omega1_half_tau_by_k2*t120 + sin_omega2_half_tau_by_k2*t122 - t115*t128 + t115*t129 - t66*(k1*p1*y - t125 - t130 - t131) + t68*(t127 - t130 + t132);
-            matrix[1][8][lane] = -cos_omega1_half_tau_by_k3*t71 - cos_omega2_half_tau_by_k3*t72 - omega1_by_k3*t119 + omega2_by_k3*t121 + p1_by_k3*t96 - p3_by_k3*t95 - sin_omega1_half_tau_by_k3*t120 + sin_omega2_half_tau_by_k3*t122 - t117*t128 + t117*t129 + t133*t68 - t66*(k1 - t103 - t131 + t133);
-            matrix[1][9][lane] = 0;
-            matrix[2][4][lane] = cos_omega3_half_tau1_by_m1*t81 - cos_omega4_half_tau1_by_m1*t83 + omega3_by_m1*t139 - omega4_by_m1*t137 - p4_by_m1*t134 + p5_by_m1*t135 + sin_omega3_half_tau1_by_m1*t140 - sin_omega4_half_tau1_by_m1*t138;
-            matrix[2][5][lane] = cos_omega3_half_tau1_by_m2*t81 - cos_omega4_half_tau1_by_m2*t83 + omega3_by_m2*t139 - omega4_by_m2*t137 - p4_by_m2*t134 + p5_by_m2*t135 + sin_omega3_half_tau1_by_m2*t140 - sin_omega4_half_tau1_by_m2*t138;
-            matrix[2][6][lane] = cos_omega3_half_tau1_by_k1*t81 - cos_omega4_half_tau1_by_k1*t83 + omega3_by_k1*t139 - omega4_by_k1*t137 - p4_by_k1*t134 + p5_by_k1*t135 + sin_omega3_half_tau1_by_k1*t140 - sin_omega4_half_tau1_by_k1*t138;
-            matrix[2][7][lane] = cos_omega3_half_tau1_by_k2*t81 - cos_omega4_half_tau1_by_k2*t83 + omega3_by_k2*t139 - omega4_by_k2*t137 - p4_by_k2*t134 + p5_by_k2*t135 + sin_omega3_half_tau1_by_k2*t140 - sin_omega4_half_tau1_by_k2*t138;
-            matrix[2][8][lane] = cos_omega3_half_tau1_by_k3*t81 - cos_omega4_half_tau1_by_k3*t83 + omega3_by_k3*t139 - omega4_by_k3*t137 - p4_by_k3*t134 + p5_by_k3*t135 + sin_omega3_half_tau1_by_k3*t140 - sin_omega4_half_tau1_by_k3*t138;
-            matrix[2][9][lane] = cos_omega3_half_tau1_by_T*t81 - cos_omega4_half_tau1_by_T*t83 + sin_omega3_half_tau1_by_T*t140 - sin_omega4_half_tau1_by_T*t138;
-            matrix[3][4][lane] = -cos_omega3_half_tau1_by_m1*t91 - cos_omega4_half_tau1_by_m1*t92 - omega3_by_m1*t141 + omega4_by_m1*t143 - p4_by_m1*t135 - p6_by_m1*t134 - sin_omega3_half_tau1_by_m1*t142 + sin_omega4_half_tau1_by_m1*t144;
-            matrix[3][5][lane] = -cos_omega3_half_tau1_by_m2*t91 - cos_omega4_half_tau1_by_m2*t92 - omega3_by_m2*t141 + omega4_by_m2*t143 - p4_by_m2*t135 - p6_by_m2*t134 - sin_omega3_half_tau1_by_m2*t142 + sin_omega4_half_tau1_by_m2*t144;
-            matrix[3][6][lane] = -cos_omega3_half_tau1_by_k1*t91 - cos_omega4_half_tau1_by_k1*t92 - omega3_by_k1*t141 + omega4_by_k1*t143 - p4_by_k1*t135 - p6_by_k1*t134 - sin_omega3_half_tau1_by_k1*t142 + sin_omega4_half_tau1_by_k1*t144;
-            matrix[3][7][lane] = -cos_omega3_half_tau1_by_k2*t91 - cos_omega4_half_tau1_by_k2*t92 - omega3_by_k2*t141 + omega4_by_k2*t143 - p4_by_k2*t135 - p6_by_k2*t134 - sin_omega3_half_tau1_by_k2*t142 + sin_omega4_half_tau1_by_k2*t144;
-            matrix[3][8][lane] = -cos_omega3_half_tau1_by_k3*t91 - cos_omega4_half_tau1_by_k3*t92 - omega3_by_k3*t141 + omega4_by_k3*t143 - p4_by_k3*t135 - p6_by_k3*t134 - sin_omega3_half_tau1_by_k3*t142 + sin_omega4_half_tau1_by_k3*t144;
-            matrix[3][9][lane] = -cos_omega3_half_tau1_by_T*t91 - cos_omega4_half_tau1_by_T*t92 - sin_omega3_half_tau1_by_T*t142 + sin_omega4_half_tau1_by_T*t144;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_one_contact_equations_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, jacobian, moved);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double k3 = parameter[4][lane];
-            const double T = parameter[5][lane];
-            const double y = unknown[0][lane];
-            const double u = unknown[1][lane];
-            const double w = unknown[2][lane];
-            const double tau = unknown[3][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double omega4 = fixed[6][lane];
-            const double p4 = fixed[7][lane];
-            const double p5 = fixed[8][lane];
-            const double p6 = fixed[9][lane];
-            const double omega1_by_k1 = fixed[10][lane];
-            const double omega1_by_k2 = fixed[11][lane];
-            const double omega1_by_k3 = fixed[12][lane];
-            const double omega1_by_m1 = fixed[13][lane];
-            const double omega1_by_m2 = fixed[14][lane];
-            const double omega2_by_k1 = fixed[15][lane];
-            const double omega2_by_k2 = fixed[16][lane];
-            const double omega2_by_k3 = fixed[17][lane];
-            const double omega2_by_m1 = fixed[18][lane];
-            const double omega2_by_m2 = fixed[19][lane];
-            const double p1_by_k1 = fixed[20][lane];
-            const double p1_by_k2 = fixed[21][lane];
-            const double p1_by_k3 = fixed[22][lane];
-            const double p1_by_m1 = fixed[23][lane];
-            const double p1_by_m2 = fixed[24][lane];
-            const double p2_by_k1 = fixed[25][lane];
-            const double p2_by_k2 = fixed[26][lane];
-            const double p2_by_k3 = fixed[27][lane];
-            const double p2_by_m1 = fixed[28][lane];
-            const double p2_by_m2 = fixed[29][lane];
-            const double p3_by_k1 = fixed[30][lane];
-            const double p3_by_k2 = fixed[31][lane];
-            const double p3_by_k3 = fixed[32][lane];
-            const double p3_by_m1 = fixed[33][lane];
-            const double p3_by_m2 = fixed[34][lane];
-            const double omega3_by_k1 = fixed[35][lane];
-            const double omega3_by_k2 = fixed[36][lane];
-            const double omega3_by_k3 = fixed[37][lane];
-            const double omega3_by_m1 = fixed[38][lane];
-            const double omega3_by_m2 = fixed[39][lane];
-            const double omega4_by_k1 = fixed[40][lane];
-            const double omega4_by_k2 = fixed[41][lane];
-            const double omega4_by_k3 = fixed[42][lane];
-            const double omega4_by_m1 = fixed[43][lane];
-            const double omega4_by_m2 = fixed[44][lane];
-            const double p4_by_k1 = fixed[45][lane];
-            const double p4_by_k2 = fixed[46][lane];
-            const double p4_by_k3 = fixed[47][lane];
-            const double p4_by_m1 = fixed[48][lane];
-            const double p4_by_m2 = fixed[49][lane];
-            const double p5_by_k1 = fixed[50][lane];
-            const double p5_by_k2 = fixed[51][lane];
-            const double p5_by_k3 = fixed[52][lane];
-            const double p5_by_m1 = fixed[53][lane];
-            const double p5_by_m2 = fixed[54][lane];
-            const double p6_by_k1 = fixed[55][lane];
-            const double p6_by_k2 = fixed[56][lane];
-            const double p6_by_k3 = fixed[57][lane];
-            const double p6_by_m1 = fixed[58][lane];
-            const double p6_by_m2 = fixed[59][lane];
-            /* functions of tau in contact */
-            const double t0 = omega1*tau;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_tau = cosine_0;
-            const double sin_omega1_tau = sine_0;
-            const double t3 = omega2*tau;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_tau = cosine_1;
-            const double sin_omega2_tau = sine_1;
-            /* contact for tau, until first-leaves-stop */
-            const double t6 = k1*k3;
-            const double t7 = k2*k3 + t6;
-            const double t8 = k1*k2 + t7;
-            const double t9 = (1.0/(t8));
-            const double t10 = t7*t9;
-            const double t11 = t6*t9;
-            const double t12 = p2*t11;
-            const double t13 = p1*t10 + t12;
-            const double t14 = p1 - 1;
-            const double t15 = t10*t14 + t12;
-            const double t16 = (1.0/(omega1));
-            const double t17 = p1*sin_omega1_tau;
-            const double t18 = (1.0/(omega2));
-            const double t20 = -sin_omega2_tau*t14;
-            const double t21 = t16*t17 + t18*t20;
-            const double t22 = sin_omega2_tau*t18;
-            const double t23 = p2*sin_omega1_tau*t16 - p2*t22;
-            const double t24 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-            const double t25 = cos_omega1_tau*p1 - cos_omega2_tau*t14;
-            const double x1_1 = -cos_omega1_tau*t13 + cos_omega2_tau*t15 + t10 + t21*u + t23*w + t24*y + t25;
-            const double t26 = p3*t10;
-            const double t28 = t11*t14 - t26;
-            const double t29 = p1*t11;
-            const double t30 = -t26 + t29;
-            const double t31 = p3*sin_omega2_tau;
-            const double t32 = p3*sin_omega1_tau*t16 - t18*t31;
-            const double t33 = p1*t22 - sin_omega1_tau*t14*t16;
-            const double t34 = -cos_omega1_tau*t14 + cos_omega2_tau*p1;
-            const double t35 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-            const double x2_1 = cos_omega1_tau*t28 - cos_omega2_tau*t30 + t11 + t32*u + t33*w + t34*y + t35;
-            const double t36 = omega1*p1;
-            const double t37 = omega1*t12 + t10*t36;
-            const double t38 = omega2*t12 + omega2*t14*t7*t9;
-            const double t39 = omega1*sin_omega1_tau;
-            const double t40 = omega2*p2*sin_omega2_tau - p2*t39;
-            const double t41 = -omega2*t14;
-            const double v1_1 = -sin_omega1_tau*t36 + sin_omega1_tau*t37 - sin_omega2_tau*t38 - sin_omega2_tau*t41 + t24*w + t25*u + t40*y;
-            const double t42 = omega1*p3;
-            const double t43 = -t11*t14;
-            const double t44 = omega1*t43 + t10*t42;
-            const double t45 = omega2*p3;
-            const double t46 = omega2*t29 - t10*t45;
-            const double t47 = omega2*sin_omega2_tau;
-            const double t48 = -p1*t47 + t14*t39;
-            const double v2_1 = -sin_omega1_tau*t42 + sin_omega1_tau*t44 + sin_omega2_tau*t45 + sin_omega2_tau*t46 + t34*w + t35*u + t48*y;
-            /* tau1 completes the period */
-            const double tau1 = T - tau;
-            /* functions of tau1 in free */
-            const double t49 = omega3*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t49, &sine_2, &cosine_2);
-            const double cos_omega3_tau1 = cosine_2;
-            const double sin_omega3_tau1 = sine_2;
-            const double t52 = omega4*tau1;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t52, &sine_3, &cosine_3);
-            const double cos_omega4_tau1 = cosine_3;
-            const double sin_omega4_tau1 = sine_3;
-            /* free for tau1, until first-reaches-stop */
-            const double t55 = (1.0/(omega3));
-            const double t56 = sin_omega3_tau1*t55;
-            const double t57 = 1 - p4;
-            const double t58 = (1.0/(omega4));
-            const double t59 = sin_omega4_tau1*t58;
-            const double t60 = p4*t56 + t57*t59;
-            const double t61 = p5*sin_omega3_tau1*t55 - p5*t59;
-            const double t62 = cos_omega3_tau1*p4 + cos_omega4_tau1*t57;
-            const double t63 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
-            const double x1_2 = t60*v1_1 + t61*v2_1 + t62*x1_1 + t63*x2_1;
-            const double t64 = p6*t59;
-            const double t65 = p6*sin_omega3_tau1*t55 - t64;
-            const double t66 = p4*t59 + t56*t57;
-            const double t67 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
-            const double t68 = cos_omega3_tau1*t57 + cos_omega4_tau1*p4;
-            const double x2_2 = t65*v1_1 + t66*v2_1 + t67*x1_1 + t68*x2_1;
-            const double t69 = omega3*sin_omega3_tau1;
-            const double t70 = omega4*sin_omega4_tau1;
-            const double t71 = p4*t69 + t57*t70;
-            const double t73 = p5*t69;
-            const double t74 = omega4*p5*sin_omega4_tau1 - t73;
-            const double v1_2 = t62*v1_1 + t63*v2_1 - t71*x1_1 + t74*x2_1;
-            const double t75 = p6*t69;
-            const double t76 = omega4*p6*sin_omega4_tau1 - t75;
-            const double t77 = p4*t70 + t57*t69;
-            const double v2_2 = t67*v1_1 + t68*v2_1 + t76*x1_1 - t77*x2_1;
-            /* Phi along tau */
-            const double carried_x1_1_by_y = t24;
-            const double carried_x1_1_by_u = t21;
-            const double carried_x1_1_by_w = t23;
-            const double carried_x2_1_by_y = t34;
-            const double carried_x2_1_by_u = t32;
-            const double carried_x2_1_by_w = t33;
-            const double carried_v1_1_by_y = t40;
-            const double carried_v1_1_by_u = t25;
-            const double carried_v1_1_by_w = t24;
-            const double carried_v2_1_by_y = t48;
-            const double carried_v2_1_by_u = t35;
-            const double carried_v2_1_by_w = t34;
-            /* rate of the exit boundary after tau */
-            const double rate_1 = -v1_1;
-            /* derivatives of the time to the boundary after tau */
-            const double t79 = (1.0/(rate_1));
-            const double delay_tau_by_y = carried_x1_1_by_y*t79;
-            const double delay_tau_by_u = carried_x1_1_by_u*t79;
-            const double delay_tau_by_w = carried_x1_1_by_w*t79;
-            /* perturbation on the boundary after tau */
-            const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
-            const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
-            const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
-            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
-            const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
-            const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
-            const double t80 = (1.0/(m1));
-            const double t81 = k1 + k3;
-            const double t82 = t80*x1_1;
-            const double t83 = k1*t80*x2_1 + k3*t80 - t81*t82;
-            const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t83;
-            const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t83;
-            const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t83;
-            const double t84 = (1.0/(m2));
-            const double t85 = t84*x1_1;
-            const double t86 = k1 + k2;
-            const double t87 = t84*x2_1;
-            const double t88 = k1*t85 - t86*t87;
-            const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t88;
-            const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t88;
-            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t88;
-            /* Phi along tau1 */
-            const double carried_x1_2_by_y = t60*v1_1_on_boundary_by_y + t61*v2_1_on_boundary_by_y + t62*x1_1_on_boundary_by_y + t63*x2_1_on_boundary_by_y;
-            const double carried_x1_2_by_u = t60*v1_1_on_boundary_by_u + t61*v2_1_on_boundary_by_u + t62*x1_1_on_boundary_by_u + t63*x2_1_on_boundary_by_u;
-            const double carried_x1_2_by_w = t60*v1_1_on_boundary_by_w + t61*v2_1_on_boundary_by_w + t62*x1_1_on_boundary_by_w + t63*x2_1_on_boundary_by_w;
-            /* derivatives of the time to the boundary after tau1 */
-            const double t89 = (1.0/(v1_2));
-            const double delay_tau1_by_y = -carried_x1_2_by_y*t89;
-            const double delay_tau1_by_u = -carried_x1_2_by_u*t89;
-            const double delay_tau1_by_w = -carried_x1_2_by_w*t89;
-            /* back through: derivatives of the time to the boundary after tau1 */
-            const double t90 = t84*x1_2;
-            const double t91 = t84*x2_2;
-            const double slope_by_delay_tau1_by_w = k1*t90 - t86*t91;
-            const double t92 = t80*x1_2;
-            const double slope_by_delay_tau1_by_u = k1*t80*x2_2 - k1*t92;
-            /* back through: Phi along tau1 */
-            const double slope_by_carried_x1_2_by_w = -slope_by_delay_tau1_by_w*t89;
-            const double slope_by_carried_x1_2_by_u = -slope_by_delay_tau1_by_u*t89;
-            const double slope_by_carried_x1_2_by_y = -t89*v2_2;
-            /* back through: perturbation on the boundary after tau */
-            const double slope_by_v2_1_on_boundary_by_w = slope_by_carried_x1_2_by_w*t61 + t68;
-            const double slope_by_v2_1_on_boundary_by_u = slope_by_carried_x1_2_by_u*t61 + t63;
-            const double slope_by_v2_1_on_boundary_by_y = slope_by_carried_x1_2_by_y*t61 + t66;
-            const double slope_by_v1_1_on_boundary_by_w = slope_by_carried_x1_2_by_w*t60 + t67;
-            const double slope_by_v1_1_on_boundary_by_u = slope_by_carried_x1_2_by_u*t60 + t62;
-            const double slope_by_v1_1_on_boundary_by_y = p6*t56 + slope_by_carried_x1_2_by_y*t60 - t64;
-            const double slope_by_x2_1_on_boundary_by_w = slope_by_carried_x1_2_by_w*t63 - t77;
-            const double slope_by_x2_1_on_boundary_by_u = p5*t70 + slope_by_carried_x1_2_by_u*t63 - t73;
-            const double slope_by_x2_1_on_boundary_by_y = slope_by_carried_x1_2_by_y*t63 + t68;
-            const double slope_by_x1_1_on_boundary_by_w = p6*t70 + slope_by_carried_x1_2_by_w*t62 - t75;
-            const double slope_by_x1_1_on_boundary_by_u = slope_by_carried_x1_2_by_u*t62 - t71;
-            const double slope_by_x1_1_on_boundary_by_y = slope_by_carried_x1_2_by_y*t62 + t67;
-            /* back through: derivatives of the time to the boundary after tau */
-            const double slope_by_delay_tau_by_w = slope_by_v1_1_on_boundary_by_w*t83 + slope_by_v2_1_on_boundary_by_w*t88 + slope_by_x1_1_on_boundary_by_w*v1_1 + slope_by_x2_1_on_boundary_by_w*v2_1;
-            const double slope_by_delay_tau_by_u = slope_by_v1_1_on_boundary_by_u*t83 + slope_by_v2_1_on_boundary_by_u*t88 + slope_by_x1_1_on_boundary_by_u*v1_1 + slope_by_x2_1_on_boundary_by_u*v2_1;
-            const double slope_by_delay_tau_by_y = slope_by_v1_1_on_boundary_by_y*t83 + slope_by_v2_1_on_boundary_by_y*t88 + slope_by_x1_1_on_boundary_by_y*v1_1 + slope_by_x2_1_on_boundary_by_y*v2_1;
-            /* back through: rate of the exit boundary after tau */
-            const double t93 = (1.0/(rate_1*rate_1));
-            const double slope_by_rate_1 = -carried_x1_1_by_u*slope_by_delay_tau_by_u*t93 - carried_x1_1_by_w*slope_by_delay_tau_by_w*t93 - carried_x1_1_by_y*slope_by_delay_tau_by_y*t93;
-            /* back through: Phi along tau */
-            const double slope_by_carried_x1_1_by_w = slope_by_delay_tau_by_w*t79 + slope_by_x1_1_on_boundary_by_w;
-            const double slope_by_carried_x1_1_by_u = slope_by_delay_tau_by_u*t79 + slope_by_x1_1_on_boundary_by_u;
-            const double slope_by_carried_x1_1_by_y = slope_by_delay_tau_by_y*t79 + slope_by_x1_1_on_boundary_by_y;
-            /* back through: free for tau1, until first-reaches-stop */
-            const double t94 = (1.0/(v1_2*v1_2));
-            const double slope_by_v1_2 = carried_x1_2_by_u*slope_by_delay_tau1_by_u*t94 + carried_x1_2_by_w*slope_by_delay_tau1_by_w*t94 + carried_x1_2_by_y*t94*v2_2;
-            const double t95 = k1*t80;
-            const double t96 = delay_tau1_by_u*t95;
-            const double slope_by_x2_2 = -delay_tau1_by_w*t84*t86 + t96;
-            const double slope_by_x1_2 = delay_tau1_by_w*k1*t84 - t96;
-            /* back through: functions of tau1 in free */
-            const double t97 = p4*x2_1;
-            const double t98 = p5*v2_1_on_boundary_by_u;
-            const double t99 = p5*t58;
-            const double t100 = p5*x2_1;
-            const double t101 = t57*x1_1;
-            const double t102 = p5*v2_1;
-            const double t103 = p4*v2_1;
-            const double t104 = p6*v1_1;
-            const double t105 = p4*v2_1_on_boundary_by_y;
-            const double t106 = p5*x2_1_on_boundary_by_u;
-            const double t107 = p6*x1_1_on_boundary_by_w;
-            const double t108 = p4*x2_1_on_boundary_by_w;
-            const double t109 = p6*v1_1_on_boundary_by_y;
-            const double t110 = t57*x1_1_on_boundary_by_u;
-            const double slope_by_sin_omega4_tau1 = delay_tau1_by_y*(omega4*p6*x1_1 - omega4*t97) + omega4*t106 + omega4*t107 - omega4*t108 - omega4*t110 + slope_by_carried_x1_2_by_u*(t57*t58*v1_1_on_boundary_by_u - t58*t98) + slope_by_carried_x1_2_by_w*(t57*t58*v1_1_on_boundary_by_w - t99*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t57*t58*v1_1_on_boundary_by_y - t99*v2_1_on_boundary_by_y) + slope_by_v1_2*(omega4*t100 - omega4*t101) + slope_by_x1_2*(-t102*t58 + t57*t58*v1_1) + slope_by_x2_2*(t103*t58 - t104*t58) + t105*t58 - t109*t58;
-            const double t111 = p5*x2_1_on_boundary_by_w;
-            const double t112 = p5*x2_1_on_boundary_by_y;
-            const double t113 = p6*x1_1;
-            const double t114 = t57*v1_1_on_boundary_by_u;
-            const double t115 = p6*v1_1_on_boundary_by_w;
-            const double t116 = p6*x1_1_on_boundary_by_y;
-            const double slope_by_cos_omega4_tau1 = delay_tau1_by_y*(t103 - t104) + p4*v2_1_on_boundary_by_w + p4*x2_1_on_boundary_by_y + slope_by_carried_x1_2_by_u*(-t106 + t57*x1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t111 + t57*x1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t112 + t57*x1_1_on_boundary_by_y) + slope_by_v1_2*(-t102 + t57*v1_1) + slope_by_x1_2*(-t100 + t57*x1_1) + slope_by_x2_2*(-t113 + t97) + t114 - t115 - t116 - t98;
-            const double t117 = t57*x2_1;
-            const double t118 = p4*v1_1_on_boundary_by_u;
-            const double t119 = p4*t55;
-            const double t120 = p5*t55;
-            const double t121 = p4*x1_1;
-            const double t122 = p4*v1_1;
-            const double t123 = t57*v2_1;
-            const double t124 = t57*v2_1_on_boundary_by_y;
-            const double t125 = p4*x1_1_on_boundary_by_u;
-            const double t126 = t57*x2_1_on_boundary_by_w;
-            const double slope_by_sin_omega3_tau1 = delay_tau1_by_y*(-omega3*t113 - omega3*t117) - omega3*t106 - omega3*t107 - omega3*t125 - omega3*t126 + slope_by_carried_x1_2_by_u*(t118*t55 + t55*t98) + slope_by_carried_x1_2_by_w*(t119*v1_1_on_boundary_by_w + t120*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t119*v1_1_on_boundary_by_y + t120*v2_1_on_boundary_by_y) + slope_by_v1_2*(-omega3*t100 - omega3*t121) + slope_by_x1_2*(t102*t55 + t122*t55) + slope_by_x2_2*(t104*t55 + t123*t55) + t109*t55 + t124*t55;
-            const double slope_by_cos_omega3_tau1 = delay_tau1_by_y*(t104 + t123) + slope_by_carried_x1_2_by_u*(t106 + t125) + slope_by_carried_x1_2_by_w*(p4*x1_1_on_boundary_by_w + t111) + slope_by_carried_x1_2_by_y*(p4*x1_1_on_boundary_by_y + t112) + slope_by_v1_2*(t102 + t122) + slope_by_x1_2*(t100 + t121) + slope_by_x2_2*(t113 + t117) + t115 + t116 + t118 + t57*v2_1_on_boundary_by_w + t57*x2_1_on_boundary_by_y + t98;
-            /* back through: tau1 completes the period */
-            const double t127 = sin_omega3_tau1*slope_by_cos_omega3_tau1;
-            const double t128 = sin_omega4_tau1*slope_by_cos_omega4_tau1;
-            const double slope_by_tau1 = cos_omega3_tau1*omega3*slope_by_sin_omega3_tau1 + cos_omega4_tau1*omega4*slope_by_sin_omega4_tau1 - omega3*t127 - omega4*t128;
-            /* back through: contact for tau, until first-leaves-stop */
-            const double slope_by_v2_1 = delay_tau1_by_y*t68 + delay_tau_by_u*slope_by_x2_1_on_boundary_by_u + delay_tau_by_w*slope_by_x2_1_on_boundary_by_w + delay_tau_by_y*slope_by_x2_1_on_boundary_by_y + slope_by_v1_2*t63 + slope_by_x1_2*t61 + slope_by_x2_2*t66;
-            const double slope_by_v1_1 = delay_tau1_by_y*t67 + delay_tau_by_u*slope_by_x1_1_on_boundary_by_u + delay_tau_by_w*slope_by_x1_1_on_boundary_by_w + delay_tau_by_y*slope_by_x1_1_on_boundary_by_y - slope_by_rate_1 + slope_by_v1_2*t62 + slope_by_x1_2*t60 + slope_by_x2_2*t65;
-            const double t129 = delay_tau_by_u*slope_by_v1_1_on_boundary_by_u;
-            const double t130 = delay_tau_by_w*slope_by_v1_1_on_boundary_by_w;
-            const double t131 = delay_tau_by_y*slope_by_v1_1_on_boundary_by_y;
-            const double t132 = delay_tau_by_u*slope_by_v2_1_on_boundary_by_u;
-            const double t133 = t84*t86;
-            const double t134 = delay_tau_by_w*slope_by_v2_1_on_boundary_by_w;
-            const double t135 = delay_tau_by_y*slope_by_v2_1_on_boundary_by_y;
-            const double slope_by_x2_1 = -delay_tau1_by_y*t77 + slope_by_v1_2*t74 + slope_by_x1_2*t63 + slope_by_x2_2*t68 + t129*t95 + t130*t95 + t131*t95 - t132*t133 - t133*t134 - t133*t135;
-            const double t136 = k1*t84;
-            const double t137 = t80*t81;
-            const double slope_by_x1_1 = delay_tau1_by_y*t76 - slope_by_v1_2*t71 + slope_by_x1_2*t62 + slope_by_x2_2*t67 - t129*t137 - t130*t137 - t131*t137 + t132*t136 + t134*t136 + t135*t136;
-            /* back through: functions of tau in contact */
-            const double t138 = p1*y;
-            const double t139 = p2*w;
-            const double t140 = p1*w;
-            const double t141 = p3*u;
-            const double t142 = p1*slope_by_x2_1_on_boundary_by_w;
-            const double t143 = p2*slope_by_v1_1_on_boundary_by_y;
-            const double t144 = p1*slope_by_v2_1_on_boundary_by_y;
-            const double t145 = p2*slope_by_carried_x1_1_by_w;
-            const double t146 = p3*slope_by_x2_1_on_boundary_by_u;
-            const double slope_by_sin_omega2_tau = omega2*t143 - omega2*t144 - slope_by_carried_x1_1_by_u*t14*t18 + slope_by_v1_1*(omega2*p2*y - t38 - t41) + slope_by_v2_1*(-omega2*t138 + t45 + t46) + slope_by_x1_1*(-t139*t18 - t14*t18*u) + slope_by_x2_1*(t140*t18 - t141*t18) + t142*t18 - t145*t18 - t146*t18;
-            const double t147 = p2*y;
-            const double t148 = -p1 - t147;
-            const double t149 = p2*slope_by_carried_x1_1_by_y;
-            const double t150 = p2*slope_by_v1_1_on_boundary_by_w;
-            const double t151 = p3*slope_by_v2_1_on_boundary_by_u;
-            const double slope_by_cos_omega2_tau = p1*slope_by_v2_1_on_boundary_by_w + p1*slope_by_x2_1_on_boundary_by_y + slope_by_v1_1*(-t139 - t14*u) - slope_by_v1_1_on_boundary_by_u*t14 + slope_by_v2_1*(t140 - t141) + slope_by_x1_1*(t148 + t15 + 1) + slope_by_x2_1*(p1*y - p3 - t30) - t149 - t150 - t151;
-            const double t152 = -t14*y;
-            const double t153 = p1*u;
-            const double t154 = -t14*w;
-            const double t155 = -slope_by_x2_1_on_boundary_by_w*t14;
-            const double t156 = -slope_by_v2_1_on_boundary_by_y*t14;
-            const double slope_by_sin_omega1_tau = -omega1*t143 - omega1*t156 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t147 - t36 + t37) + slope_by_v2_1*(-omega1*t152 - t42 + t44) + slope_by_x1_1*(t139*t16 + t153*t16) + slope_by_x2_1*(t141*t16 + t154*t16) + t145*t16 + t146*t16 + t155*t16;
-            const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t139 + t153) + slope_by_v2_1*(t141 + t154) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t148) + slope_by_x2_1*(p3 + t152 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t149 + t150 + t151;
-            /* trace_gradient */
-            const double t157 = sin_omega1_tau*slope_by_cos_omega1_tau;
-            const double t158 = sin_omega2_tau*slope_by_cos_omega2_tau;
-            const double t159 = (1.0/(m1*m1));
-            const double t160 = k1*t159;
-            const double t161 = p3*sin_omega1_tau;
-            const double t162 = (1.0/(omega1*omega1));
-            const double t163 = sin_omega1_tau*t162;
-            const double t164 = cos_omega1_tau*slope_by_sin_omega1_tau*tau - sin_omega1_tau*t143 - sin_omega1_tau*t156 - slope_by_carried_x1_1_by_u*t162*t17 + slope_by_v1_1*(sin_omega1_tau*t13 - sin_omega1_tau*t147 - t17) + slope_by_v2_1*(-sin_omega1_tau*t152 + sin_omega1_tau*(t26 + t43) - t161) + slope_by_x1_1*(-t139*t163 - t153*t163) + slope_by_x2_1*(-t141*t163 - t154*t163) - slope_by_x2_1_on_boundary_by_u*t161*t162 - t145*t163 - t155*t163 - t157*tau;
-            const double t165 = (1.0/(omega2*omega2));
-            const double t166 = sin_omega2_tau*t165;
-            const double t167 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + sin_omega2_tau*t143 - sin_omega2_tau*t144 - slope_by_carried_x1_1_by_u*t165*t20 + slope_by_v1_1*(sin_omega2_tau*t147 + sin_omega2_tau*(-t12 - t14*t7*t9) - t20) + slope_by_v2_1*(-sin_omega2_tau*t138 + sin_omega2_tau*t30 + t31) + slope_by_x1_1*(t139*t166 + t14*t166*u) + slope_by_x2_1*(p3*sin_omega2_tau*t165*u - t140*t166) + slope_by_x2_1_on_boundary_by_u*t165*t31 - t142*t166 + t145*t166 - t158*tau;
-            const double t168 = sin_omega3_tau1/(omega3*omega3);
-            const double t169 = p4*t168;
-            const double t170 = p5*t168;
-            const double t171 = cos_omega3_tau1*slope_by_sin_omega3_tau1*tau1 + delay_tau1_by_y*(-sin_omega3_tau1*t113 - sin_omega3_tau1*t117) - sin_omega3_tau1*t106 - sin_omega3_tau1*t107 - sin_omega3_tau1*t125 - sin_omega3_tau1*t126 + slope_by_carried_x1_2_by_u*(-t118*t168 - t168*t98) + slope_by_carried_x1_2_by_w*(-t169*v1_1_on_boundary_by_w - t170*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t169*v1_1_on_boundary_by_y - t170*v2_1_on_boundary_by_y) + slope_by_v1_2*(-sin_omega3_tau1*t100 - sin_omega3_tau1*t121) + slope_by_x1_2*(-t102*t168 - t122*t168) + slope_by_x2_2*(-t104*t168 - t123*t168) - t109*t168 - t124*t168 - t127*tau1;
-            const double t172 = (1.0/(omega4*omega4));
-            const double t173 = sin_omega4_tau1*t172;
-            const double t174 = p5*t173;
-            const double t175 = t173*t57;
-            const double t176 = cos_omega4_tau1*slope_by_sin_omega4_tau1*tau1 + delay_tau1_by_y*(p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t97) + sin_omega4_tau1*t106 + sin_omega4_tau1*t107 - sin_omega4_tau1*t108 - sin_omega4_tau1*t110 + slope_by_carried_x1_2_by_u*(-t114*t173 + t173*t98) + slope_by_carried_x1_2_by_w*(t174*v2_1_on_boundary_by_w - t175*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t174*v2_1_on_boundary_by_y - t175*v1_1_on_boundary_by_y) + slope_by_v1_2*(sin_omega4_tau1*t100 - sin_omega4_tau1*t101) + slope_by_x1_2*(t102*t173 - t173*t57*v1_1) + slope_by_x2_2*(p6*sin_omega4_tau1*t172*v1_1 - t103*t173) - t105*t173 + t109*t173 - t128*tau1;
-            const double t177 = -sin_omega1_tau*t16 + t22;
-            const double t179 = cos_omega1_tau - cos_omega2_tau;
-            const double t180 = t10*t39 - t10*t47 + t179*u - t39 + t47;
-            const double t182 = t39 - t47;
-            const double t183 = t11*t47;
-            const double t184 = t11*t39;
-            const double t185 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t177*u + t179;
-            const double t186 = cos_omega1_tau*t11;
-            const double t187 = cos_omega2_tau*t11;
-            const double t188 = -slope_by_carried_x1_1_by_u*t177 + slope_by_v1_1*t180 + slope_by_v1_1_on_boundary_by_u*t179 + slope_by_v2_1*(-t179*w + t182*y + t183 - t184) - slope_by_v2_1_on_boundary_by_w*t179 + slope_by_v2_1_on_boundary_by_y*t182 + slope_by_x1_1*t185 + slope_by_x2_1*(t177*w - t179*y + t186 - t187) + slope_by_x2_1_on_boundary_by_w*t177 - slope_by_x2_1_on_boundary_by_y*t179;
-            const double t190 = -slope_by_carried_x1_1_by_w*t177 + slope_by_carried_x1_1_by_y*t179 + slope_by_v1_1*(t179*w - t182*y - t183 + t184) + slope_by_v1_1_on_boundary_by_w*t179 - slope_by_v1_1_on_boundary_by_y*t182 + slope_by_x1_1*(-t177*w + t179*y - t186 + t187);
-            const double t191 = slope_by_v2_1*t180 + slope_by_v2_1_on_boundary_by_u*t179 + slope_by_x2_1*t185 - slope_by_x2_1_on_boundary_by_u*t177;
-            const double t192 = cos_omega3_tau1 - cos_omega4_tau1;
-            const double t194 = t69 - t70;
-            const double t195 = -sin_omega3_tau1*t55 + t59;
-            const double t197 = t192*x1_1_on_boundary_by_y - t195*v1_1_on_boundary_by_y;
-            const double t199 = t192*v1_1 - t194*x1_1;
-            const double t200 = t192*x1_1 - t195*v1_1;
-            const double t201 = delay_tau1_by_y*(-t192*v2_1 + t194*x2_1) + slope_by_carried_x1_2_by_u*(t192*x1_1_on_boundary_by_u - t195*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x1_1_on_boundary_by_w - t195*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*t197 + slope_by_v1_2*t199 + slope_by_x1_2*t200 + slope_by_x2_2*(-t192*x2_1 + t195*v2_1) + t192*v1_1_on_boundary_by_u - t192*v2_1_on_boundary_by_w - t192*x2_1_on_boundary_by_y - t194*x1_1_on_boundary_by_u + t194*x2_1_on_boundary_by_w + t195*v2_1_on_boundary_by_y;
-            const double t202 = slope_by_carried_x1_2_by_u*(t192*x2_1_on_boundary_by_u - t195*v2_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x2_1_on_boundary_by_w - t195*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t192*x2_1_on_boundary_by_y - t195*v2_1_on_boundary_by_y) + slope_by_v1_2*(t192*v2_1 - t194*x2_1) + slope_by_x1_2*(t192*x2_1 - t195*v2_1) + t192*v2_1_on_boundary_by_u - t194*x2_1_on_boundary_by_u;
-            const double t203 = delay_tau1_by_y*t199 + slope_by_x2_2*t200 + t192*v1_1_on_boundary_by_w - t194*x1_1_on_boundary_by_w + t197;
-            const double t204 = -k3*t159 + t159*t81*x1_1 - t160*x2_1;
-            const double t205 = (1.0/(m2*m2));
-            const double t206 = k1*t205;
-            const double t207 = t205*t86*x2_1 - t206*x1_1;
-            const double t208 = k3*t9;
-            const double t209 = t208*t36;
-            const double t210 = p2*t208;
-            const double t211 = -k2 - k3;
-            const double t212 = (1.0/(t8*t8));
-            const double t213 = t212*t7;
-            const double t214 = t211*t213;
-            const double t215 = t212*t6;
-            const double t216 = t211*t215;
-            const double t217 = p2*t216;
-            const double t218 = t208*t42;
-            const double t219 = -omega1*t14;
-            const double t220 = p1*t208;
-            const double t221 = t208*t45;
-            const double t222 = p1*t216;
-            const double t223 = t210 + t217;
-            const double t224 = t14*t208;
-            const double t225 = p3*t208;
-            const double t226 = -p3*t214 - t225;
-            const double t227 = t80*x2_1 - t82;
-            const double t228 = t85 - t87;
-            const double t230 = -t213*t81;
-            const double t231 = -t215*t81;
-            const double t232 = p2*t231;
-            const double t233 = p3*t230 + t225;
-            const double t234 = t86*t9;
-            const double t235 = k1*t9;
-            const double t236 = p2*t235;
-            const double t238 = -t213*t86;
-            const double t239 = -t215*t86;
-            const double t240 = p2*t239;
-            const double t241 = p1*t235;
-            const double t242 = p1*t239;
-            const double t243 = t236 + t240;
-            const double t244 = -p3*t234 - p3*t238;
-            const double t245 = t80 - t82;
-            slope[0][lane] = slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34;
-            slope[1][lane] = slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32;
-            slope[2][lane] = slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33;
-            slope[3][lane] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t157 - omega2*t158 - slope_by_tau1;
-            slope[4][lane] = delay_tau1_by_u*(t160*x1_2 - t160*x2_2) + omega1_by_m1*t164 + omega2_by_m1*t167 + omega3_by_m1*t171 + omega4_by_m1*t176 + p1_by_m1*t188 + p2_by_m1*t190 + p3_by_m1*t191 + p4_by_m1*t201 + p5_by_m1*t202 + p6_by_m1*t203 + t129*t204 + t130*t204 + t131*t204;
-            slope[5][lane] = delay_tau1_by_w*(t205*t86*x2_2 - t206*x1_2) + omega1_by_m2*t164 + omega2_by_m2*t167 + omega3_by_m2*t171 + omega4_by_m2*t176 + p1_by_m2*t188 + p2_by_m2*t190 + p3_by_m2*t191 + p4_by_m2*t201 + p5_by_m2*t202 + p6_by_m2*t203 + t132*t207 + t134*t207 + t135*t207;
-            slope[6][lane] = delay_tau1_by_u*(t80*x2_2 - t92) + delay_tau1_by_w*(t90 - t91) + omega1_by_k1*t164 + omega2_by_k1*t167 + omega3_by_k1*t171 + omega4_by_k1*t176 + p1_by_k1*t188 + p2_by_k1*t190 + p3_by_k1*t191 + p4_by_k1*t201 + p5_by_k1*t202 + p6_by_k1*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t210 + omega1*t217 + t209 + t214*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t211*t212*t7 - omega2*t210 - omega2*t217)) + slope_by_v2_1*(sin_omega1_tau*(t208*t219 + t214*t42 + t216*t219 + t218) + sin_omega2_tau*(omega2*t220 + omega2*t222 - t214*t45 - t221)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t214 - t220 - t223) + cos_omega2_tau*(t14*t214 + t223 + t224) + t208 + t214) + slope_by_x2_1*(cos_omega1_tau*(t14*t216 + t224 + t226) + cos_omega2_tau*(-t220 - t222 - t226) + t208 + t216) + t129*t227 + t130*t227 + t131*t227 + t132*t228 + t134*t228 + t135*t228;
-            slope[7][lane] = -delay_tau1_by_w*t91 + omega1_by_k2*t164 + omega2_by_k2*t167 + omega3_by_k2*t171 + omega4_by_k2*t176 + p1_by_k2*t188 + p2_by_k2*t190 + p3_by_k2*t191 + p4_by_k2*t201 + p5_by_k2*t202 + p6_by_k2*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t232 + t209 + t230*t36) + sin_omega2_tau*(-omega2*t232 + t208*t41 + t230*t41)) + slope_by_v2_1*(sin_omega1_tau*(t218 + t219*t231 + t230*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t212*t81 - t221 - t230*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t230 - t220 - t232) + cos_omega2_tau*(t14*t230 + t224 + t232) + t208 + t230) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t212*t81 - t233) + cos_omega2_tau*(-p1*t231 + t233) + t231) - t132*t87 - t134*t87 - t135*t87;
-            slope[8][lane] = omega1_by_k3*t164 + omega2_by_k3*t167 + omega3_by_k3*t171 + omega4_by_k3*t176 + p1_by_k3*t188 + p2_by_k3*t190 + p3_by_k3*t191 + p4_by_k3*t201 + p5_by_k3*t202 + p6_by_k3*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t236 + omega1*t240 + t234*t36 + t238*t36) + sin_omega2_tau*(omega2*t14*t212*t7*t86 - omega2*t14*t86*t9 - omega2*t236 - omega2*t240)) + slope_by_v2_1*(sin_omega1_tau*(t219*t235 + t219*t239 + t234*t42 + t238*t42) + sin_omega2_tau*(omega2*t241 + omega2*t242 - t234*t45 - t238*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t234 - p1*t238 - t243) + cos_omega2_tau*(t14*t234 + t14*t238 + t243) + t234 + t238) + slope_by_x2_1*(cos_omega1_tau*(t14*t235 + t14*t239 + t244) + cos_omega2_tau*(-t241 - t242 - t244) + t235 + t239) + t129*t245 + t130*t245 + t131*t245;
-            slope[9][lane] = slope_by_tau1;
-        }
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane)
-                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
-        for (int k = 0; k < n; ++k) {
-            for (int i = k + 1; i < n; ++i) {
-                double other[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
-                for (int j = k; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane) {
-                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
-                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
-                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
-                    }
-            }
-            NONSMOOTH_SIMD
-            for (int lane = 0; lane < lanes; ++lane) {
-                const double pivot = fabs(matrix[k][k][lane]);
-                least[lane] = pivot < least[lane] ? pivot : least[lane];
-                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
-            }
-            for (int i = k + 1; i < n; ++i) {
-                double factor[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
-                for (int j = k + 1; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
-            }
-        }
-        for (int k = n - 1; k >= 0; --k)
-            for (int j = n; j < width; ++j) {
-                for (int l = k + 1; l < n; ++l)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane) {
-                    matrix[k][j][lane] *= matrix[k][k][lane];
-                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
-                }
-            }
-        for (int lane = 0; lane < here; ++lane) {
-            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
-            for (int j = 0; j < p; ++j) {
-                for (int i = 0; i < n; ++i)
-                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
-                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
-            }
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_one_contact_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, slope);
+        nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
+        nonsmooth_store(n * p, moved, count, start, directions);
+        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }

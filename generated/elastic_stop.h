@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation bf1832f0bd73ae77 */
+ * SymPy 1.14.0, derivation 795b651b261d23ea */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 

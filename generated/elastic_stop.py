@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation bf1832f0bd73ae77
+# SymPy 1.14.0, derivation 795b651b261d23ea
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "bf1832f0bd73ae77"
+DERIVATION = "795b651b261d23ea"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",

@@ -1,24 +1,26 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation da33caa920e8a2cd */
+ * SymPy 1.14.0, derivation 26948aa7169362e0 */
 #include "rigid_stop.h"
 
 #include <math.h>
 
 #include "nonsmooth_compiler.h"
+#include "nonsmooth_elimination.h"
+#include "nonsmooth_lanes.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
  * Operations: 179. Intermediate terms: 70. */
-void rigid_stop_spectrum(
-    const double parameters[4], double *spectrum, double *spectrum_derivatives)
+static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
+    int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double k1 = parameters[0];
-    const double k2 = parameters[1];
-    const double m1 = parameters[2];
-    const double m2 = parameters[3];
+    const double k1 = parameters[lane];
+    const double k2 = parameters[1*lanes + lane];
+    const double m1 = parameters[2*lanes + lane];
+    const double m2 = parameters[3*lanes + lane];
     /* spectrum */
     const double t0 = (1.0/(m1));
     const double t1 = k1*t0;
@@ -46,13 +48,13 @@ void rigid_stop_spectrum(
     const double t17 = sqrt(t3);
     const double omega3 = t10*t17;
     if (spectrum) {
-        spectrum[0] = gap1;
-        spectrum[1] = omega1;
-        spectrum[2] = omega2;
-        spectrum[3] = p1;
-        spectrum[4] = p2;
-        spectrum[5] = p3;
-        spectrum[6] = omega3;
+        spectrum[lane] = gap1;
+        spectrum[1*lanes + lane] = omega1;
+        spectrum[2*lanes + lane] = omega2;
+        spectrum[3*lanes + lane] = p1;
+        spectrum[4*lanes + lane] = p2;
+        spectrum[5*lanes + lane] = p3;
+        spectrum[6*lanes + lane] = omega3;
     }
     if (!spectrum_derivatives)
         return;
@@ -106,35 +108,41 @@ void rigid_stop_spectrum(
     const double p3_by_m2 = k1*t14*t32 + t27*t36;
     const double omega3_by_m2 = -1.0/2.0*t17*t35;
     if (spectrum_derivatives) {
-        spectrum_derivatives[0] = gap1_by_k1;
-        spectrum_derivatives[1] = gap1_by_k2;
-        spectrum_derivatives[2] = gap1_by_m1;
-        spectrum_derivatives[3] = gap1_by_m2;
-        spectrum_derivatives[4] = omega1_by_k1;
-        spectrum_derivatives[5] = omega1_by_k2;
-        spectrum_derivatives[6] = omega1_by_m1;
-        spectrum_derivatives[7] = omega1_by_m2;
-        spectrum_derivatives[8] = omega2_by_k1;
-        spectrum_derivatives[9] = omega2_by_k2;
-        spectrum_derivatives[10] = omega2_by_m1;
-        spectrum_derivatives[11] = omega2_by_m2;
-        spectrum_derivatives[12] = p1_by_k1;
-        spectrum_derivatives[13] = p1_by_k2;
-        spectrum_derivatives[14] = p1_by_m1;
-        spectrum_derivatives[15] = p1_by_m2;
-        spectrum_derivatives[16] = p2_by_k1;
-        spectrum_derivatives[17] = p2_by_k2;
-        spectrum_derivatives[18] = p2_by_m1;
-        spectrum_derivatives[19] = p2_by_m2;
-        spectrum_derivatives[20] = p3_by_k1;
-        spectrum_derivatives[21] = p3_by_k2;
-        spectrum_derivatives[22] = p3_by_m1;
-        spectrum_derivatives[23] = p3_by_m2;
-        spectrum_derivatives[24] = omega3_by_k1;
-        spectrum_derivatives[25] = omega3_by_k2;
-        spectrum_derivatives[26] = 0;
-        spectrum_derivatives[27] = omega3_by_m2;
+        spectrum_derivatives[lane] = gap1_by_k1;
+        spectrum_derivatives[1*lanes + lane] = gap1_by_k2;
+        spectrum_derivatives[2*lanes + lane] = gap1_by_m1;
+        spectrum_derivatives[3*lanes + lane] = gap1_by_m2;
+        spectrum_derivatives[4*lanes + lane] = omega1_by_k1;
+        spectrum_derivatives[5*lanes + lane] = omega1_by_k2;
+        spectrum_derivatives[6*lanes + lane] = omega1_by_m1;
+        spectrum_derivatives[7*lanes + lane] = omega1_by_m2;
+        spectrum_derivatives[8*lanes + lane] = omega2_by_k1;
+        spectrum_derivatives[9*lanes + lane] = omega2_by_k2;
+        spectrum_derivatives[10*lanes + lane] = omega2_by_m1;
+        spectrum_derivatives[11*lanes + lane] = omega2_by_m2;
+        spectrum_derivatives[12*lanes + lane] = p1_by_k1;
+        spectrum_derivatives[13*lanes + lane] = p1_by_k2;
+        spectrum_derivatives[14*lanes + lane] = p1_by_m1;
+        spectrum_derivatives[15*lanes + lane] = p1_by_m2;
+        spectrum_derivatives[16*lanes + lane] = p2_by_k1;
+        spectrum_derivatives[17*lanes + lane] = p2_by_k2;
+        spectrum_derivatives[18*lanes + lane] = p2_by_m1;
+        spectrum_derivatives[19*lanes + lane] = p2_by_m2;
+        spectrum_derivatives[20*lanes + lane] = p3_by_k1;
+        spectrum_derivatives[21*lanes + lane] = p3_by_k2;
+        spectrum_derivatives[22*lanes + lane] = p3_by_m1;
+        spectrum_derivatives[23*lanes + lane] = p3_by_m2;
+        spectrum_derivatives[24*lanes + lane] = omega3_by_k1;
+        spectrum_derivatives[25*lanes + lane] = omega3_by_k2;
+        spectrum_derivatives[26*lanes + lane] = 0;
+        spectrum_derivatives[27*lanes + lane] = omega3_by_m2;
     }
+}
+
+void rigid_stop_spectrum(
+    const double parameters[4], double *spectrum, double *spectrum_derivatives)
+{
+    rigid_stop_spectrum_in_lane(1, 0, parameters, spectrum, spectrum_derivatives);
 }
 
 /* State after a time in free.
@@ -369,29 +377,30 @@ void rigid_stop_modes(
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
  * Operations: 239. Intermediate terms: 62. */
-NONSMOOTH_UNMERGED
-void rigid_stop_one_impact_equations(
-    const double parameters[5], const double spectrum[7], const double unknowns[2],
+static NONSMOOTH_INLINE void rigid_stop_one_impact_equations_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
+    const double T = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double y = unknowns[lane];
+    const double u = unknowns[1*lanes + lane];
     /* half of T */
     const double half_T = (1.0/2.0)*T;
     /* functions of half_T in free */
     const double t0 = half_T*omega1;
-    const double cos_omega1_half_T = cos(t0);
-    const double sin_omega1_half_T = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_T = wave_0.cosine;
+    const double sin_omega1_half_T = wave_0.sine;
     const double t3 = half_T*omega2;
-    const double cos_omega2_half_T = cos(t3);
-    const double sin_omega2_half_T = sin(t3);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_half_T = wave_1.cosine;
+    const double sin_omega2_half_T = wave_1.sine;
     /* residual */
     const double t16 = cos_omega1_half_T*p1;
     const double t17 = p2*y;
@@ -406,39 +415,39 @@ void rigid_stop_one_impact_equations(
     const double t26 = cos_omega2_half_T*p3;
     const double t27 = p1*y - p3;
     if (residual) {
-        residual[0] = t16*u + t19*t20 - t21*u - t22*t23;
-        residual[1] = -t20*t27 + t23*t25 + t24*u - t26*u;
+        residual[lane] = t16*u + t19*t20 - t21*u - t22*t23;
+        residual[1*lanes + lane] = -t20*t27 + t23*t25 + t24*u - t26*u;
     }
     if (!jacobian && !parameter_jacobian)
         return;
     if (jacobian) {
-        jacobian[0] = omega2*p2*sin_omega2_half_T - p2*t23;
-        jacobian[1] = t16 - t21;
-        jacobian[2] = -p1*t20 + t18*t23;
-        jacobian[3] = t24 - t26;
+        jacobian[lane] = omega2*p2*sin_omega2_half_T - p2*t23;
+        jacobian[1*lanes + lane] = t16 - t21;
+        jacobian[2*lanes + lane] = -p1*t20 + t18*t23;
+        jacobian[3*lanes + lane] = t24 - t26;
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_k1 = spectrum_derivatives[4];
-    const double omega1_by_k2 = spectrum_derivatives[5];
-    const double omega1_by_m1 = spectrum_derivatives[6];
-    const double omega1_by_m2 = spectrum_derivatives[7];
-    const double omega2_by_k1 = spectrum_derivatives[8];
-    const double omega2_by_k2 = spectrum_derivatives[9];
-    const double omega2_by_m1 = spectrum_derivatives[10];
-    const double omega2_by_m2 = spectrum_derivatives[11];
-    const double p1_by_k1 = spectrum_derivatives[12];
-    const double p1_by_k2 = spectrum_derivatives[13];
-    const double p1_by_m1 = spectrum_derivatives[14];
-    const double p1_by_m2 = spectrum_derivatives[15];
-    const double p2_by_k1 = spectrum_derivatives[16];
-    const double p2_by_k2 = spectrum_derivatives[17];
-    const double p2_by_m1 = spectrum_derivatives[18];
-    const double p2_by_m2 = spectrum_derivatives[19];
-    const double p3_by_k1 = spectrum_derivatives[20];
-    const double p3_by_k2 = spectrum_derivatives[21];
-    const double p3_by_m1 = spectrum_derivatives[22];
-    const double p3_by_m2 = spectrum_derivatives[23];
+    const double omega1_by_k1 = spectrum_derivatives[4*lanes + lane];
+    const double omega1_by_k2 = spectrum_derivatives[5*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[6*lanes + lane];
+    const double omega1_by_m2 = spectrum_derivatives[7*lanes + lane];
+    const double omega2_by_k1 = spectrum_derivatives[8*lanes + lane];
+    const double omega2_by_k2 = spectrum_derivatives[9*lanes + lane];
+    const double omega2_by_m1 = spectrum_derivatives[10*lanes + lane];
+    const double omega2_by_m2 = spectrum_derivatives[11*lanes + lane];
+    const double p1_by_k1 = spectrum_derivatives[12*lanes + lane];
+    const double p1_by_k2 = spectrum_derivatives[13*lanes + lane];
+    const double p1_by_m1 = spectrum_derivatives[14*lanes + lane];
+    const double p1_by_m2 = spectrum_derivatives[15*lanes + lane];
+    const double p2_by_k1 = spectrum_derivatives[16*lanes + lane];
+    const double p2_by_k2 = spectrum_derivatives[17*lanes + lane];
+    const double p2_by_m1 = spectrum_derivatives[18*lanes + lane];
+    const double p2_by_m2 = spectrum_derivatives[19*lanes + lane];
+    const double p3_by_k1 = spectrum_derivatives[20*lanes + lane];
+    const double p3_by_k2 = spectrum_derivatives[21*lanes + lane];
+    const double p3_by_m1 = spectrum_derivatives[22*lanes + lane];
+    const double p3_by_m2 = spectrum_derivatives[23*lanes + lane];
     /* d/dm1 of: functions of half_T in free */
     const double t6 = half_T*omega1_by_m1;
     const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
@@ -489,45 +498,56 @@ void rigid_stop_one_impact_equations(
     const double t40 = sin_omega2_half_T*t27;
     const double t41 = omega2*t27;
     if (parameter_jacobian) {
-        parameter_jacobian[0] = cos_omega1_half_T_by_m1*t31 - cos_omega2_half_T_by_m1*t34 - omega1_by_m1*t35 + omega2_by_m1*t32 + p1_by_m1*t28 - p2_by_m1*t29 - sin_omega1_half_T_by_m1*t36 + sin_omega2_half_T_by_m1*t33;
-        parameter_jacobian[1] = cos_omega1_half_T_by_m2*t31 - cos_omega2_half_T_by_m2*t34 - omega1_by_m2*t35 + omega2_by_m2*t32 + p1_by_m2*t28 - p2_by_m2*t29 - sin_omega1_half_T_by_m2*t36 + sin_omega2_half_T_by_m2*t33;
-        parameter_jacobian[2] = cos_omega1_half_T_by_k1*t31 - cos_omega2_half_T_by_k1*t34 - omega1_by_k1*t35 + omega2_by_k1*t32 + p1_by_k1*t28 - p2_by_k1*t29 - sin_omega1_half_T_by_k1*t36 + sin_omega2_half_T_by_k1*t33;
-        parameter_jacobian[3] = cos_omega1_half_T_by_k2*t31 - cos_omega2_half_T_by_k2*t34 - omega1_by_k2*t35 + omega2_by_k2*t32 + p1_by_k2*t28 - p2_by_k2*t29 - sin_omega1_half_T_by_k2*t36 + sin_omega2_half_T_by_k2*t33;
-        parameter_jacobian[4] = cos_omega1_half_T_by_T*t31 - cos_omega2_half_T_by_T*t34 - sin_omega1_half_T_by_T*t36 + sin_omega2_half_T_by_T*t33;
-        parameter_jacobian[5] = cos_omega1_half_T_by_m1*t37 - cos_omega2_half_T_by_m1*t37 + omega1_by_m1*t38 - omega2_by_m1*t40 + p1_by_m1*t29 + p3_by_m1*t28 + sin_omega1_half_T_by_m1*t39 - sin_omega2_half_T_by_m1*t41;
-        parameter_jacobian[6] = cos_omega1_half_T_by_m2*t37 - cos_omega2_half_T_by_m2*t37 + omega1_by_m2*t38 - omega2_by_m2*t40 + p1_by_m2*t29 + p3_by_m2*t28 + sin_omega1_half_T_by_m2*t39 - sin_omega2_half_T_by_m2*t41;
-        parameter_jacobian[7] = cos_omega1_half_T_by_k1*t37 - cos_omega2_half_T_by_k1*t37 + omega1_by_k1*t38 - omega2_by_k1*t40 + p1_by_k1*t29 + p3_by_k1*t28 + sin_omega1_half_T_by_k1*t39 - sin_omega2_half_T_by_k1*t41;
-        parameter_jacobian[8] = cos_omega1_half_T_by_k2*t37 - cos_omega2_half_T_by_k2*t37 + omega1_by_k2*t38 - omega2_by_k2*t40 + p1_by_k2*t29 + p3_by_k2*t28 + sin_omega1_half_T_by_k2*t39 - sin_omega2_half_T_by_k2*t41;
-        parameter_jacobian[9] = cos_omega1_half_T_by_T*t37 - cos_omega2_half_T_by_T*t37 + sin_omega1_half_T_by_T*t39 - sin_omega2_half_T_by_T*t41;
+        parameter_jacobian[lane] = cos_omega1_half_T_by_m1*t31 - cos_omega2_half_T_by_m1*t34 - omega1_by_m1*t35 + omega2_by_m1*t32 + p1_by_m1*t28 - p2_by_m1*t29 - sin_omega1_half_T_by_m1*t36 + sin_omega2_half_T_by_m1*t33;
+        parameter_jacobian[1*lanes + lane] = cos_omega1_half_T_by_m2*t31 - cos_omega2_half_T_by_m2*t34 - omega1_by_m2*t35 + omega2_by_m2*t32 + p1_by_m2*t28 - p2_by_m2*t29 - sin_omega1_half_T_by_m2*t36 + sin_omega2_half_T_by_m2*t33;
+        parameter_jacobian[2*lanes + lane] = cos_omega1_half_T_by_k1*t31 - cos_omega2_half_T_by_k1*t34 - omega1_by_k1*t35 + omega2_by_k1*t32 + p1_by_k1*t28 - p2_by_k1*t29 - sin_omega1_half_T_by_k1*t36 + sin_omega2_half_T_by_k1*t33;
+        parameter_jacobian[3*lanes + lane] = cos_omega1_half_T_by_k2*t31 - cos_omega2_half_T_by_k2*t34 - omega1_by_k2*t35 + omega2_by_k2*t32 + p1_by_k2*t28 - p2_by_k2*t29 - sin_omega1_half_T_by_k2*t36 + sin_omega2_half_T_by_k2*t33;
+        parameter_jacobian[4*lanes + lane] = cos_omega1_half_T_by_T*t31 - cos_omega2_half_T_by_T*t34 - sin_omega1_half_T_by_T*t36 + sin_omega2_half_T_by_T*t33;
+        parameter_jacobian[5*lanes + lane] = cos_omega1_half_T_by_m1*t37 - cos_omega2_half_T_by_m1*t37 + omega1_by_m1*t38 - omega2_by_m1*t40 + p1_by_m1*t29 + p3_by_m1*t28 + sin_omega1_half_T_by_m1*t39 - sin_omega2_half_T_by_m1*t41;
+        parameter_jacobian[6*lanes + lane] = cos_omega1_half_T_by_m2*t37 - cos_omega2_half_T_by_m2*t37 + omega1_by_m2*t38 - omega2_by_m2*t40 + p1_by_m2*t29 + p3_by_m2*t28 + sin_omega1_half_T_by_m2*t39 - sin_omega2_half_T_by_m2*t41;
+        parameter_jacobian[7*lanes + lane] = cos_omega1_half_T_by_k1*t37 - cos_omega2_half_T_by_k1*t37 + omega1_by_k1*t38 - omega2_by_k1*t40 + p1_by_k1*t29 + p3_by_k1*t28 + sin_omega1_half_T_by_k1*t39 - sin_omega2_half_T_by_k1*t41;
+        parameter_jacobian[8*lanes + lane] = cos_omega1_half_T_by_k2*t37 - cos_omega2_half_T_by_k2*t37 + omega1_by_k2*t38 - omega2_by_k2*t40 + p1_by_k2*t29 + p3_by_k2*t28 + sin_omega1_half_T_by_k2*t39 - sin_omega2_half_T_by_k2*t41;
+        parameter_jacobian[9*lanes + lane] = cos_omega1_half_T_by_T*t37 - cos_omega2_half_T_by_T*t37 + sin_omega1_half_T_by_T*t39 - sin_omega2_half_T_by_T*t41;
     }
+}
+
+NONSMOOTH_UNMERGED
+void rigid_stop_one_impact_equations(
+    const double parameters[5], const double spectrum[7], const double unknowns[2],
+    const double *spectrum_derivatives, double *residual, double *jacobian,
+    double *parameter_jacobian)
+{
+    rigid_stop_one_impact_equations_in_lane(1, 0, parameters, spectrum, unknowns,
+        spectrum_derivatives, residual, jacobian, parameter_jacobian);
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
  * Operations: 373. Intermediate terms: 99. */
-NONSMOOTH_UNMERGED
-void rigid_stop_one_impact_trace(
-    const double parameters[5], const double spectrum[7], const double unknowns[2],
+static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
+    const double m1 = parameters[lane];
+    const double m2 = parameters[1*lanes + lane];
+    const double k1 = parameters[2*lanes + lane];
+    const double k2 = parameters[3*lanes + lane];
+    const double T = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double y = unknowns[lane];
+    const double u = unknowns[1*lanes + lane];
     /* functions of T in free */
     const double t0 = T*omega1;
-    const double cos_omega1_T = cos(t0);
-    const double sin_omega1_T = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_T = wave_0.cosine;
+    const double sin_omega1_T = wave_0.sine;
     const double t3 = T*omega2;
-    const double cos_omega2_T = cos(t3);
-    const double sin_omega2_T = sin(t3);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_T = wave_1.cosine;
+    const double sin_omega2_T = wave_1.sine;
     /* free for T, until first-reaches-stop */
     const double t6 = (1.0/(omega1));
     const double t7 = p1*sin_omega1_T;
@@ -578,30 +598,30 @@ void rigid_stop_one_impact_trace(
     const double t35 = k1*t32 - t33*t34;
     const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t35;
     if (trace) {
-        *trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
+        trace[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_k1 = spectrum_derivatives[4];
-    const double omega1_by_k2 = spectrum_derivatives[5];
-    const double omega1_by_m1 = spectrum_derivatives[6];
-    const double omega1_by_m2 = spectrum_derivatives[7];
-    const double omega2_by_k1 = spectrum_derivatives[8];
-    const double omega2_by_k2 = spectrum_derivatives[9];
-    const double omega2_by_m1 = spectrum_derivatives[10];
-    const double omega2_by_m2 = spectrum_derivatives[11];
-    const double p1_by_k1 = spectrum_derivatives[12];
-    const double p1_by_k2 = spectrum_derivatives[13];
-    const double p1_by_m1 = spectrum_derivatives[14];
-    const double p1_by_m2 = spectrum_derivatives[15];
-    const double p2_by_k1 = spectrum_derivatives[16];
-    const double p2_by_k2 = spectrum_derivatives[17];
-    const double p2_by_m1 = spectrum_derivatives[18];
-    const double p2_by_m2 = spectrum_derivatives[19];
-    const double p3_by_k1 = spectrum_derivatives[20];
-    const double p3_by_k2 = spectrum_derivatives[21];
-    const double p3_by_m1 = spectrum_derivatives[22];
-    const double p3_by_m2 = spectrum_derivatives[23];
+    const double omega1_by_k1 = spectrum_derivatives[4*lanes + lane];
+    const double omega1_by_k2 = spectrum_derivatives[5*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[6*lanes + lane];
+    const double omega1_by_m2 = spectrum_derivatives[7*lanes + lane];
+    const double omega2_by_k1 = spectrum_derivatives[8*lanes + lane];
+    const double omega2_by_k2 = spectrum_derivatives[9*lanes + lane];
+    const double omega2_by_m1 = spectrum_derivatives[10*lanes + lane];
+    const double omega2_by_m2 = spectrum_derivatives[11*lanes + lane];
+    const double p1_by_k1 = spectrum_derivatives[12*lanes + lane];
+    const double p1_by_k2 = spectrum_derivatives[13*lanes + lane];
+    const double p1_by_m1 = spectrum_derivatives[14*lanes + lane];
+    const double p1_by_m2 = spectrum_derivatives[15*lanes + lane];
+    const double p2_by_k1 = spectrum_derivatives[16*lanes + lane];
+    const double p2_by_k2 = spectrum_derivatives[17*lanes + lane];
+    const double p2_by_m1 = spectrum_derivatives[18*lanes + lane];
+    const double p2_by_m2 = spectrum_derivatives[19*lanes + lane];
+    const double p3_by_k1 = spectrum_derivatives[20*lanes + lane];
+    const double p3_by_k2 = spectrum_derivatives[21*lanes + lane];
+    const double p3_by_m1 = spectrum_derivatives[22*lanes + lane];
+    const double p3_by_m2 = spectrum_derivatives[23*lanes + lane];
     /* back through: derivatives of the time to the boundary after T */
     const double slope_by_delay_T_by_w = t35;
     const double slope_by_delay_T_by_u = t30;
@@ -656,14 +676,23 @@ void rigid_stop_one_impact_trace(
     const double t70 = k1/(m1*m1);
     const double t71 = (1.0/(m2*m2));
     if (trace_gradient) {
-        trace_gradient[0] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
-        trace_gradient[1] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
-        trace_gradient[2] = -delay_T_by_u*(t70*x1_1 - t70*x2_1) + omega1_by_m1*t57 + omega2_by_m1*t61 + p1_by_m1*t67 + p2_by_m1*t68 + p3_by_m1*t69;
-        trace_gradient[3] = delay_T_by_w*(-k1*t71*x1_1 + t33*t71*x2_1) + omega1_by_m2*t57 + omega2_by_m2*t61 + p1_by_m2*t67 + p2_by_m2*t68 + p3_by_m2*t69;
-        trace_gradient[4] = -delay_T_by_u*(t28*x2_1 - t29) + delay_T_by_w*(t32 - t34) + omega1_by_k1*t57 + omega2_by_k1*t61 + p1_by_k1*t67 + p2_by_k1*t68 + p3_by_k1*t69;
-        trace_gradient[5] = -delay_T_by_w*t34 + omega1_by_k2*t57 + omega2_by_k2*t61 + p1_by_k2*t67 + p2_by_k2*t68 + p3_by_k2*t69;
-        trace_gradient[6] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t53 - omega2*t58;
+        trace_gradient[lane] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
+        trace_gradient[1*lanes + lane] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
+        trace_gradient[2*lanes + lane] = -delay_T_by_u*(t70*x1_1 - t70*x2_1) + omega1_by_m1*t57 + omega2_by_m1*t61 + p1_by_m1*t67 + p2_by_m1*t68 + p3_by_m1*t69;
+        trace_gradient[3*lanes + lane] = delay_T_by_w*(-k1*t71*x1_1 + t33*t71*x2_1) + omega1_by_m2*t57 + omega2_by_m2*t61 + p1_by_m2*t67 + p2_by_m2*t68 + p3_by_m2*t69;
+        trace_gradient[4*lanes + lane] = -delay_T_by_u*(t28*x2_1 - t29) + delay_T_by_w*(t32 - t34) + omega1_by_k1*t57 + omega2_by_k1*t61 + p1_by_k1*t67 + p2_by_k1*t68 + p3_by_k1*t69;
+        trace_gradient[5*lanes + lane] = -delay_T_by_w*t34 + omega1_by_k2*t57 + omega2_by_k2*t61 + p1_by_k2*t67 + p2_by_k2*t68 + p3_by_k2*t69;
+        trace_gradient[6*lanes + lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t53 - omega2*t58;
     }
+}
+
+NONSMOOTH_UNMERGED
+void rigid_stop_one_impact_trace(
+    const double parameters[5], const double spectrum[7], const double unknowns[2],
+    const double *spectrum_derivatives, double *trace, double *trace_gradient)
+{
+    rigid_stop_one_impact_trace_in_lane(1, 0, parameters, spectrum, unknowns, spectrum_derivatives,
+        trace, trace_gradient);
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
@@ -1246,442 +1275,35 @@ void rigid_stop_one_impact_admissible(
 }
 
 /* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
- * `count` points. NaN where a pivot is below 1e-10 times the matrix. */
+ * `count` points. */
 NONSMOOTH_MULTIVERSION
 void rigid_stop_one_impact_directions(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
 {
-    enum { lanes = 16, n = 2, p = 5, width = 2 + 5 };
+    enum { lanes = NONSMOOTH_LANES, n = 2, p = 5 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[p][lanes], unknown[n][lanes], fixed[25][lanes];
-        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
-        for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < p; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            for (int i = 0; i < n; ++i)
-                unknown[i][lane] = unknowns[i * count + point];
-            size[lane] = 0.0;
-            least[lane] = INFINITY;
-        }
+        double parameter[p * lanes], unknown[n * lanes];
+        double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
+        nonsmooth_load(p, parameters, count, start, parameter);
+        nonsmooth_load(n, unknowns, count, start, unknown);
+        double own[4 * lanes], spectrum[7 * lanes], spectrum_derivatives[28 * lanes];
+        nonsmooth_load(1, parameters + 2 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(1, parameters + 3 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(1, parameters + 0 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(1, parameters + 1 * count, count, start, own + 3 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            /* spectrum */
-            const double t0 = (1.0/(m1));
-            const double t1 = k1*t0;
-            const double t2 = (1.0/(m2));
-            const double t3 = k1 + k2;
-            const double t4 = t2*t3;
-            const double t5 = t1 - t4;
-            const double t6 = (k1*k1);
-            const double t7 = 4*t2*t6;
-            const double gap1 = sqrt(t0*t7 + (t5*t5));
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t1 + (1.0/2.0)*t4);
-            const double t8 = (1.0/(omega1));
-            const double t9 = sqrt(k1);
-            const double t10 = (1.0/sqrt(m2));
-            const double t11 = sqrt(k2);
-            const double t12 = (1.0/sqrt(m1));
-            const double t13 = t10*t11*t12*t9;
-            const double omega2 = t13*t8;
-            const double t14 = (1.0/(gap1));
-            const double t15 = (1.0/2.0)*t14;
-            const double p1 = t15*t5 + 1.0/2.0;
-            const double p2 = -t1*t14;
-            const double t16 = t14*t2;
-            const double p3 = -k1*t16;
-            /* d/dk1 of: spectrum */
-            const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
-            const double t18 = (1.0/2.0)*gap1_by_k1;
-            const double t19 = (1.0/2.0)*t2;
-            const double t20 = (1.0/2.0)*t8;
-            const double omega1_by_k1 = t20*((1.0/2.0)*t0 + t18 + t19);
-            const double t21 = t13/(omega1*omega1);
-            const double omega2_by_k1 = -omega1_by_k1*t21 + (1.0/2.0)*t10*t11*t12*t8/t9;
-            const double t22 = (1.0/(gap1*gap1));
-            const double t23 = t22*t5;
-            const double p1_by_k1 = t15*(t0 - t2) - t18*t23;
-            const double p2_by_k1 = gap1_by_k1*k1*t0*t22 - t0*t14;
-            const double p3_by_k1 = gap1_by_k1*k1*t2*t22 - t16;
-            /* d/dk2 of: spectrum */
-            const double gap1_by_k2 = -t16*t5;
-            const double t25 = (1.0/2.0)*gap1_by_k2;
-            const double omega1_by_k2 = t20*(t19 + t25);
-            const double omega2_by_k2 = -omega1_by_k2*t21 + (1.0/2.0)*t10*t12*t8*t9/t11;
-            const double p1_by_k2 = -t14*t19 - t23*t25;
-            const double t26 = gap1_by_k2*t22;
-            const double p2_by_k2 = t1*t26;
-            const double t27 = k1*t2;
-            const double p3_by_k2 = t26*t27;
-            /* d/dm1 of: spectrum */
-            const double t28 = (1.0/(m1*m1));
-            const double t29 = k1*t28;
-            const double gap1_by_m1 = t15*(-t28*t7 - 2*t29*t5);
-            const double t30 = (1.0/2.0)*gap1_by_m1;
-            const double omega1_by_m1 = t20*(-1.0/2.0*t29 + t30);
-            const double omega2_by_m1 = -omega1_by_m1*t21 - t10*t11*t20*t9/(sqrt(m1)*sqrt(m1)*sqrt(m1));
-            const double p1_by_m1 = -t15*t29 - t23*t30;
-            const double t31 = gap1_by_m1*t22;
-            const double p2_by_m1 = t1*t31 + t14*t29;
-            const double p3_by_m1 = t27*t31;
-            /* d/dm2 of: spectrum */
-            const double t32 = (1.0/(m2*m2));
-            const double gap1_by_m2 = t15*(-4*t0*t32*t6 + 2*t3*t32*t5);
-            const double t33 = (1.0/2.0)*gap1_by_m2;
-            const double t34 = t3*t32;
-            const double omega1_by_m2 = t20*(t33 - 1.0/2.0*t34);
-            const double t35 = (1.0/(sqrt(m2)*sqrt(m2)*sqrt(m2)));
-            const double omega2_by_m2 = -omega1_by_m2*t21 - t11*t12*t20*t35*t9;
-            const double p1_by_m2 = t15*t34 - t23*t33;
-            const double t36 = gap1_by_m2*t22;
-            const double p2_by_m2 = t1*t36;
-            const double p3_by_m2 = k1*t14*t32 + t27*t36;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega1_by_k1;
-            fixed[6][lane] = omega1_by_k2;
-            fixed[7][lane] = omega1_by_m1;
-            fixed[8][lane] = omega1_by_m2;
-            fixed[9][lane] = omega2_by_k1;
-            fixed[10][lane] = omega2_by_k2;
-            fixed[11][lane] = omega2_by_m1;
-            fixed[12][lane] = omega2_by_m2;
-            fixed[13][lane] = p1_by_k1;
-            fixed[14][lane] = p1_by_k2;
-            fixed[15][lane] = p1_by_m1;
-            fixed[16][lane] = p1_by_m2;
-            fixed[17][lane] = p2_by_k1;
-            fixed[18][lane] = p2_by_k2;
-            fixed[19][lane] = p2_by_m1;
-            fixed[20][lane] = p2_by_m2;
-            fixed[21][lane] = p3_by_k1;
-            fixed[22][lane] = p3_by_k2;
-            fixed[23][lane] = p3_by_m1;
-            fixed[24][lane] = p3_by_m2;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            rigid_stop_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double T = parameter[4][lane];
-            const double y = unknown[0][lane];
-            const double u = unknown[1][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega1_by_k1 = fixed[5][lane];
-            const double omega1_by_k2 = fixed[6][lane];
-            const double omega1_by_m1 = fixed[7][lane];
-            const double omega1_by_m2 = fixed[8][lane];
-            const double omega2_by_k1 = fixed[9][lane];
-            const double omega2_by_k2 = fixed[10][lane];
-            const double omega2_by_m1 = fixed[11][lane];
-            const double omega2_by_m2 = fixed[12][lane];
-            const double p1_by_k1 = fixed[13][lane];
-            const double p1_by_k2 = fixed[14][lane];
-            const double p1_by_m1 = fixed[15][lane];
-            const double p1_by_m2 = fixed[16][lane];
-            const double p2_by_k1 = fixed[17][lane];
-            const double p2_by_k2 = fixed[18][lane];
-            const double p2_by_m1 = fixed[19][lane];
-            const double p2_by_m2 = fixed[20][lane];
-            const double p3_by_k1 = fixed[21][lane];
-            const double p3_by_k2 = fixed[22][lane];
-            const double p3_by_m1 = fixed[23][lane];
-            const double p3_by_m2 = fixed[24][lane];
-            /* half of T */
-            const double half_T = (1.0/2.0)*T;
-            /* functions of half_T in free */
-            const double t0 = half_T*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_half_T = cosine_0;
-            const double sin_omega1_half_T = sine_0;
-            const double t3 = half_T*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_half_T = cosine_1;
-            const double sin_omega2_half_T = sine_1;
-            /* jacobian */
-            const double t16 = omega1*sin_omega1_half_T;
-            const double t17 = p1 - 1;
-            const double t18 = omega2*sin_omega2_half_T;
-            /* d/dm1 of: functions of half_T in free */
-            const double t6 = half_T*omega1_by_m1;
-            const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
-            const double sin_omega1_half_T_by_m1 = cos_omega1_half_T*t6;
-            const double t7 = half_T*omega2_by_m1;
-            const double cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t7;
-            const double sin_omega2_half_T_by_m1 = cos_omega2_half_T*t7;
-            /* d/dm2 of: functions of half_T in free */
-            const double t8 = half_T*omega1_by_m2;
-            const double cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t8;
-            const double sin_omega1_half_T_by_m2 = cos_omega1_half_T*t8;
-            const double t9 = half_T*omega2_by_m2;
-            const double cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t9;
-            const double sin_omega2_half_T_by_m2 = cos_omega2_half_T*t9;
-            /* d/dk1 of: functions of half_T in free */
-            const double t10 = half_T*omega1_by_k1;
-            const double cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t10;
-            const double sin_omega1_half_T_by_k1 = cos_omega1_half_T*t10;
-            const double t11 = half_T*omega2_by_k1;
-            const double cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t11;
-            const double sin_omega2_half_T_by_k1 = cos_omega2_half_T*t11;
-            /* d/dk2 of: functions of half_T in free */
-            const double t12 = half_T*omega1_by_k2;
-            const double cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t12;
-            const double sin_omega1_half_T_by_k2 = cos_omega1_half_T*t12;
-            const double t13 = half_T*omega2_by_k2;
-            const double cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t13;
-            const double sin_omega2_half_T_by_k2 = cos_omega2_half_T*t13;
-            /* d/dT of: functions of half_T in free */
-            const double t14 = (1.0/2.0)*omega1;
-            const double cos_omega1_half_T_by_T = -sin_omega1_half_T*t14;
-            const double sin_omega1_half_T_by_T = cos_omega1_half_T*t14;
-            const double t15 = (1.0/2.0)*omega2;
-            const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t15;
-            const double sin_omega2_half_T_by_T = cos_omega2_half_T*t15;
-            /* parameter_jacobian */
-            const double t19 = cos_omega1_half_T*u - cos_omega2_half_T*u - t16 + t18;
-            const double t20 = -omega2*sin_omega2_half_T*y + t16*y;
-            const double t22 = p1*u;
-            const double t23 = p2*y;
-            const double t24 = t17 + t23;
-            const double t25 = sin_omega2_half_T*t24;
-            const double t26 = omega2*t24;
-            const double t27 = t17*u;
-            const double t28 = p1 + t23;
-            const double t29 = sin_omega1_half_T*t28;
-            const double t30 = omega1*t28;
-            const double t31 = p3*u;
-            const double t32 = p1*y - p3 - y;
-            const double t33 = sin_omega1_half_T*t32;
-            const double t34 = omega1*t32;
-            const double t35 = p1*y - p3;
-            const double t36 = sin_omega2_half_T*t35;
-            const double t37 = omega2*t35;
-            matrix[0][0][lane] = omega2*p2*sin_omega2_half_T - p2*t16;
-            matrix[0][1][lane] = cos_omega1_half_T*p1 - cos_omega2_half_T*t17;
-            matrix[1][0][lane] = -p1*t18 + t16*t17;
-            matrix[1][1][lane] = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
-            matrix[0][2][lane] = -cos_omega1_half_T_by_m1*t22 + cos_omega2_half_T_by_m1*t27 + omega1_by_m1*t29 - omega2_by_m1*t25 - p1_by_m1*t19 + p2_by_m1*t20 + sin_omega1_half_T_by_m1*t30 - sin_omega2_half_T_by_m1*t26;
-            matrix[0][3][lane] = -cos_omega1_half_T_by_m2*t22 + cos_omega2_half_T_by_m2*t27 + omega1_by_m2*t29 - omega2_by_m2*t25 - p1_by_m2*t19 + p2_by_m2*t20 + sin_omega1_half_T_by_m2*t30 - sin_omega2_half_T_by_m2*t26;
-            matrix[0][4][lane] = -cos_omega1_half_T_by_k1*t22 + cos_omega2_half_T_by_k1*t27 + omega1_by_k1*t29 - omega2_by_k1*t25 - p1_by_k1*t19 + p2_by_k1*t20 + sin_omega1_half_T_by_k1*t30 - sin_omega2_half_T_by_k1*t26;
-            matrix[0][5][lane] = -cos_omega1_half_T_by_k2*t22 + cos_omega2_half_T_by_k2*t27 + omega1_by_k2*t29 - omega2_by_k2*t25 - p1_by_k2*t19 + p2_by_k2*t20 + sin_omega1_half_T_by_k2*t30 - sin_omega2_half_T_by_k2*t26;
-            matrix[0][6][lane] = -cos_omega1_half_T_by_T*t22 + cos_omega2_half_T_by_T*t27 + sin_omega1_half_T_by_T*t30 - sin_omega2_half_T_by_T*t26;
-            matrix[1][2][lane] = -cos_omega1_half_T_by_m1*t31 + cos_omega2_half_T_by_m1*t31 - omega1_by_m1*t33 + omega2_by_m1*t36 - p1_by_m1*t20 - p3_by_m1*t19 - sin_omega1_half_T_by_m1*t34 + sin_omega2_half_T_by_m1*t37;
-            matrix[1][3][lane] = -cos_omega1_half_T_by_m2*t31 + cos_omega2_half_T_by_m2*t31 - omega1_by_m2*t33 + omega2_by_m2*t36 - p1_by_m2*t20 - p3_by_m2*t19 - sin_omega1_half_T_by_m2*t34 + sin_omega2_half_T_by_m2*t37;
-            matrix[1][4][lane] = -cos_omega1_half_T_by_k1*t31 + cos_omega2_half_T_by_k1*t31 - omega1_by_k1*t33 + omega2_by_k1*t36 - p1_by_k1*t20 - p3_by_k1*t19 - sin_omega1_half_T_by_k1*t34 + sin_omega2_half_T_by_k1*t37;
-            matrix[1][5][lane] = -cos_omega1_half_T_by_k2*t31 + cos_omega2_half_T_by_k2*t31 - omega1_by_k2*t33 + omega2_by_k2*t36 - p1_by_k2*t20 - p3_by_k2*t19 - sin_omega1_half_T_by_k2*t34 + sin_omega2_half_T_by_k2*t37;
-            matrix[1][6][lane] = -cos_omega1_half_T_by_T*t31 + cos_omega2_half_T_by_T*t31 - sin_omega1_half_T_by_T*t34 + sin_omega2_half_T_by_T*t37;
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            rigid_stop_one_impact_equations_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, jacobian, moved);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double T = parameter[4][lane];
-            const double y = unknown[0][lane];
-            const double u = unknown[1][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega1_by_k1 = fixed[5][lane];
-            const double omega1_by_k2 = fixed[6][lane];
-            const double omega1_by_m1 = fixed[7][lane];
-            const double omega1_by_m2 = fixed[8][lane];
-            const double omega2_by_k1 = fixed[9][lane];
-            const double omega2_by_k2 = fixed[10][lane];
-            const double omega2_by_m1 = fixed[11][lane];
-            const double omega2_by_m2 = fixed[12][lane];
-            const double p1_by_k1 = fixed[13][lane];
-            const double p1_by_k2 = fixed[14][lane];
-            const double p1_by_m1 = fixed[15][lane];
-            const double p1_by_m2 = fixed[16][lane];
-            const double p2_by_k1 = fixed[17][lane];
-            const double p2_by_k2 = fixed[18][lane];
-            const double p2_by_m1 = fixed[19][lane];
-            const double p2_by_m2 = fixed[20][lane];
-            const double p3_by_k1 = fixed[21][lane];
-            const double p3_by_k2 = fixed[22][lane];
-            const double p3_by_m1 = fixed[23][lane];
-            const double p3_by_m2 = fixed[24][lane];
-            /* functions of T in free */
-            const double t0 = T*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_T = cosine_0;
-            const double sin_omega1_T = sine_0;
-            const double t3 = T*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_T = cosine_1;
-            const double sin_omega2_T = sine_1;
-            /* free for T, until first-reaches-stop */
-            const double t6 = (1.0/(omega1));
-            const double t7 = p1*sin_omega1_T;
-            const double t8 = (1.0/(omega2));
-            const double t9 = p1 - 1;
-            const double t11 = -sin_omega2_T*t9;
-            const double t12 = t11*t8 + t6*t7;
-            const double t13 = cos_omega1_T*p2 - cos_omega2_T*p2;
-            const double t14 = cos_omega1_T*p1 - cos_omega2_T*t9;
-            const double x1_1 = t12*u + t13*y + t14;
-            const double t15 = p3*sin_omega2_T;
-            const double t16 = p3*sin_omega1_T*t6 - t15*t8;
-            const double t17 = -cos_omega1_T*t9 + cos_omega2_T*p1;
-            const double t18 = cos_omega1_T*p3 - cos_omega2_T*p3;
-            const double x2_1 = t16*u + t17*y + t18;
-            const double t19 = omega1*sin_omega1_T;
-            const double t20 = omega2*p2*sin_omega2_T - p2*t19;
-            const double t21 = omega1*p1;
-            const double t22 = -omega2*t9;
-            const double v1_1 = -sin_omega1_T*t21 - sin_omega2_T*t22 + t14*u + t20*y;
-            const double t23 = omega2*sin_omega2_T;
-            const double t24 = -p1*t23 + t19*t9;
-            const double t25 = omega1*p3;
-            const double v2_1 = omega2*p3*sin_omega2_T - sin_omega1_T*t25 + t18*u + t24*y;
-            /* Phi along T */
-            const double carried_x1_1_by_y = t13;
-            const double carried_x1_1_by_u = t12;
-            const double t26 = sin_omega2_T*t8;
-            const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26;
-            /* derivatives of the time to the boundary after T */
-            const double t27 = (1.0/(v1_1));
-            const double delay_T_by_y = -carried_x1_1_by_y*t27;
-            const double delay_T_by_u = -carried_x1_1_by_u*t27;
-            const double delay_T_by_w = -carried_x1_1_by_w*t27;
-            /* back through: derivatives of the time to the boundary after T */
-            const double t28 = (1.0/(m2));
-            const double t29 = t28*x1_1;
-            const double t30 = k1 + k2;
-            const double t31 = t28*x2_1;
-            const double slope_by_delay_T_by_w = k1*t29 - t30*t31;
-            const double t32 = (1.0/(m1));
-            const double t33 = t32*x1_1;
-            const double slope_by_delay_T_by_u = -k1*t32*x2_1 + k1*t33;
-            /* back through: Phi along T */
-            const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27;
-            const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27;
-            const double slope_by_carried_x1_1_by_y = -t27*v2_1;
-            /* back through: free for T, until first-reaches-stop */
-            const double t34 = (1.0/(v1_1*v1_1));
-            const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t34 + carried_x1_1_by_w*slope_by_delay_T_by_w*t34 + carried_x1_1_by_y*t34*v2_1;
-            const double t35 = delay_T_by_u*k1*t32;
-            const double t36 = delay_T_by_w*t28;
-            const double slope_by_x2_1 = -t30*t36 - t35;
-            const double slope_by_x1_1 = k1*t36 + t35;
-            /* back through: functions of T in free */
-            const double t37 = p1*y;
-            const double t38 = p2*y;
-            const double t39 = -t8*t9;
-            const double t40 = p2*slope_by_carried_x1_1_by_w;
-            const double t41 = slope_by_x1_1*u;
-            const double t42 = p3*u;
-            const double t43 = slope_by_x2_1*t42;
-            const double slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t37) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(omega2*t38 - t22) + t39*t41 - t40*t8 - t43*t8;
-            const double t44 = 3*p1;
-            const double t45 = p2*slope_by_carried_x1_1_by_y;
-            const double t46 = slope_by_v1_1*u;
-            const double t47 = delay_T_by_y*t42;
-            const double slope_by_cos_omega2_T = slope_by_x1_1*(-t38 - t9) + slope_by_x2_1*(-p3 + t37) + t44 - t45 - t46*t9 - t47 - 1;
-            const double t48 = -t9*y;
-            const double t49 = p1*t6;
-            const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t48 - t25) + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*(-omega1*t38 - t21) + t40*t6 + t41*t49 + t43*t6;
-            const double slope_by_cos_omega1_T = p1*t46 + slope_by_x1_1*(p1 + t38) + slope_by_x2_1*(p3 + t48) - t44 + t45 + t47 + 2;
-            /* trace_gradient */
-            const double t50 = p3*sin_omega1_T;
-            const double t51 = sin_omega1_T*slope_by_cos_omega1_T;
-            const double t52 = (1.0/(omega1*omega1));
-            const double t53 = t52*t7;
-            const double t54 = slope_by_x2_1*u;
-            const double t55 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t51 + delay_T_by_y*(-sin_omega1_T*t48 - t50) - sin_omega1_T*t40*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(-sin_omega1_T*t38 - t7) - t41*t53 - t50*t52*t54;
-            const double t56 = sin_omega2_T*slope_by_cos_omega2_T;
-            const double t57 = (1.0/(omega2*omega2));
-            const double t58 = t11*t57;
-            const double t59 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t56 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t37) + sin_omega2_T*t40*t57 - slope_by_carried_x1_1_by_u*t58 + slope_by_v1_1*(sin_omega2_T*t38 - t11) + t15*t54*t57 - t41*t58;
-            const double t60 = sin_omega1_T*t6 - t26;
-            const double t61 = cos_omega1_T - cos_omega2_T;
-            const double t62 = -t19 + t23 + t61*u;
-            const double t63 = t60*u + t61;
-            const double t64 = t19 - t23;
-            const double t65 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t64*y + slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*t62 + slope_by_x1_1*t63 - slope_by_x2_1*t61*y;
-            const double t66 = slope_by_carried_x1_1_by_w*t60 + slope_by_carried_x1_1_by_y*t61 - slope_by_v1_1*t64*y + slope_by_x1_1*t61*y;
-            const double t67 = delay_T_by_y*t62 + slope_by_x2_1*t63;
-            const double t68 = k1/(m1*m1);
-            const double t69 = (1.0/(m2*m2));
-            slope[0][lane] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
-            slope[1][lane] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
-            slope[2][lane] = -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t55 + omega2_by_m1*t59 + p1_by_m1*t65 + p2_by_m1*t66 + p3_by_m1*t67;
-            slope[3][lane] = delay_T_by_w*(-k1*t69*x1_1 + t30*t69*x2_1) + omega1_by_m2*t55 + omega2_by_m2*t59 + p1_by_m2*t65 + p2_by_m2*t66 + p3_by_m2*t67;
-            slope[4][lane] = -delay_T_by_u*(t32*x2_1 - t33) + delay_T_by_w*(t29 - t31) + omega1_by_k1*t55 + omega2_by_k1*t59 + p1_by_k1*t65 + p2_by_k1*t66 + p3_by_k1*t67;
-            slope[5][lane] = -delay_T_by_w*t31 + omega1_by_k2*t55 + omega2_by_k2*t59 + p1_by_k2*t65 + p2_by_k2*t66 + p3_by_k2*t67;
-            slope[6][lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t51 - omega2*t56;
-        }
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane)
-                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
-        for (int k = 0; k < n; ++k) {
-            for (int i = k + 1; i < n; ++i) {
-                double other[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
-                for (int j = k; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane) {
-                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
-                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
-                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
-                    }
-            }
-            NONSMOOTH_SIMD
-            for (int lane = 0; lane < lanes; ++lane) {
-                const double pivot = fabs(matrix[k][k][lane]);
-                least[lane] = pivot < least[lane] ? pivot : least[lane];
-                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
-            }
-            for (int i = k + 1; i < n; ++i) {
-                double factor[lanes];
-                for (int lane = 0; lane < lanes; ++lane)
-                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
-                for (int j = k + 1; j < width; ++j)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
-            }
-        }
-        for (int k = n - 1; k >= 0; --k)
-            for (int j = n; j < width; ++j) {
-                for (int l = k + 1; l < n; ++l)
-                    NONSMOOTH_SIMD
-                    for (int lane = 0; lane < lanes; ++lane)
-                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
-                NONSMOOTH_SIMD
-                for (int lane = 0; lane < lanes; ++lane) {
-                    matrix[k][j][lane] *= matrix[k][k][lane];
-                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
-                }
-            }
-        for (int lane = 0; lane < here; ++lane) {
-            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
-            for (int j = 0; j < p; ++j) {
-                for (int i = 0; i < n; ++i)
-                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
-                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
-            }
-        }
+        for (int lane = 0; lane < lanes; ++lane)
+            rigid_stop_one_impact_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
+                spectrum_derivatives, NULL, slope);
+        nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
+        nonsmooth_store(n * p, moved, count, start, directions);
+        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }

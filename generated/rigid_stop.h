@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation da33caa920e8a2cd */
+ * SymPy 1.14.0, derivation 26948aa7169362e0 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

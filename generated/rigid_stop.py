@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation da33caa920e8a2cd
+# SymPy 1.14.0, derivation 26948aa7169362e0
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "da33caa920e8a2cd"
+DERIVATION = "26948aa7169362e0"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",
