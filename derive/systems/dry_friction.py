@@ -229,7 +229,8 @@ _WITH_GLOBAL_STICK = Source(
     misprints={
         "(10)": "which prints the upper right block as $V t I$",
         "(15)": "which prints $H$ for the flow $h$",
-        "(A.1)": r"which prints $\tilde N_{2}$ in the place of $\tilde N_{3}$",
+        "(A.1)": r"which prints $\tilde N_{2}$ in the place of $\tilde N_{3}$, $T$ for $\tau_{2}$"
+        " and $H$ for $h$",
         "Sec. 3": _TIME,
     },
 )

@@ -321,7 +321,10 @@ def _add_proof(table: Table, found: Mapping[str, Any]) -> None:
     """Add what is enclosed and proved of the trace, and how far two arithmetics differ."""
     proof = found["proof"]
     if "difference" in found:
-        table.add_row("difference", f"{found['difference']} between balls and mpmath")
+        compared = " and ".join(found["compared"])
+        table.add_row(
+            "difference", f"{found['difference']} between balls and mpmath, of {compared}"
+        )
     if proof["trace"] is None:
         table.add_row("enclosure", f"none: {proof['reason']}")
         return

@@ -230,7 +230,8 @@ def verify(
         typer.Option(
             "--arithmetic",
             help="What refines the orbit: balls, whose digits are proved; mpmath, whose digits are"
-            " compared with twice as many; or both, which have to agree, and how far they differ.",
+            " compared with twice as many; or both, which have to agree, and how far they differ:"
+            " in the unknowns, and in the trace where it is enclosed.",
         ),
     ] = RefiningArithmetic.FLINT,
     require: Require = None,
@@ -435,14 +436,15 @@ def _report(
     by_kernels = found.problem.kernels is not None
     arithmetic = (verified_by or RefiningArithmetic.FLINT).value
     if verified_by is RefiningArithmetic.BOTH:
-        orbit, _, difference = refine_both(found, working)
+        refined = refine_both(found, working)
+        orbit = refined.by_balls
     else:
-        orbit, difference = refine(found, working, arithmetic=arithmetic), None
+        refined, orbit = None, refine(found, working, arithmetic=arithmetic)
     told = orbit_json(orbit, digits)
     if verified_by is not None:
         told["arithmetic"] = arithmetic if by_kernels else RefiningArithmetic.MPMATH.value
-        if difference is not None:
-            told["difference"] = short(difference)
+        if refined is not None:
+            told["difference"], told["compared"] = short(refined.difference), refined.compared
         told["proof"] = trace_proof_json(orbit)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)

@@ -49,8 +49,9 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     arithmetic : {"flint", "mpmath", "both"}
         Balls, whose digits are proved; mpmath (on gmpy2 where that is installed), whose digits
         are checked against twice the precision; or both, each to so many digits by its own
-        route, which have to agree: the numbers are those of the balls. An orbit without kernels
-        of its own takes mpmath, and cannot take both.
+        route, which have to agree: the numbers are those of the balls. Where no finite
+        enclosure of the trace is found, as at a grazing, the unknowns alone are compared. An
+        orbit without kernels of its own takes mpmath, and cannot take both.
 
     Returns
     -------
@@ -64,7 +65,8 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
         holds in double precision only, or both arithmetics for an orbit without kernels.
     NoConvergence
         If Newton's method leaves the orbit, as it does where the equations are singular, or
-        if the two arithmetics differ by more than 10^-digits, in an unknown or in the trace.
+        if the two arithmetics differ by more than 10^-digits, in an unknown or in the trace
+        where that is enclosed.
 
     Examples
     --------
@@ -89,13 +91,15 @@ class Refined(NamedTuple):
     by_mpmath: Orbit
     # of an unknown, or of mpmath's trace from the enclosure by balls, over max(1, |x|)
     difference: Any
+    compared: tuple[str, ...]  # "unknowns", and "trace" if there is a finite enclosure
 
 
 def refine_both(orbit: Orbit, digits: int) -> Refined:
     """Refine an orbit by balls and by mpmath, each by its own route, and compare the two.
 
-    The trace of mpmath's orbit, by mpmath, has to lie in the enclosure by balls, where there is
-    one. Errors are raised as by `refine`.
+    The trace of mpmath's orbit, by mpmath, has to lie in the enclosure by balls. Where that is not
+    finite the traces are not compared: they may have few digits in common, or none. Errors are
+    raised as by `refine`.
     """
     check_digits(digits)
     check_converged(orbit, "refined")
@@ -105,7 +109,8 @@ def refine_both(orbit: Orbit, digits: int) -> Refined:
     mp, ball = by_balls.arithmetic.mp, enclosed_trace(by_balls)
     unknowns = ((x, by_mpmath.unknowns[name]) for name, x in by_balls.unknowns.items())
     differences = [abs(x - y) / max(1, abs(x)) for x, y in unknowns]
-    if ball is not None and ball.is_finite():
+    enclosed = ball is not None and ball.is_finite()
+    if enclosed:
         trace = by_mpmath.trace
         outside = abs(trace - middle(mp, ball)) - middle(mp, ball.rad())
         differences.append(max(outside, mp.zero) / max(1, abs(trace)))
@@ -114,7 +119,8 @@ def refine_both(orbit: Orbit, digits: int) -> Refined:
         raise NoConvergence(
             f"{orbit.name}: flint and mpmath differ by {float(difference):.1e} at {digits} digits"
         )
-    return Refined(by_balls, by_mpmath, difference)
+    compared = ("unknowns", "trace") if enclosed else ("unknowns",)
+    return Refined(by_balls, by_mpmath, difference, compared)
 
 
 def enclosed_trace(orbit: Orbit) -> Any:

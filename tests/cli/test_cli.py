@@ -369,9 +369,25 @@ def test_both_arithmetics_are_compared() -> None:
     assert (code, err) == (0, "")
     found = told("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
     assert 0 < Decimal(found["difference"]) < Decimal("1e-40")
-    assert re.search(rf"difference +{found['difference']} between balls and mpmath", out)
+    both = rf"difference +{found['difference']} between balls and mpmath, of unknowns and trace"
+    assert re.search(both, out)
+    assert found["compared"] == ["unknowns", "trace"]
     assert re.search(r"proved +\|trace\| < 1 *\n", out)
     assert "difference" not in told("verify", ORBIT, "--arithmetic", "mpmath")
+
+
+def test_traces_without_a_finite_enclosure_are_not_compared_and_it_is_said() -> None:
+    """At a grazing they have ten digits in common, where the unknowns have seventy."""
+    grazing = ("rigid-stop/one-impact", "m1=1", "m2=2", "k1=2", "k2=4", "T=pi")
+    found, by_mpmath = (
+        told("verify", *grazing, "--arithmetic", arithmetic, code=1)
+        for arithmetic in ("both", "mpmath")
+    )
+    assert found["compared"] == ["unknowns"]
+    assert abs(Decimal(found["trace"]) - Decimal(by_mpmath["trace"])) > Decimal("1e-20")
+    assert Decimal(found["difference"]) < Decimal("1e-50")
+    out = run("verify", *grazing, "--arithmetic", "both")[1]
+    assert re.search(r"between balls and mpmath, of unknowns *\n", out)
 
 
 def test_what_is_proved_at_a_border_collision_is_about_one_side() -> None:

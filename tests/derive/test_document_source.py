@@ -21,7 +21,8 @@ MISPRINTED = {
     "(4)": "which prints the last entry of the stiffness matrix as $k_{1} + k_{3}$",
     "(10)": "which prints the upper right block as $V t I$",
     "(15)": "which prints $H$ for the flow $h$",
-    "(A.1)": r"which prints $\tilde N_{2}$ in the place of $\tilde N_{3}$",
+    "(A.1)": r"which prints $\tilde N_{2}$ in the place of $\tilde N_{3}$, $T$ for $\tau_{2}$"
+    " and $H$ for $h$",
     "Sec. 2.4": "without the dot of the velocity",
 }
 
