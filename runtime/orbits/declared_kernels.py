@@ -22,7 +22,7 @@ from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.orbits.kernel_many import solve_kernels_many
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits, changed, reshaped
 
 __all__ = ["DeclaredKernels", "declared_kernels"]
 
@@ -72,19 +72,19 @@ class DeclaredKernels:
             self.kernels, taken, admissibility=admissibility, threads=threads, chunk=chunk
         )
         shape = found.status.shape
+        flat = changed(np.ravel, found)
         values = {n: np.broadcast_to(found.parameters[n], shape).ravel()
                   for n in self.kernels.parameter_names}  # fmt: skip
-        flat = {name: row.ravel() for name, row in found.unknowns.items()}
-        named = self.unknowns(values, flat)
-        starts = self._starts(values, flat, named)
-        return replace(
-            found,
+        named = self.unknowns(values, flat.unknowns)
+        orbits = replace(
+            flat,
             problem=self.reference.problem,
             parameters={name: parameter_array(name, value) for name, value in parameters.items()},
-            unknowns={name: row.reshape(shape) for name, row in named.items()},
+            unknowns=named,
             bounds={} if admissibility else None,
-            starts=starts.reshape(*shape, *starts.shape[1:]),
+            starts=self._starts(values, flat.unknowns, named),
         )
+        return reshaped(orbits, shape)
 
     def unknowns(self, parameters: Columns, unknowns: Columns) -> Columns:
         """Return dwell times and start (n,) of orbits, by the names and in the order of `solve`.

@@ -14,7 +14,7 @@ from nonsmooth.runtime.model.parameter_batches import check_arrays
 from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
 from nonsmooth.runtime.orbits.declared_solve import solve_declared
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits, changed
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 
 __all__ = ["solve_declared_many"]
@@ -62,7 +62,13 @@ def solve_declared_many(
     if rest.any():
         given = found.parameters.items()
         part = {name: np.broadcast_to(array, rest.shape)[rest] for name, array in given}
-        found = _filled(found, rest, _by_tables(known, part, **options))
+
+        def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
+            both = np.array(array)
+            both[rest] = values
+            return both
+
+        found = changed(filled, found, _by_tables(known, part, **options))
     return found if admissibility else replace(found, admissible=None, bounds=None)
 
 
@@ -82,29 +88,3 @@ def _by_tables(
     names = known.problem.unknown_names
     unknowns = dict(zip(names, composed.unknowns.values(), strict=True))
     return replace(composed, problem=known.problem, unknowns=unknowns)
-
-
-def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
-    """Return the orbits with others put in place at some points (...)."""
-
-    def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
-        both = np.array(array)
-        both[rest] = values
-        return both
-
-    assert found.starts is not None
-    assert others.starts is not None
-    allowed = found.admissible
-    if allowed is not None and others.admissible is not None:
-        allowed = filled(allowed, others.admissible)
-    return replace(
-        found,
-        unknowns={name: filled(row, others.unknowns[name]) for name, row in found.unknowns.items()},
-        trace=filled(found.trace, others.trace),
-        period=filled(found.period, others.period),
-        residual=filled(found.residual, others.residual),
-        iterations=filled(found.iterations, others.iterations),
-        status=filled(found.status, others.status),
-        admissible=allowed,
-        starts=filled(found.starts, others.starts),
-    )

@@ -18,7 +18,7 @@ from nonsmooth.runtime.model.parameters import constrained, in_domains
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
     error_bounds,
@@ -91,72 +91,35 @@ def _solve_arrays(
     chunk: int,
 ) -> Orbits:
     count = int(np.prod(shape, dtype=np.int64))
-    results = _Results.empty(kernels, count, admissibility)
+    unknowns = np.empty((len(kernels.unknowns), count))
+    found = Orbits(
+        KernelProblem(kernels),
+        arrays,
+        dict(zip(kernels.unknowns, unknowns, strict=True)),
+        trace=np.empty(count),
+        period=np.empty(count),
+        residual=np.empty(count),
+        iterations=np.empty(count, dtype=np.int32),
+        status=np.empty(count, dtype=np.int32),
+        admissible=np.empty(count, dtype=bool) if admissibility else None,
+        bounds={table.name: np.empty(count) for table in kernels.open_parameters}
+        if admissibility
+        else None,
+    )
     flat = None if start is None else start.reshape(count, len(kernels.reduced))
     every = [_flat(arrays[name], shape) for name in kernels.parameter_names]
 
     def work(part: slice) -> None:
         columns = [column if column.size == 1 else column[part] for column in every]
-        _fill(kernels, columns, None if flat is None else flat[part], results, part)
+        _fill(kernels, columns, None if flat is None else flat[part], found, unknowns, part)
 
     in_parallel(work, list(_parts(count, chunk)), threads)
-    return results.shaped(kernels, arrays, shape)
+    return reshaped(found, shape)
 
 
 def _flat(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Return one parameter of all points, flat, or (1,) where they share it."""
     return array.reshape(1) if array.size == 1 else np.broadcast_to(array, shape).reshape(-1)
-
-
-@dataclass(frozen=True)
-class _Results:
-    """Flat arrays that the threads fill; unknowns are (n, count), bounds (b, count)."""
-
-    unknowns: np.ndarray
-    trace: np.ndarray
-    period: np.ndarray
-    residual: np.ndarray
-    iterations: np.ndarray
-    status: np.ndarray
-    admissible: np.ndarray | None
-    bounds: np.ndarray | None
-
-    @classmethod
-    def empty(cls, kernels: OrbitKernels, count: int, admissibility: bool) -> _Results:
-        return cls(
-            np.empty((len(kernels.unknowns), count)),
-            np.empty(count),
-            np.empty(count),
-            np.empty(count),
-            np.empty(count, dtype=np.int32),
-            np.empty(count, dtype=np.int32),
-            np.empty(count, dtype=bool) if admissibility else None,
-            np.empty((len(kernels.open_parameters), count)) if admissibility else None,
-        )
-
-    def shaped(
-        self,
-        kernels: OrbitKernels,
-        parameters: dict[str, np.ndarray],
-        shape: tuple[int, ...],
-    ) -> Orbits:
-        opened, bounds = [p.name for p in kernels.open_parameters], self.bounds
-        return Orbits(
-            KernelProblem(kernels),
-            parameters,
-            _named(kernels.unknowns, self.unknowns, shape),
-            self.trace.reshape(shape),
-            self.period.reshape(shape),
-            self.residual.reshape(shape),
-            self.iterations.reshape(shape),
-            self.status.reshape(shape),
-            None if self.admissible is None else self.admissible.reshape(shape),
-            None if bounds is None else _named(opened, bounds, shape),
-        )
-
-
-def _named(names: Iterable[str], rows: np.ndarray, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
-    return {name: row.reshape(shape) for name, row in zip(names, rows, strict=True)}
 
 
 def _parts(count: int, chunk: int) -> Iterator[slice]:
@@ -167,24 +130,28 @@ def _fill(
     kernels: OrbitKernels,
     columns: Sequence[np.ndarray],
     start: np.ndarray | None,
-    results: _Results,
+    found: Orbits,
+    unknowns: np.ndarray,
     part: slice,
 ) -> None:
-    """Solve a part of the points, whose parameters are columns (k,), or (1,) where shared."""
-    count = results.trace[part].size
+    """Solve a part of the points, whose parameters are columns (k,), or (1,) where shared.
+
+    The unknowns (n, count) of all points are those of the orbits `found`.
+    """
+    count = found.trace[part].size
     points = np.empty((len(columns), count)).T
     for place, column in enumerate(columns):
         points[:, place] = column
     valid = _inside(kernels, columns)
     starts = _starts(kernels, columns, count) if start is None else [start]
-    unknowns = results.unknowns[:, part]
+    unknowns = unknowns[:, part]
     solved = _solve_points(kernels, points, np.broadcast_to(valid, count), starts, unknowns.T)
     judged_ones = None
-    if results.admissible is not None:
+    if found.admissible is not None:
         judged_ones = _admissible_ones(kernels, points, starts, solved)
     values = dict(zip(kernels.parameter_names, columns, strict=True))
     values |= dict(zip(kernels.unknowns, unknowns, strict=True))
-    waits, period = kernels.durations(values), results.period[part]
+    waits, period = kernels.durations(values), found.period[part]
     period[:] = reduce(np.add, waits.values())
     lasting = [wait for name, wait in waits.items() if name not in kernels.table["vanishing"]]
     short = reduce(np.minimum, lasting) < SHORTEST * period
@@ -192,12 +159,14 @@ def _fill(
     lost = np.flatnonzero(solved.status != CONVERGED)
     for array in (*solved[:3], period):
         array[lost] = np.nan
-    results.trace[part], results.residual[part] = solved.trace, solved.residual
-    results.iterations[part], results.status[part] = solved.iterations, solved.status
-    if judged_ones is not None and results.admissible is not None and results.bounds is not None:
+    found.trace[part], found.residual[part] = solved.trace, solved.residual
+    found.iterations[part], found.status[part] = solved.iterations, solved.status
+    if judged_ones is not None and found.admissible is not None and found.bounds is not None:
         allowed, bounds = judged_ones
         allowed[lost], bounds[lost] = False, np.nan
-        results.admissible[part], results.bounds[:, part] = allowed, bounds.T
+        found.admissible[part] = allowed
+        for row, least in zip(found.bounds.values(), bounds.T, strict=True):
+            row[part] = least
 
 
 def _count_digits(

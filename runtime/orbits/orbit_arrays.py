@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,7 +14,12 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.problem import OrbitProblem
 
-__all__ = ["Columns", "Orbits"]
+__all__ = ["Columns", "Orbits", "changed", "reshaped"]
+
+_BY_POINT = (
+    "unknowns", "trace", "period", "residual", "iterations", "status", "admissible", "bounds",
+    "multipliers", "starts",
+)  # fmt: skip
 
 Columns = dict[str, np.ndarray]  # what is known of some points, by the name of the variable
 
@@ -119,3 +124,22 @@ class Orbits(Shown):
         str
         """
         return self.problem.message(status, timed=self.timed)
+
+
+def changed(change: Callable[..., np.ndarray], found: Orbits, *others: Orbits) -> Orbits:
+    """Return orbits with all arrays by point changed, each together with those of other orbits."""
+
+    def of(name: str) -> Any:
+        parts = [getattr(each, name) for each in (found, *others)]
+        if any(part is None for part in parts):
+            return parts[0]
+        if isinstance(parts[0], dict):
+            return {key: change(*(part[key] for part in parts)) for key in parts[0]}
+        return change(*parts)
+
+    return replace(found, **{name: of(name) for name in _BY_POINT})
+
+
+def reshaped(found: Orbits, shape: tuple[int, ...]) -> Orbits:
+    """Return orbits at flat points (n,), whose arrays get the shape (...)."""
+    return changed(lambda array: array.reshape((*shape, *array.shape[1:])), found)

@@ -16,7 +16,6 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
-    finite_at,
     numbers_in,
     shoot,
 )
@@ -89,8 +88,9 @@ class TableBatch:
             sound &= np.isfinite(start).all(axis=1)
         for group in numbers_at(self.system, points, cycle.configurations) if count else ():
             here = cycle.at(group.structure)
-            kept = sound[group.places] & finite_at(here, group.flat)
-            rows, flat = group.places[kept], group.flat[kept]
+            rows, flat, kept = group.places, group.flat, sound[group.places]
+            if not kept.all():
+                rows, flat = rows[kept], flat[kept]
             if len(rows):
                 guess = dwell[rows], None if start is None else start[rows]
                 self._fill(found, rows, here, flat, *guess, period[rows])
@@ -113,7 +113,6 @@ class TableBatch:
         period: np.ndarray,
     ) -> None:
         """Solve the points at some rows, whose numbers `flat` have the same modes."""
-        fields = numbers_in(cycle.structure, flat).fields[:, cycle.configurations[0]]
         closed, directions = cycle, np.empty((len(flat), 0, len(cycle.structure.states)))
         if self.translates:
             closed, flat, directions = _up_to_translations(cycle, flat)
@@ -129,9 +128,10 @@ class TableBatch:
         found.status[rows] = without_digits(turned, flat, solved, period)
         maps, driven = solved.maps, mechanical_states(cycle)
         if driven is not None:
-            maps = stroboscopic_maps(closed, fields, solved.starts[:, 0], maps, driven)
+            field = numbers_in(closed.structure, flat).fields[:, cycle.configurations[0]]
+            maps = stroboscopic_maps(closed, field, solved.starts[:, 0], maps, driven)
             directions = directions[..., driven]
-        found.maps[rows] = _with_translations(maps, directions)
+        found.maps[rows] = _with_translations(maps, directions) if self.translates else maps
 
 
 def _up_to_translations(

@@ -16,7 +16,7 @@ from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NEITHER
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_batch import Composed, TableBatch
 from nonsmooth.runtime.orbits.table_problem import TableProblem
@@ -103,24 +103,24 @@ def solve_itineraries(
     columns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
     values = None
     if multipliers:
-        sorted_values = eigenvalues(found.maps)[:, :dimension]
-        sorted_values[:, rank:] *= 0  # NaN stays NaN
-        values = sorted_values.reshape(*shape, dimension)
-    return Orbits(
+        values = eigenvalues(found.maps)[:, :dimension]
+        values[:, rank:] *= 0  # NaN stays NaN
+    flat = Orbits(
         problem,
         {name: parameter_array(name, value) for name, value in parameters.items()},
-        {n: x.reshape(shape) for n, x in zip(problem.unknown_names, columns, strict=True)},
-        np.trace(found.maps, axis1=-2, axis2=-1).reshape(shape),
-        found.dwell.sum(axis=-1).reshape(shape),
-        found.residual.reshape(shape),
-        found.iterations.reshape(shape),
-        found.status.reshape(shape),
+        dict(zip(problem.unknown_names, columns, strict=True)),
+        np.trace(found.maps, axis1=-2, axis2=-1),
+        found.dwell.sum(axis=-1),
+        found.residual,
+        found.iterations,
+        found.status,
         multipliers=values,
-        starts=found.starts.reshape(*shape, len(cycle), size),
+        starts=found.starts,
         timed=period is not None,
-        admissible=(found.limit == NEITHER).reshape(shape) if admissibility else None,
+        admissible=found.limit == NEITHER if admissibility else None,
         bounds={} if admissibility else None,
     )
+    return reshaped(flat, shape)
 
 
 def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
