@@ -6,7 +6,6 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.document.notation.arrange import signed
 from nonsmooth.derive.document.notation.wording import enumeration
 from nonsmooth.derive.document.views.view import View
 
@@ -31,7 +30,7 @@ def energy_section(view: View) -> list[Block]:
                 Line(
                     f"2 {_letter(name)}",
                     "=",
-                    signed(naming.notation, terms),
+                    naming.notation.signed(terms),
                     None,
                     sp.Add(*terms),
                 )

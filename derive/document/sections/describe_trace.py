@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
-from nonsmooth.derive.document.notation.arrange import signed
 from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, number
 from nonsmooth.derive.document.views.monodromy import (
     FACTOR,
@@ -176,7 +175,7 @@ def _written_out(view: View, found: MonodromyTrace) -> list[Block]:
         Line(
             notation.symbol(s),
             "=",
-            signed(notation, sorted(sp.Add.make_args(e), key=_degree)),
+            notation.signed(sorted(sp.Add.make_args(e), key=_degree)),
             None,
             e,
         )

@@ -15,7 +15,7 @@ from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.declaration.translation import translations
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming
-from nonsmooth.derive.document.views.monodromy import solved_for_a_state
+from nonsmooth.derive.document.views.monodromy import where_zero
 from nonsmooth.derive.equations.saltation import saltation_matrix
 from nonsmooth.derive.equations.section import Section, reset_matrix, section_of, start_of
 
@@ -61,8 +61,8 @@ class Passing:
         return self._on_boundary(self.behind - self.reset * self.before, states)
 
     def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        solved = solved_for_a_state((self.normal * sp.Matrix(states))[0] + self.constant, states)
-        return sp.ImmutableMatrix(matrix.subs(solved).applyfunc(lambda e: sp.factor(sp.cancel(e))))
+        condition = (self.normal * sp.Matrix(states))[0] + self.constant
+        return where_zero(condition, states, matrix)
 
 
 @dataclass(frozen=True)

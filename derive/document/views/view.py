@@ -11,7 +11,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.document.blocks import Formula, Line
-from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, name_centres
@@ -137,7 +137,7 @@ class View:
         ends = [f"{phase.boundary} ends {phase.configuration}" for phase in phases]
         for i, ((meaning, expression), shown) in enumerate(zip(equations, written, strict=True)):
             if any(map(notation.is_function, shown.free_symbols)):
-                pieces = signed(notation, by_function(notation, shown))
+                pieces = notation.signed(by_function(notation, shown))
             else:
                 pieces = notation.pieces(notation.tidy(shown))
             line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
