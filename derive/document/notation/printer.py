@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import wraps
-from typing import Any, TypeVar, cast
+from typing import Any
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
@@ -23,20 +22,6 @@ __all__ = ["Notation"]
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
 # place of functions among the factors of a product
 _FUNCTIONS = 5
-_Method = TypeVar("_Method", bound=Callable[..., Any])
-
-
-def _kept(method: _Method) -> _Method:
-    """A method of a notation that keeps its answer for each expression."""
-
-    @wraps(method)
-    def known(notation: Notation, expression: sp.Expr, **options: bool) -> Any:
-        question = method.__name__, expression, *options.values()
-        if question not in notation.answers:
-            notation.answers[question] = method(notation, expression, **options)
-        return notation.answers[question]
-
-    return cast(_Method, known)
 
 
 @dataclass(eq=False)
@@ -47,7 +32,7 @@ class Notation(Symbols, LatexPrinter):
 
     def __post_init__(self) -> None:
         LatexPrinter.__init__(self, {"mat_str": "matrix", "mat_delim": "("})
-        self.answers: dict[tuple[Any, ...], Any] = {}
+        self.answers: dict[tuple[sp.Expr, bool], tuple[int, str]] = {}
 
     def symbol(self, symbol: sp.Symbol) -> str:
         """LaTeX of a symbol, or of the value of a function of time that it stands for."""
@@ -109,12 +94,7 @@ class Notation(Symbols, LatexPrinter):
 
     def _print_ExponentialDifference(self, expression: sp.Expr, exp: str | None = None) -> str:
         order, time, *factors = expression.args
-        responses = self.responses
-        if responses.knows(tuple(factors)):
-            text = responses.latex(int(order), tuple(factors), self._print(time))
-        else:
-            written = ", ".join(self._print(sp.Tuple(*f)) for f in factors)
-            text = rf"{responses.letter}^{{({order})}}\left[{written}\right]({self._print(time)})"
+        text = self.responses.latex(int(order), tuple(factors), self._print(time))
         return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
 
     def radicand(self, base: sp.Expr) -> str:
@@ -203,7 +183,6 @@ class Notation(Symbols, LatexPrinter):
             return False
         return all(s in self.projectors or is_written(s) for s in term.free_symbols)
 
-    @_kept
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Sort key of a term in a sum: states in order, other unknowns, constants."""
         symbols = term.free_symbols
@@ -218,12 +197,15 @@ class Notation(Symbols, LatexPrinter):
         """Sign of an expression, and LaTeX to which other factors may be put."""
         return self.term(expression, alone=False)
 
-    @_kept
     def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
-        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive.
+        """Sign and LaTeX of a product; a sum that is `alone` behind a plus sign has no brackets."""
+        question = term, alone
+        if question not in self.answers:
+            self.answers[question] = self._term(term, alone)
+        return self.answers[question]
 
-        A sum that is `alone` behind a plus sign has no brackets.
-        """
+    def _term(self, term: sp.Expr, alone: bool) -> tuple[int, str]:
+        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive."""
         number, rest = term.as_coeff_Mul()
         sign = -1 if number.is_negative else 1
         factors = list(sp.Mul.make_args(rest))
@@ -306,7 +288,6 @@ class Notation(Symbols, LatexPrinter):
             for place, text in enumerate(texts)
         )
 
-    @_kept
     def order_of(self, factor: sp.Expr) -> tuple[int, str]:
         """Sort key of a factor in a product."""
         base = factor.as_base_exp()[0]

@@ -294,7 +294,7 @@ def _meaning(naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, 
         r"the frequencies $\omega$, whose squares are the eigenvalues of $M^{-1} K$ for the"
         " coordinates that are free"
     ]
-    stems = {str(s).rstrip("0123456789") for s in entries}
+    stems = {symbol.parts[0] for symbol in entries}
     if "gap" in stems:
         found.append(r"the differences $\Delta$ of two of these eigenvalues")
     if "p" in stems:

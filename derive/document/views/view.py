@@ -158,14 +158,12 @@ class View:
 def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
     """Notation of an orbit's document, and the centres that have a letter in it."""
     itinerary, system, start = equations.itinerary, equations.system, equations.chain.start
-    presentation = itinerary.presentation
-    states = presentation.states if presentation else ()
-    known = [*itinerary.system.parameters, *(presentation.parameters if presentation else ())]
+    known = list(itinerary.system.parameters)
     # a given period stands where dwell times stand, behind the frequencies
     known += [p for p in system.parameters if p not in (*known, itinerary.period)]
     spectrum, flows = equations.spectrum, [link.flow for link in equations.chain.links]
     constants = tuple(p.symbol for p in known) + spectrum.symbols
-    all_states = (*system.states, *(s for s in itinerary.system.states if s not in states))
+    all_states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
     frequencies = {s for f in flows for g in f.basis for s in g.free_symbols}
     entries = {s for f in flows for m in f.matrices for s in m.free_symbols}
     plain = Notation(all_states, constants)
