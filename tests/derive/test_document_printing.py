@@ -8,7 +8,7 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.writers.mathml import mathml
 from nonsmooth.derive.symbols import Symbol, derivative
@@ -148,7 +148,7 @@ def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
     if len(expression.free_symbols & set(STATES)) < 2:
         check(NOTATION.latex(NOTATION.tidy(expression)), expression)
     arranged = by_function(NOTATION, expression)
-    check(" ".join(signed(NOTATION, arranged)) or "0", expression)
+    check(" ".join(NOTATION.signed(arranged)) or "0", expression)
 
 
 @pytest.mark.slow

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
@@ -12,7 +12,7 @@ from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.symbols import grouped_by
 from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["by_function", "characteristic_pieces", "polynomial_pieces", "signed"]
+__all__ = ["by_function", "characteristic_pieces", "polynomial_pieces"]
 
 _LARGEST_BLOCK = 6
 # of a block with more than two rows; more make coefficients that nobody reads
@@ -45,16 +45,6 @@ def by_function(notation: Notation, expression: sp.Expr) -> tuple[sp.Expr, ...]:
         else:
             shared[core] = shared.get(core, sp.Integer(0)) + frequency * function
     return (*(sp.Mul(core, total) for core, total in shared.items()), *terms)
-
-
-def signed(notation: Notation, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
-    """LaTeX of the terms of a sum in the given order, each with its sign; wide ones are cut."""
-    found: list[str] = []
-    for term in terms:
-        sign, text = notation.term(term)
-        text = f"- {text}" if sign < 0 else f"+ {text}" if found else text
-        found += notation.cut(term, text, leading=not found)
-    return tuple(found)
 
 
 def characteristic_pieces(

@@ -55,10 +55,6 @@ class Responses:
         primes = "'" * order if order < 4 else f"^{{({order})}}"
         return rf"{self.letter}_{{{self.label(factors)}}}{primes}\left({time}\right)"
 
-    def knows(self, factors: Factors) -> bool:
-        """Whether all factors have numbers."""
-        return all(factor == _CONSTANT or factor in self.factors for factor in factors)
-
 
 _CONSTANT = sp.Tuple(sp.Integer(0))
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import wraps
-from typing import Any, TypeVar, cast
+from typing import Any
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
@@ -23,20 +22,6 @@ __all__ = ["Notation"]
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
 # place of functions among the factors of a product
 _FUNCTIONS = 5
-_Method = TypeVar("_Method", bound=Callable[..., Any])
-
-
-def _kept(method: _Method) -> _Method:
-    """A method of a notation that keeps its answer for each expression."""
-
-    @wraps(method)
-    def known(notation: Notation, expression: sp.Expr, **options: bool) -> Any:
-        question = method.__name__, expression, *options.values()
-        if question not in notation.answers:
-            notation.answers[question] = method(notation, expression, **options)
-        return notation.answers[question]
-
-    return cast(_Method, known)
 
 
 @dataclass(eq=False)
@@ -47,7 +32,7 @@ class Notation(Symbols, LatexPrinter):
 
     def __post_init__(self) -> None:
         LatexPrinter.__init__(self, {"mat_str": "matrix", "mat_delim": "("})
-        self.answers: dict[tuple[Any, ...], Any] = {}
+        self.answers: dict[tuple[sp.Expr, bool], tuple[int, str]] = {}
 
     def symbol(self, symbol: sp.Symbol) -> str:
         """LaTeX of a symbol, or of the value of a function of time that it stands for."""
@@ -65,10 +50,10 @@ class Notation(Symbols, LatexPrinter):
         return self.symbol(symbol)
 
     def _print_Add(self, expression: sp.Add, order: Any = None) -> str:
-        return " ".join(self.summands(expression))
+        return self.sum(expression)
 
     def _print_Mul(self, expression: sp.Mul) -> str:
-        return " ".join(self.summands(expression))
+        return self.sum(expression)
 
     def _print_Pow(self, expression: sp.Pow) -> str:
         if expression.exp.is_Rational and expression.exp.is_negative:
@@ -91,10 +76,17 @@ class Notation(Symbols, LatexPrinter):
         return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
 
     def _print_cos(self, expression: sp.Expr, exp: str | None = None) -> str:
-        return self.trigonometric("cos", expression.args[0], exp)
+        # without brackets around a product of symbols
+        argument = expression.args[0]
+        number, rest = argument.as_coeff_Mul()
+        plain = rest == 1 or all(map(self.is_letter, sp.Mul.make_args(rest)))
+        head = rf"\{type(expression).__name__}" + (f"^{{{exp}}}" if exp else "")
+        if plain and number.is_Rational and number.q > 1:
+            return f"{head}({self._print(number.p * rest)}/{number.q})"
+        text = self._print(argument)
+        return f"{head} {text}" if plain else rf"{head}\left({text}\right)"
 
-    def _print_sin(self, expression: sp.Expr, exp: str | None = None) -> str:
-        return self.trigonometric("sin", expression.args[0], exp)
+    _print_sin = _print_cos
 
     def _print_Angle(self, expression: sp.Expr) -> str:
         sine, cosine = (self._print(a) for a in expression.args)
@@ -102,12 +94,7 @@ class Notation(Symbols, LatexPrinter):
 
     def _print_ExponentialDifference(self, expression: sp.Expr, exp: str | None = None) -> str:
         order, time, *factors = expression.args
-        responses = self.responses
-        if responses.knows(tuple(factors)):
-            text = responses.latex(int(order), tuple(factors), self._print(time))
-        else:
-            written = ", ".join(self._print(sp.Tuple(*f)) for f in factors)
-            text = rf"{responses.letter}^{{({order})}}\left[{written}\right]({self._print(time)})"
+        text = self.responses.latex(int(order), tuple(factors), self._print(time))
         return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
 
     def radicand(self, base: sp.Expr) -> str:
@@ -116,59 +103,55 @@ class Notation(Symbols, LatexPrinter):
             return str(self._print(base))
         if any(sp.fraction(a)[1].free_symbols for a in base.args):
             number, rest = sp.factor_terms(base).as_coeff_Mul()
-            inner = " ".join(self.summands(rest))
+            inner = self.sum(rest)
             return inner if number == 1 else rf"{self._print(number)} \left({inner}\right)"
         return str(self._print(sp.together(base)))
-
-    def trigonometric(self, name: str, argument: sp.Expr, exponent: str | None) -> str:
-        """LaTeX of a cosine or sine, without brackets around a product of symbols."""
-        number, rest = argument.as_coeff_Mul()
-        plain = rest == 1 or all(map(self.is_letter, sp.Mul.make_args(rest)))
-        head = rf"\{name}^{{{exponent}}}" if exponent else rf"\{name}"
-        if plain and number.is_Rational and number.q > 1:
-            return f"{head}({self._print(number.p * rest)}/{number.q})"
-        text = self._print(argument)
-        return f"{head} {text}" if plain else rf"{head}\left({text}\right)"
 
     def is_letter(self, factor: sp.Expr) -> bool:
         """Whether a factor is written as one letter, with indices and labels."""
         letter = self._print(factor).partition("^{(")[0] if factor.is_Symbol else ""
         return _LETTER.fullmatch(letter) is not None
 
-    def ordered(self, expression: sp.Expr) -> list[tuple[sp.Expr, str]]:
-        """Terms of a sum in the order of reading, each with the LaTeX of it and its sign."""
+    def ordered(self, expression: sp.Expr) -> list[sp.Expr]:
+        """Terms of a sum in the order of reading."""
         number, rest = expression.as_coeff_Mul()
         if number == -1 and rest.is_Add:
             # a minus sign in front of a sum that stands alone goes to its terms
             expression = -rest
-        terms = [(self.rank(a), *self.term(a), a) for a in sp.Add.make_args(expression)]
+        terms = list(sp.Add.make_args(expression))
+        negative = {a: self.term(a)[0] < 0 for a in terms}
+        ranks = {a: self.rank(a) for a in terms}
         terms.sort(
-            key=lambda item: (
-                not self.leads(item[3], expression),
-                *item[0][:2],
-                item[1] < 0,
-                item[0][2:],
-            )
+            key=lambda a: (not self.leads(a, expression), *ranks[a][:2], negative[a], ranks[a][2:])
         )
-        leading = sp.Mul.make_args(terms[0][3])
-        if terms[0][1] < 0 and (len(terms) == 2 or not any(f.is_Add for f in leading)):
+        leading = sp.Mul.make_args(terms[0])
+        if negative[terms[0]] and (len(terms) == 2 or not any(f.is_Add for f in leading)):
             # a short sum begins with a positive term if it has one
-            first = next((t for t in terms if t[1] > 0), terms[0])
+            first = next((a for a in terms if not negative[a]), terms[0])
             terms.remove(first)
             terms.insert(0, first)
+        return terms
+
+    def with_signs(self, terms: Iterable[sp.Expr]) -> list[tuple[sp.Expr, str]]:
+        """Terms of a sum in the given order, each with the LaTeX of it and its sign."""
+        written = [(term, *self.term(term)) for term in terms]
         return [
-            (term, f"- {text}" if sign < 0 else f"+ {text}" if position else text)
-            for position, (_, sign, text, term) in enumerate(terms)
+            (term, f"- {text}" if sign < 0 else f"+ {text}" if place else text)
+            for place, (term, sign, text) in enumerate(written)
         ]
 
-    def summands(self, expression: sp.Expr) -> list[str]:
-        """LaTeX of the terms of a sum in the order of reading."""
-        return [text for _, text in self.ordered(expression)]
+    def sum(self, expression: sp.Expr) -> str:
+        """LaTeX of a sum in the order of reading."""
+        return " ".join(text for _, text in self.with_signs(self.ordered(expression)))
 
     def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
         """LaTeX of a sum, cut in front of every sign at which a line may break."""
+        return self.signed(self.ordered(sp.sympify(expression)))
+
+    def signed(self, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
+        """LaTeX of the terms of a sum in the given order, each with its sign; wide ones are cut."""
         found: list[str] = []
-        for term, text in self.ordered(sp.sympify(expression)):
+        for term, text in self.with_signs(terms):
             found += self.cut(term, text, leading=not found)
         return tuple(found)
 
@@ -200,7 +183,6 @@ class Notation(Symbols, LatexPrinter):
             return False
         return all(s in self.projectors or is_written(s) for s in term.free_symbols)
 
-    @_kept
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Sort key of a term in a sum: states in order, other unknowns, constants."""
         symbols = term.free_symbols
@@ -215,12 +197,15 @@ class Notation(Symbols, LatexPrinter):
         """Sign of an expression, and LaTeX to which other factors may be put."""
         return self.term(expression, alone=False)
 
-    @_kept
     def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
-        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive.
+        """Sign and LaTeX of a product; a sum that is `alone` behind a plus sign has no brackets."""
+        question = term, alone
+        if question not in self.answers:
+            self.answers[question] = self._term(term, alone)
+        return self.answers[question]
 
-        A sum that is `alone` behind a plus sign has no brackets.
-        """
+    def _term(self, term: sp.Expr, alone: bool) -> tuple[int, str]:
+        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive."""
         number, rest = term.as_coeff_Mul()
         sign = -1 if number.is_negative else 1
         factors = list(sp.Mul.make_args(rest))
@@ -303,7 +288,6 @@ class Notation(Symbols, LatexPrinter):
             for place, text in enumerate(texts)
         )
 
-    @_kept
     def order_of(self, factor: sp.Expr) -> tuple[int, str]:
         """Sort key of a factor in a product."""
         base = factor.as_base_exp()[0]

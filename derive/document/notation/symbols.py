@@ -116,13 +116,10 @@ class Symbols:
 
         def formula(match: re.Match[str]) -> str:
             found = match[0]
-            words = re.findall(_WORD, found)
-            if not all(self._is_name(w) for w in words):
-                return found if len(words) == 1 else re.sub(_WORD, single, found)
-            return f"${re.sub(_WORD, lambda m: self._named(m[0]), found)}$"
-
-        def single(match: re.Match[str]) -> str:
-            return f"${self._named(match[0])}$" if self._is_name(match[0]) else match[0]
+            named = {word: self._named(word) for word in re.findall(_WORD, found)}
+            if all(named.values()):
+                return f"${re.sub(_WORD, lambda m: named[m[0]], found)}$"
+            return re.sub(_WORD, lambda m: f"${named[m[0]]}$" if named[m[0]] else m[0], found)
 
         return _EXPRESSION.sub(formula, text)
 
@@ -178,14 +175,12 @@ class Symbols:
         """LaTeX of a part of a symbol."""
         return self.symbol(part) if isinstance(part, sp.Symbol) else str(part).replace("_", ",")
 
-    def _is_name(self, word: str) -> bool:
-        known = word in self._known and (len(word) > 1 or word.isupper())
-        indexed = re.fullmatch(rf"[A-Za-z]{{1,2}}\d+|(?:{'|'.join(_GREEK)})\d*", word)
-        return known or indexed is not None
-
     def _named(self, word: str) -> str:
-        """LaTeX of a name in a text."""
-        return self.symbol(self._known[word]) if word in self._known else identifier(word)
+        """LaTeX of a name in a text; empty for another word."""
+        if word in self._known and (len(word) > 1 or word.isupper()):
+            return self.symbol(self._known[word])
+        indexed = re.fullmatch(rf"[A-Za-z]{{1,2}}\d+|(?:{'|'.join(_GREEK)})\d*", word)
+        return identifier(word) if indexed else ""
 
     @cached_property
     def _known(self) -> dict[str, sp.Symbol]:

@@ -12,7 +12,7 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Line
-from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.letters import Letters, free_letters, head
 from nonsmooth.derive.document.notation.printer import Notation
 
@@ -91,7 +91,7 @@ class Naming:
     def sum(self, left: sp.Symbol, right: sp.Expr, written: sp.Expr | None = None) -> Line:
         """The line ``left = right``, arranged function by function of time."""
         terms = by_function(self.notation, right if written is None else written)
-        pieces = signed(self.notation, terms)
+        pieces = self.notation.signed(terms)
         return Line(self.notation.symbol(left), "=", pieces, left, sp.sympify(right))
 
     def list(self, symbols: Iterable[sp.Symbol]) -> str:

@@ -93,7 +93,7 @@ def _meaning(
     oscillating = {s for f in flows for g in f.basis if g.has(sp.cos) for s in g.free_symbols}
     if not naming.second_order or not oscillating & set(entries):
         return []
-    stems = {str(s).rstrip("0123456789") for s in entries}
+    stems = {symbol.parts[0] for symbol in entries}
     found = {
         r"the frequencies $\omega$, whose squares are the eigenvalues of $M^{-1} K$ for the"
         " coordinates that are free": True,

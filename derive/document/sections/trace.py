@@ -9,7 +9,6 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.arrange import signed
 from nonsmooth.derive.document.notation.wording import (
     Naming,
     count,
@@ -56,7 +55,7 @@ def energy_section(view: View) -> list[Block]:
             Line(
                 f"2 {_letter(name)}",
                 "=",
-                signed(view.naming.notation, terms),
+                view.naming.notation.signed(terms),
                 None,
                 sp.Add(*terms),
             )
@@ -222,7 +221,7 @@ def _conservative(view: View) -> list[Block]:
         Line(
             notation.symbol(s),
             "=",
-            signed(notation, sorted(sp.Add.make_args(e), key=_degree)),
+            notation.signed(sorted(sp.Add.make_args(e), key=_degree)),
             None,
             e,
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations
 
 import sympy as sp
 
@@ -15,7 +16,7 @@ from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.declaration.translation import translations
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming
-from nonsmooth.derive.document.views.monodromy import solved_for_a_state
+from nonsmooth.derive.document.views.monodromy import where_zero
 from nonsmooth.derive.equations.saltation import saltation_matrix
 from nonsmooth.derive.equations.section import Section, reset_matrix, section_of, start_of
 
@@ -61,8 +62,8 @@ class Passing:
         return self._on_boundary(self.behind - self.reset * self.before, states)
 
     def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        solved = solved_for_a_state((self.normal * sp.Matrix(states))[0] + self.constant, states)
-        return sp.ImmutableMatrix(matrix.subs(solved).applyfunc(lambda e: sp.factor(sp.cancel(e))))
+        condition = (self.normal * sp.Matrix(states))[0] + self.constant
+        return where_zero(condition, states, matrix)
 
 
 @dataclass(frozen=True)
@@ -181,19 +182,18 @@ def harmonics_of(itinerary: Itinerary, system: System) -> tuple[Harmonic, ...]:
     moved = {s for i in indices for s in itinerary.transition_after(system, i).reset}
     matrix = fields[0][0]
     found = []
-    for i in range(len(states)):
-        for j in range(i + 1, len(states)):
-            square = sp.cancel(-matrix[i, j] * matrix[j, i])
-            alone = all(
-                a[k, m] == (matrix[k, m] if {k, m} == {i, j} else 0) and b[k] == 0
-                for a, b in fields
-                for k in (i, j)
-                for m in range(len(states))
-            )
-            if alone and square.is_positive and not {states[i], states[j]} & moved:
-                ratio = sp.cancel(-matrix[i, j] / matrix[j, i])
-                invariant = states[i] ** 2 + ratio * states[j] ** 2
-                found.append(Harmonic(states[i], states[j], sp.sqrt(square), invariant))
+    for i, j in combinations(range(len(states)), 2):
+        square = sp.cancel(-matrix[i, j] * matrix[j, i])
+        alone = all(
+            a[k, m] == (matrix[k, m] if {k, m} == {i, j} else 0) and b[k] == 0
+            for a, b in fields
+            for k in (i, j)
+            for m in range(len(states))
+        )
+        if alone and square.is_positive and not {states[i], states[j]} & moved:
+            ratio = sp.cancel(-matrix[i, j] / matrix[j, i])
+            invariant = states[i] ** 2 + ratio * states[j] ** 2
+            found.append(Harmonic(states[i], states[j], sp.sqrt(square), invariant))
     return tuple(found)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Line
-from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.views.view import View
 
 __all__ = ["ExplicitStart", "explicit_start"]
@@ -44,13 +44,13 @@ def explicit_start(view: View) -> ExplicitStart | None:
 
     letter, period = notation.symbol(symbol), view.equations.itinerary.period
     below = f"{letter}({notation.symbol(period.symbol)})" if period else letter
-    lines = [Line(letter, "=", signed(notation, short(symbol)), symbol, kernel[symbol])]
+    lines = [Line(letter, "=", notation.signed(short(symbol)), symbol, kernel[symbol])]
     coordinates = [q for q in view.equations.chain.start.coordinates if q in assigned]
     for q in coordinates:
         terms = short(sp.expand(assigned[q] * symbol))
         if len(terms) > _MOST_TERMS:
             return None
-        pieces = (rf"\frac{{{' '.join(signed(notation, terms))}}}{{{below}}}",)
+        pieces = (rf"\frac{{{' '.join(notation.signed(terms))}}}{{{below}}}",)
         lines.append(Line(notation.symbol(q), "=", pieces, q, assigned[q].xreplace(kernel)))
     return ExplicitStart(lines[0], tuple(lines[1:]), _because(view, relations))
 

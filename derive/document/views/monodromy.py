@@ -19,7 +19,7 @@ __all__ = [
     "keeps_volume",
     "monodromy_trace",
     "saltations",
-    "solved_for_a_state",
+    "where_zero",
 ]
 
 FACTOR = Symbol("written", "kappa", r"\kappa")
@@ -41,11 +41,12 @@ def saltations(view: View) -> tuple[sp.Matrix, ...]:
     It is written in the states at the ends of the phases, for a reversible orbit in the
     coordinates of its start.
     """
-    links, assigned = view.links, _resets(view)
-    found = []
+    links, found = view.links, []
+    every = (a for stage in view.equations.chain.stages for a in stage.assignments)
+    resets = {symbol: value for symbol, value in every if meaning_of(symbol) == "reset"}
     for index, link in enumerate(links):
         following = links[(index + 1) % len(links)].flow
-        behind = following.velocity(link.following.xreplace(assigned))
+        behind = following.velocity(link.following.xreplace(resets))
         matrix = saltation_matrix(link.reset, link.normal, link.velocity, behind)
         condition = link.exit
         if view.reversible:
@@ -55,10 +56,7 @@ def saltations(view: View) -> tuple[sp.Matrix, ...]:
             matrix = matrix.subs(images, simultaneous=True)
             condition = condition.subs(images, simultaneous=True)
         states = sorted(filter(view.naming.notation.is_state, condition.free_symbols), key=str)
-        at_boundary = solved_for_a_state(sp.expand(condition), states)
-        found.append(
-            sp.ImmutableMatrix(matrix.subs(at_boundary).applyfunc(lambda e: factor(cancel(e))))
-        )
+        found.append(where_zero(sp.expand(condition), states, matrix))
     return tuple(found)
 
 
@@ -69,7 +67,7 @@ def keeps_volume(view: View) -> bool:
 
 def monodromy_trace(view: View) -> MonodromyTrace | None:
     """Trace of the monodromy matrix in functions of the dwell times; None if it is too long."""
-    names: dict[sp.Symbol, sp.Expr] = {}
+    notation, names = view.naming.notation, dict[sp.Symbol, sp.Expr]()
     product = sp.eye(len(view.naming.system.states))
     for index, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), 1):
         named = matrix.as_mutable()
@@ -81,25 +79,25 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
                     named[i, j], names[symbol] = symbol, matrix[i, j]
         product = named * link.transfer * product
     total = sp.expand(product.trace())
-    functions = [s for s in total.free_symbols if view.naming.notation.is_function(s)]
+    functions = [s for s in total.free_symbols if notation.is_function(s)]
     collected = grouped_by(total, [*functions, *names])
     if len(collected) > _MOST_TERMS:
         return None
-    order = {s: i for i, s in enumerate((*view.naming.notation.functions, *names))}
+    order = {s: i for i, s in enumerate((*notation.functions, *names))}
     groups: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
     for monomial in sorted(collected, key=lambda m: sorted(order[s] for s in m.free_symbols)):
         entry, function = monomial.as_independent(*functions, as_Add=False)
-        outer, inner = _split(collected[monomial], view.naming.notation.projectors)
+        coefficient = factor(collected[monomial])
+        inner, outer = coefficient.as_independent(*notation.projectors, as_Add=False)
         key, sign = ((entry, -outer), -1) if (entry, -outer) in groups else ((entry, outer), 1)
         groups[key] = groups.get(key, sp.Integer(0)) + sign * inner * function
     keys = [outer for entry, outer in groups if entry == 1]
-    factor = _long(keys)
-    if factor is not None:
-        symbol, other = FACTOR, next(k for k in keys if k != factor)
-        names[symbol] = factor
-        sign = 1 if sp.expand(factor + other - 1) == 0 else -1
+    long = _long(keys)
+    if long is not None:
+        names[FACTOR], other = long, next(k for k in keys if k != long)
+        sign = 1 if sp.expand(long + other - 1) == 0 else -1
         groups = {
-            (e, symbol if k == factor else 1 - symbol if k == other else k): (
+            (e, FACTOR if k == long else 1 - FACTOR if k == other else k): (
                 sign * inner if k == other else inner
             )
             for (e, k), inner in groups.items()
@@ -114,14 +112,6 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
     return MonodromyTrace(tuple(terms), {s: e for s, e in names.items() if s in used})
 
 
-def _split(coefficient: sp.Expr, projectors: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, sp.Expr]:
-    """The factors of a coefficient that contain entries of projectors, and the others."""
-    factors = sp.Mul.make_args(factor(coefficient))
-    outer = sp.Mul(*(f for f in factors if f.free_symbols & set(projectors)))
-    inner = sp.Mul(*(f for f in factors if not f.free_symbols & set(projectors)))
-    return outer, inner
-
-
 def _long(keys: list[sp.Expr]) -> sp.Expr | None:
     """A long factor k if the only other factor is 1 - k or k - 1; else None."""
     different = list(dict.fromkeys(keys))
@@ -132,19 +122,16 @@ def _long(keys: list[sp.Expr]) -> sp.Expr | None:
     return first if any(sp.expand(e - 1) == 0 for e in apart) else None
 
 
-def _resets(view: View) -> dict[sp.Symbol, sp.Expr]:
-    """Expressions that the chain assigns behind the transitions, by their symbols."""
-    assignments = (a for s in view.equations.chain.stages for a in s.assignments)
-    return {s: e for s, e in assignments if meaning_of(s) == "reset"}
-
-
-def solved_for_a_state(condition: sp.Expr, states: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """A switching condition solved for one of the states, by the state's symbol.
+def where_zero(
+    condition: sp.Expr, states: Iterable[sp.Symbol], matrix: sp.Matrix
+) -> sp.ImmutableMatrix:
+    """A matrix where a switching condition holds, which is solved for one of the states.
 
     The first with a number as its coefficient is preferred.
     """
     slopes = {s: slope for s in states if (slope := sp.diff(condition, s)) != 0}
-    if not slopes:
-        return {}
-    state = min(slopes, key=lambda s: not slopes[s].is_number)
-    return {state: sp.expand(-(condition - slopes[state] * state) / slopes[state])}
+    if slopes:
+        state = min(slopes, key=lambda s: not slopes[s].is_number)
+        solution = sp.expand(-(condition - slopes[state] * state) / slopes[state])
+        matrix = matrix.subs(state, solution)
+    return sp.ImmutableMatrix(matrix.applyfunc(lambda e: factor(cancel(e))))

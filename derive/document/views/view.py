@@ -11,7 +11,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.document.blocks import Formula, Line
-from nonsmooth.derive.document.notation.arrange import by_function, signed
+from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, name_centres
@@ -137,7 +137,7 @@ class View:
         ends = [f"{phase.boundary} ends {phase.configuration}" for phase in phases]
         for i, ((meaning, expression), shown) in enumerate(zip(equations, written, strict=True)):
             if any(map(notation.is_function, shown.free_symbols)):
-                pieces = signed(notation, by_function(notation, shown))
+                pieces = notation.signed(by_function(notation, shown))
             else:
                 pieces = notation.pieces(notation.tidy(shown))
             line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
@@ -158,14 +158,12 @@ class View:
 def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
     """Notation of an orbit's document, and the centres that have a letter in it."""
     itinerary, system, start = equations.itinerary, equations.system, equations.chain.start
-    presentation = itinerary.presentation
-    states = presentation.states if presentation else ()
-    known = [*itinerary.system.parameters, *(presentation.parameters if presentation else ())]
+    known = list(itinerary.system.parameters)
     # a given period stands where dwell times stand, behind the frequencies
     known += [p for p in system.parameters if p not in (*known, itinerary.period)]
     spectrum, flows = equations.spectrum, [link.flow for link in equations.chain.links]
     constants = tuple(p.symbol for p in known) + spectrum.symbols
-    all_states = (*system.states, *(s for s in itinerary.system.states if s not in states))
+    all_states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
     frequencies = {s for f in flows for g in f.basis for s in g.free_symbols}
     entries = {s for f in flows for m in f.matrices for s in m.free_symbols}
     plain = Notation(all_states, constants)
