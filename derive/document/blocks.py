@@ -5,14 +5,18 @@ Text carries two marks: ``$...$`` around LaTeX and ``*...*`` around emphasised w
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
 import sympy as sp
 
-from nonsmooth.derive.document.layout import rows
+from nonsmooth.derive.document.layout import LINE_WIDTH, rows, text_width, width
 
-__all__ = ["Block", "Document", "Formula", "Heading", "Line", "Paragraph", "Table"]
+__all__ = ["Block", "Document", "Formula", "Heading", "Line", "Paragraph", "Table", "notes_beside"]
+
+# em that a number and the gaps of a note beside a formula take
+_AROUND_NOTE = 7.0
 
 
 @dataclass(frozen=True)
@@ -70,8 +74,25 @@ class Formula:
     @property
     def latex(self) -> str:
         """The relations as one ``aligned`` environment, long ones over several rows."""
-        body = " \\\\\n".join(f"{left} &{right}" for left, right in rows(self.lines))
+        body = " \\\\\n".join(f"{left} &{right}" for left, right in self.rows)
         return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
+
+    @property
+    def rows(self) -> list[tuple[str, str]]:
+        """Left and right part of every row."""
+        return rows(self.lines)
+
+    @property
+    def lead(self) -> str:
+        """The note as a sentence that stands above."""
+        return f"{self.note[:1].upper()}{self.note[1:]}:" if self.note else ""
+
+
+def notes_beside(formulas: Sequence[Formula]) -> bool:
+    """Whether the notes of aligned formulas have room beside them."""
+    widest = [width(left) + width(right) for f in formulas for left, right in f.rows]
+    notes = [text_width(f.note) for f in formulas if f.note]
+    return max(widest, default=0.0) + max(notes, default=0.0) + _AROUND_NOTE <= LINE_WIDTH
 
 
 @dataclass(frozen=True)
@@ -119,17 +140,19 @@ class Document:
 
     def part(self, name: str) -> Document:
         """A document of one part: flows, equations, map or trace, numbered as in the whole."""
-        headings = [b for b in self.blocks if isinstance(b, Heading) and b.text in _PARTS[name]]
-        found = [b for heading in headings for b in (heading, *self.section(heading.text))]
-        return Document(self.title, tuple(found))
+        return Document(self.title, self._sections(_PARTS[name]))
 
     def section(self, title: str) -> tuple[Block, ...]:
         """The blocks between a section's heading and the next section."""
+        return self._sections((title,))[1:]
+
+    def _sections(self, titles: Sequence[str]) -> tuple[Block, ...]:
+        """The sections of the given titles, with their headings."""
         found: list[Block] = []
         inside = False
         for block in self.blocks:
             if isinstance(block, Heading) and block.level == 1:
-                inside = block.text == title
-            elif inside:
+                inside = block.text in titles
+            if inside:
                 found.append(block)
         return tuple(found)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Protocol
 
-__all__ = ["LINE_WIDTH", "notes_beside", "rows", "text_width", "width"]
+__all__ = ["LINE_WIDTH", "marked", "rows", "text_width", "width"]
 
 # em of the text block that the LaTeX preamble sets, less the room of an equation number
 LINE_WIDTH = 42.0
@@ -18,9 +18,6 @@ _FUNCTIONS = {r"\cos": 1.6, r"\sin": 1.5}
 _TRANSPARENT = {r"\left", r"\right", r"\biggl", r"\biggr", r"\mathrm", r"\mathsf", r"\text"}
 _TRANSPARENT |= {r"\operatorname", r"\bar", r"\hat", r"\displaystyle"}
 
-
-# em that a number and the gaps of a note beside a formula take
-_AROUND_NOTE = 7.0
 _MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
@@ -35,27 +32,15 @@ class _Line(Protocol):
     def pieces(self) -> tuple[str, ...]: ...
 
 
-class _Formula(Protocol):
-    @property
-    def lines(self) -> Sequence[_Line]: ...
-
-    @property
-    def note(self) -> str | None: ...
-
-
-def notes_beside(formulas: Sequence[_Formula]) -> bool:
-    """Whether the notes of aligned formulas have room beside them."""
-    widest = [width(left) + width(right) for f in formulas for left, right in rows(f.lines)]
-    notes = [text_width(f.note) for f in formulas if f.note]
-    return max(widest, default=0.0) + max(notes, default=0.0) + _AROUND_NOTE <= LINE_WIDTH
+def marked(text: str) -> list[tuple[str, str]]:
+    """Parts of text behind their marks: ``$`` for LaTeX, ``*`` for emphasis, nothing for words."""
+    parts = enumerate(_MARKS.split(text))
+    return [(part[0], part[1:-1]) if place % 2 else ("", part) for place, part in parts]
 
 
 def text_width(text: str) -> float:
     """Approximate width in em of text with formulas and emphasis."""
-    total = 0.0
-    for part in _MARKS.split(text):
-        total += width(part[1:-1]) if part.startswith("$") else 0.52 * len(part.strip("*"))
-    return total
+    return sum(width(part) if mark == "$" else 0.52 * len(part) for mark, part in marked(text))
 
 
 def width(latex: str) -> float:

@@ -105,7 +105,7 @@ def _chain_rule(view: View) -> list[Block]:
         U_{k} &= \Phi^{(k)} [resets: R_{k-1} ]U_{k-1}
             + f_{k} \varepsilon_{k},
         $$
-        $E$ being the derivative of $@state^{(0)}$ by the section's coordinates[resets:  and $R_{0}$
+        $E$ being the derivative of $@state^{(0)}$ by the section's coordinates [resets: and $R_{0}$
         the unit matrix]. The rows of the Jacobian of the equations are $n_{k} U_{k}$ for the
         switching conditions and the section's rows of $[last: R_{@phases} ]U_{@phases} - U_{0}$ for
         the closure. [equations.chain.forcing: Those of the conditions on the forcing are their
@@ -136,27 +136,28 @@ def _local_maps(view: View) -> list[Block]:
     return compose(
         view,
         r"""
-        On the boundaries the dwell times follow the perturbation[period: , also where the period
-        $@period.symbol$ is given for the orbit: a perturbed motion returns when it does]. Each
-        phase carries a perturbation along and projects it along the vector field onto its
-        boundary[reversible: . With $\Phi^{(k)}$ the flow of phase $k$ over its dwell time, $f_{k}$
-        the vector field at its end[resets: , |  and] $n_{k}$ the gradient of the boundary on which
-        it ends[resets:  and $R_{k}$ the matrix of the reset behind it], | , and] the Jacobian of
-        the Poincaré map is [several: the product of the local maps | that of the local map]@cited,
+        On the boundaries the dwell times follow the perturbation[equations.itinerary.period: , also
+        where the period $@equations.itinerary.period.symbol$ is given for the orbit: a perturbed
+        motion returns when it does]. Each phase carries a perturbation along and projects it along
+        the vector field onto its boundary[reversible: . With $\Phi^{(k)}$ the flow of phase $k$
+        over its dwell time, $f_{k}$ the vector field at its end [resets: , | and] $n_{k}$ the
+        gradient of the boundary on which it ends [resets: and $R_{k}$ the matrix of the reset
+        behind it], | , and] the Jacobian of the Poincaré map is [many links: the product of the
+        local maps | that of the local map]@cited,
         $$
-        J &= @letter^{+} [several: \left(@product @local\right) | @local] @letter,
+        J &= @letter^{+} [many links: \left(@product @local\right) | @local] @letter,
         $$
-        [forced: for the coordinates @map_coordinates, of which $L$ holds the derivatives of the
-        start and $L^{+}$ takes the changes: the amplitude of the forcing does not change, and its
-        cosine and sine move with its phase alone, | where $E^{+}$ takes the section's coordinates
-        @section.coordinates of a state, and[reversible:  $E$ is the derivative by them of a state
-        on the section, | @partial]]
+        [equations.chain.forcing: for the coordinates @map_coordinates, of which $L$ holds the
+        derivatives of the start and $L^{+}$ takes the changes: the amplitude of the forcing does
+        not change, and its cosine and sine move with its phase alone, | where $E^{+}$ takes the
+        section's coordinates @equations.chain.section.coordinates of a state, and[reversible:  $E$
+        is the derivative by them of a state on the section, | @partial]]
         $$
-        [forced: L &= @directions,
-        L^{+} &= @returning | [reversible: @state &= @section.state.]]
+        [equations.chain.forcing: L &= @directions,
+        L^{+} &= @returning | [reversible: @state &= @equations.chain.section.state.]]
         $$
-        [forced: and, at the ends of the phases@partial | [reversible: At the ends of the
-        phases@partial]]
+        [equations.chain.forcing: and, at the ends of the phases@partial | [reversible: At the ends
+        of the phases@partial]]
 
         @fields
 
@@ -167,17 +168,13 @@ def _local_maps(view: View) -> list[Block]:
         $$
         @entries
         """,
-        period=view.equations.itinerary.period,
         resets=resets,
-        several=len(links) > 1,
         cited=naming.cited("map"),
         letter="L" if chain.forcing else "E",
         product=_product(view),
         local=sentence(
             view, LOCAL_MAP, resets=resets, index=_index(view), phase=_index(view), **_LETTERS
         ),
-        forced=chain.forcing,
-        section=chain.section,
         partial=", $R_{k}$ being $I$ where it is not given,"
         if resets and any(map(_is_unit, links))
         else "",
@@ -306,13 +303,13 @@ def _saltation(view: View) -> list[Block]:
         S_{k} &= @saltation
             = [resets: R_{k} ]\left(I - \frac{f_{k} n_{k}}{n_{k} f_{k}}\right) + f_{k}^{+}\, \frac{n_{k}}{n_{k} f_{k}},
         $$
-        with the vector field $f_{k}^{+}$ behind the transition. At the orbit[jumps: |  $f_{k}^{+} =
+        with the vector field $f_{k}^{+}$ behind the transition. At the orbit [jumps: | $f_{k}^{+} =
         [resets: R_{k} ]f_{k}$, hence]
 
         @matrices
 
-        [several: The product over a period is the monodromy matrix | Over a period this makes the
-        monodromy matrix]
+        [many links: The product over a period is the monodromy matrix | Over a period this makes
+        the monodromy matrix]
         $$
         \mathcal{M} &= @product S_{@index} \Phi^{(@index)},\qquad
             \mathcal{M} f_{0}^{+} = f_{0}^{+},\qquad
@@ -321,19 +318,17 @@ def _saltation(view: View) -> list[Block]:
         $f_{0}^{+}$ being the vector field at the start. By the second form of $S_{k}$,
         $\mathcal{M}$ is the product of the local maps plus a matrix whose columns are multiples of
         $f_{0}^{+}$, a vector that the local maps take to zero. So beside the multiplier 1 of
-        $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$[forcing: , and the
-        multiplier 1 of what no motion changes: the amplitudes of the forcing[phases:  and the
-        differences of phase]].
+        $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$[equations.chain.forcing: ,
+        and the multiplier 1 of what no motion changes: the amplitudes of the forcing [phases: and
+        the differences of phase]].
         """,  # noqa: E501
         saltation=sentence(view, SALTATION, at="k", resets=_resets(view), **_LETTERS),
         resets=_resets(view),
         jumps=any(m != k.reset for k, m in zip(view.links, saltations(view), strict=True)),
         matrices=_saltation_matrices(view),
-        several=len(view.links) > 1,
         product=_product(view),
         index=_index(view),
         neutral=neutral,
-        forcing=forcing,
         phases=neutral > 2,
     )
 

@@ -37,22 +37,21 @@ def chain_section(view: View) -> list[Block]:
         blocks += compose(
             view,
             r"""
-            Phase @index, *@name* [still: for no time | for $@dwell$ with
-            $\Phi_{@flow}(@dwell)$]@cited:
+            Phase @index, *@phase.configuration* [link.duration: for
+            $@link.dwell$ with $\Phi_{@flow}(@link.dwell)$ | for no time]@cited:
             $$
             @lines
             $$
-            [rules: The transition to *@target* @rules@reset.]
+            [rules: The transition to *@transition.target* @rules@reset.]
             """,
             index=index,
-            name=phase.configuration,
-            still=link.duration == 0,
-            dwell=link.dwell,
+            phase=phase,
+            link=link,
             flow=view.numbers[phase.configuration],
             cited=view.naming.cited(f"phase {index}"),
             lines=_lines(view, index),
             rules=[_rule(view, s, e) for s, e in transition.reset.items()],
-            target=transition.target,
+            transition=transition,
             reset=view.naming.cited(f"reset {index}"),
         )
     return blocks
@@ -101,21 +100,18 @@ def equation_section(view: View) -> list[Block]:
     return compose(
         view,
         """
-        [reversible: The conditions halfway through the phase[several: s] [kept: , and what the ends
-        leave,] make @equations for @unknowns, @names. Each is written function by function of half
-        the dwell time: | The switching condition of each phase and the closure of each of the
-        start's own coordinates[dropped: [forced: , with the amplitude of the forcing and whole
-        periods of it in place of the closure of its cosine and sine, |  but @dropped, which the
-        energy makes return if all others do,]] make @equations for @unknowns:]
+        [reversible: The conditions halfway through the phase[many links: s] [kept: , and what the
+        ends leave,] make @number for @unknowns, @equations.unknowns. Each is written function by
+        function of half the dwell time: | The switching condition of each phase and the closure of
+        each of the start's own coordinates [dropped: [equations.chain.forcing: , with the amplitude
+        of the forcing and whole periods of it in place of the closure of its cosine and sine, |
+        but @dropped, which the energy makes return if all others do,]] make @number for @unknowns:]
 
         @formulas
         """,
-        several=len(view.links) > 1,
         kept=any("halfway" not in meaning for meaning in closed),
-        equations=count(len(equations.equations), "equation"),
+        number=count(len(equations.equations), "equation"),
         unknowns=count(len(equations.unknowns), "unknown"),
-        names=equations.unknowns,
-        forced=equations.chain.forcing,
         dropped=[q for q in coordinates if f"{q} returns" not in closed],
         formulas=view.numbered("The equations", equations.equations, view.conditions),
     )
@@ -144,21 +140,21 @@ def cycle_equations(cycle: Cycle) -> list[Block]:
         @normal_{@index} @state^{(@phase)} + @constant_{@index} = 0
         \tag{@second} @all
         $$
-        [open: and the orbit closes[directions:  up to the shift]. With $@embedding^{+}$, which
-        takes the coordinates $@letters.coordinates$ of a state on the section, | The end of the
-        last phase closes the orbit of itself.]
+        [start.dimension: and the orbit closes [directions: up to the shift]. With $@embedding^{+}$,
+        which takes the coordinates $@letters.coordinates$ of a state on the section, | The end of
+        the last phase closes the orbit of itself.]
         $$
-        [open: @embedding^{+} @returned - @letters.coordinates = 0
+        [start.dimension: @embedding^{+} @returned - @letters.coordinates = 0
         \tag{@third}]
         $$
-        [open: These are @total. The other coordinates return with these, by what the last phase
-        enforces. [conservative: The energy is kept along the orbit, so that one of the equations
-        follows from the others: the orbit is one of a family, and its period may be given.]]
+        [start.dimension: These are @total. The other coordinates return with these, by what the
+        last phase enforces. [conservative: The energy is kept along the orbit, so that one of the
+        equations follows from the others: the orbit is one of a family, and its period may be
+        given.]]
         """,
         several=several,
         all=_all_phases(cycle),
         before=f"(k-1){'+' if cycle.resets else ''}" if several else "(0)",
-        open=cycle.start.dimension,
         returned=sentence(
             cycle,
             r"[directions: \left(@ends - @letters.directions @shift\right) | @ends]",

@@ -131,11 +131,10 @@ def _closed(
     blocks += compose(
         naming,
         r"""
-        [second: The flows are written by blocks of positions and velocities, $\Phi^{11}$ and
+        [second_order: The flows are written by blocks of positions and velocities, $\Phi^{11}$ and
         $\Phi^{12}$ for the positions, $\Phi^{21}$ and $\Phi^{22}$ for the velocities; $I$ is the
         unit matrix. [cosines: The matrices at the cosines are the projectors on the modes.]]
         """,
-        second=naming.second_order,
         cosines=any(g.has(sp.cos) for g in functions),
     )
     names: dict[sp.Matrix, str] = {}
@@ -170,11 +169,11 @@ def _centres(
         naming,
         r"""
         [centred: Inside a configuration with the centre $d$, $@state(t) = d + \Phi(t)\,(@state(0) -
-        d)$[lettered: . The centre is @rows[others:  and the origin in @others], with | ; the
+        d)$[lettered: . The centre is @rows [others: and the origin in @others], with | ; the
         centres that differ from the origin are]]
 
-        [still: In these coordinates [one: the centre is at the origin | every one of the
-        configurations has its centre at the origin], so that $@state(t) = \Phi(t)\,@state(0)$.]
+        [still: In these coordinates [many flows: every one of the configurations has its centre at
+        the origin | the centre is at the origin], so that $@state(t) = \Phi(t)\,@state(0)$.]
         $$
         @lines
         $$
@@ -184,7 +183,7 @@ def _centres(
         rows=[f"$d = {column}$ in *{name}*" for name, column in columns.items()],
         others=[f"*{name}*" for name, c in centres.items() if c is not None and c.is_zero_matrix],
         still=not centred and not drifting,
-        one=len(flows) == 1,
+        flows=flows,
         lines=[
             Line(notation.symbol(s), "=", notation.pieces(sp.factor(e)), s, e)
             for s, e in named.values.items()
@@ -202,8 +201,8 @@ def _centres(
                 pieces.append(f"+ {scalar}{notation.latex(offset.applyfunc(notation.tidy))}")
         blocks += compose(
             naming,
-            "*@name* has no centre; there\n$$\n@state(t) &= @pieces\n$$",
-            name=flow.configuration,
+            "*@flow.configuration* has no centre; there\n$$\n@state(t) &= @pieces\n$$",
+            flow=flow,
             pieces=tuple(pieces),
         )
     return blocks
@@ -351,8 +350,8 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         The flow of [none: no configuration is written | @listed is not written] out in the
         parameters: it comes from numbers, once for each set of parameters. With the matrix
         $@matrix$ and the column $@offset$ of $@state' = @matrix @state + @offset$[second: , which
-        hold the equations of motion solved for the accelerations below the rows of $@x'$[held: ,
-        zeros for a held one],] it is read off the exponential of an augmented matrix,
+        hold the equations of motion solved for the accelerations below the rows of $@letter'$[held:
+        , zeros for a held one],] it is read off the exponential of an augmented matrix,
         $$
         @state(t) &= \Phi(t)\,@state(0) + @forcing(t),\qquad
             \left(\begin{matrix}\Phi(t) & @forcing(t)\\0 & 1\end{matrix}\right) = \mathrm{e}^{@augmented t},\qquad
@@ -374,7 +373,6 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         listed=enumeration([f"*{c.name}*" for c in chosen]),
         second=second,
         held=any(d.held for d in second),
-        x=naming.letter,
         **vars(letters),
     )
 
@@ -398,17 +396,17 @@ def _eigenvalues(
         blocks += compose(
             naming,
             r"""
-            $\Phi_{@number}$, @flow: the [short: eigenvalues are the roots of | @many eigenvalues
-            are found from the numbers of the matrix $@matrix$.]
+            $\Phi_{@number}$, @flow: the [pieces: eigenvalues are the roots of | @field.rows
+            eigenvalues are found from the numbers of the matrix $@letters.matrix$.]
             $$
             @polynomial
             $$
             """,
             number=number,
             flow=naming.flow_of(sharing),
-            short=pieces,
-            many=matrix.rows,
-            matrix=letters.matrix,
+            pieces=pieces,
+            field=matrix,
+            letters=letters,
             polynomial=[
                 relation(
                     naming,

@@ -16,11 +16,11 @@ from nonsmooth.derive.document.views.view import View
 __all__ = ["itinerary_section", "phase_section"]
 
 _PHASES = """
-The orbit has @phases to a period. [one: It stays in one configuration for its dwell time and ends
-on one boundary, from which the transition leads back to the start. | Each phase stays in one
-configuration for its dwell time and ends on one boundary.] [repeated: Behind [several: them there
-are @transitions; | all of them is the same transition;] $j(k)$ is the number of the one behind
-phase $k$.]
+The orbit has @phases to a period. [many steps: Each phase stays in one configuration for its dwell
+time and ends on one boundary. | It stays in one configuration for its dwell time and ends on one
+boundary, from which the transition leads back to the start.] [repeated: Behind [many passings: them
+there are @transitions; | all of them is the same transition;] $j(k)$ is the number of the one
+behind phase $k$.]
 
 @table
 """
@@ -33,9 +33,9 @@ def itinerary_section(view: View) -> list[Block]:
             view,
             _PHASES,
             phases=count(len(view.links), "phase"),
-            one=len(view.links) == 1,
+            steps=view.links,
             repeated=False,
-            several=False,
+            passings=(),
             table=_phase_table(view, view.equations.itinerary.phases),
         ),
         *_source_letters(view),
@@ -57,17 +57,15 @@ def phase_section(cycle: Cycle) -> list[Block]:
 others leave of it.]
 
 [vanishing: Here @vanishing: boundaries are reached at one instant, a border collision, for which
-@solved [single: has | have] to be found.]
+@solved [many itinerary.vanishing: have | has] to be found.]
 """,
             phases=count(cycle.count, "phase"),
-            one=cycle.count == 1,
+            steps=phases,
             repeated=not cycle.distinct,
-            several=len(cycle.passings) > 1,
             transitions=count(len(cycle.passings), "different transition"),
             table=_phase_table(cycle, phases, () if cycle.distinct else numbers),
             vanishing=zeros(cycle.naming, map(dwell_symbol, itinerary.vanishing)),
             solved=solved,
-            single=len(itinerary.vanishing) == 1,
         ),
         *_source_letters(cycle),
         *_section(cycle),
@@ -137,16 +135,16 @@ def _dwell_times(view: View) -> list[Block]:
     return compose(
         view,
         """
-        [period: The period $@period.symbol$[derived:  is given; the last dwell time is what the
+        [period: The period $@period.symbol$ [derived: is given; the last dwell time is what the
         others leave of it, | , which is the dwell time, is given.]]
         $$
         @derived
         $$
         [dwell: Here @zero: the orbit is a border collision. It reaches @boundaries at one instant
         and stays in @names for no time. That is one condition more than an orbit with @positive has
-        to meet, and determines the parameter[several: s] @swapped, unknown in place of @dwell. A
-        perturbation for which @dwell would come out negative takes the boundaries in another order
-        and follows another itinerary: all derivatives below are one-sided, for @positive.]
+        to meet, and determines the parameter[many swapped: s] @swapped, unknown in place of @dwell.
+        A perturbation for which @dwell would come out negative takes the boundaries in another
+        order and follows another itinerary: all derivatives below are one-sided, for @positive.]
         """,
         period=period,
         derived=derived,
@@ -155,7 +153,6 @@ def _dwell_times(view: View) -> list[Block]:
         positive=zeros(view.naming, dwell, " > 0"),
         boundaries=[f"*{b}*" for b in dict.fromkeys(reached)],
         names=[f"*{phases[i].configuration}*" for i in vanishing],
-        several=len(swapped) > 1,
         swapped=swapped,
     )
 
@@ -174,11 +171,12 @@ def _start(view: View) -> list[Block]:
         $$
         @state^{(0)} &= @start.state,
         $$
-        with @coordinates, @start.coordinates. [required: The closure will require @zero, which
-        leaves @unknowns, @left[dwell:  and @dwell]. | [dwell: With the dwell time[several: s]
-        @dwell[swapped:  and the parameter @swapped] this makes @unknowns.]] The parameters of the
-        equations are @equations.parameters. [open: @open [one: does not enter them; it decides | do
-        not enter them; they decide] on admissibility alone.]
+        with @coordinates, @start.coordinates. [equations.vanishing: The closure will require @zero,
+        which leaves @unknowns, @left [dwell: and @dwell]. | [dwell: With the dwell time[many dwell:
+        s] @dwell [swapped: and the parameter @swapped] this makes @unknowns.]] The parameters of
+        the equations are @equations.parameters. [equations.open_parameters:
+        @equations.open_parameters [many equations.open_parameters: do not enter them; they decide |
+        does not enter them; it decides] on admissibility alone.]
         """,
         column=_state_column(view.naming),
         inside=start.dimension == equations.chain.section.dimension,
@@ -186,15 +184,11 @@ def _start(view: View) -> list[Block]:
         dimension=number(equations.chain.section.dimension),
         start=start,
         coordinates=count(start.dimension, "coordinate"),
-        required=equations.vanishing,
         zero=zeros(view.naming, equations.vanishing),
         unknowns=count(len(equations.unknowns), "unknown"),
         left=[q for q in start.coordinates if q not in equations.vanishing],
         dwell=dwell,
-        several=len(dwell) > 1,
         swapped=[u for u in equations.unknowns if u not in (*start.coordinates, *dwell)],
-        open=equations.open_parameters,
-        one=len(equations.open_parameters) == 1,
     )
 
 

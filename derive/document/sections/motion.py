@@ -69,9 +69,9 @@ def configuration_section(
 
         [single: The motion is linear in @where.]
 
-        [matrices: In @where the motion is linear, $M @x''[damped:  + C @x'] + K @x = \ell$[held: ,
-        and a coordinate that is held keeps its velocity: its row gives the reaction]. The matrices
-        are]
+        [matrices: In @where the motion is linear, $M @letter''[damped:  + C @letter'] + K @letter =
+        \ell$[held: , and a coordinate that is held keeps its velocity: its row gives the
+        reaction]. The matrices are]
         $$
         @matrices
         $$
@@ -92,7 +92,6 @@ def configuration_section(
         column=", ".join(map(naming.notation.symbol, naming.system.states)),
         where="every configuration" if len(second) == len(chosen) else "those of second order",
         single=second and single,
-        x=naming.letter,
         damped=damped,
         held=held,
         matrices=matrices,

@@ -190,8 +190,8 @@ def steady_blocks(
         naming,
         """
         Let $@phase(t)$ be the phase of the forcing, @pair its cosine and sine. In the steady
-        response each factor $@chi_{j}$ multiplies the amplitude by $@amplitude_{j}$[lagging:  and
-        lags behind by $@lag_{j}$ | , unbounded in resonance],
+        response each factor $@notation.responses.polynomial_{j}$ multiplies the amplitude by
+        $@amplitude_{j}$ [lagging: and lags behind by $@lag_{j}$ | , unbounded in resonance],
         $$
         @transfers
         $$
@@ -201,7 +201,6 @@ def steady_blocks(
         @responses
         """,
         pair=(cosine, sine),
-        chi=notation.responses.polynomial,
         lagging=any(imaginary != 0 for _, imaginary in transfers.values()),
         transfers=_transfers(naming, letters, transfers),
         responses=[

@@ -72,9 +72,9 @@ def period_map_section(view: View) -> list[Block]:
         $$
         @start
         $$
-        [compatibility: With this start the second becomes the compatibility condition[several: s]
-        on the dwell times. It contains equation[many: s] @contained, from which the section knows
-        $@second$:]
+        [compatibility: With this start the second becomes the compatibility condition[many
+        compatibility: s] on the dwell times. It contains equation[many contained: s] @contained,
+        from which the section knows $@second$:]
 
         @compatibility
 
@@ -110,8 +110,6 @@ def period_map_section(view: View) -> list[Block]:
         compatibility=view.numbered(
             PERIOD_MAP, turn.compatibility, [e for _, e in turn.compatibility]
         ),
-        several=len(turn.compatibility) > 1,
-        many=len(turn.contained) > 1,
         contained=[labels[k] for k in turn.contained],
         square=square,
         compatible=naming.cited("compatibility"),

@@ -163,7 +163,7 @@ def _parts(view: View) -> list[Block]:
         start. A bar marks their value where these coordinates are zero, and a coordinate as the
         last index, as in $@bar$, its coefficient.]
 
-        [columns: The @many for @columns [one: is | are], in the order of the table,]
+        [columns: The @many for @columns [many columns: are | is], in the order of the table,]
         $$
         [columns: @left &= @right]
         $$
@@ -174,7 +174,6 @@ def _parts(view: View) -> list[Block]:
         bar=symbol(of_start) if of_start else "",
         columns=columns,
         many=count(len(columns), "linear equation"),
-        one=len(columns) == 1,
         left=" + ".join(left),
         right=" + ".join(right),
         steps=any(meaning_of(s) == "without" for s in assigned),
@@ -200,7 +199,7 @@ def _stages(view: View) -> list[Block]:
         blocks += compose(
             view,
             """
-            @text:[known:  @symbols as in the chain of states.]
+            @text: [known: @symbols as in the chain of states.]
             $$
             @lines
             $$
@@ -218,10 +217,11 @@ def _introduced(naming: Naming, elimination: Elimination) -> str:
     return sentence(
         naming,
         """
-        [linear: The switching condition is linear in $@unknown$ | [returns: Hence $@unknown$, the
-        first return | The condition of @boundary is linear in $@unknown$]]
+        [linear: The switching condition is linear in $@elimination.unknown$ | [returns: Hence
+        $@elimination.unknown$, the first return | The condition of @boundary is linear in
+        $@elimination.unknown$]]
         """,
-        unknown=elimination.unknown,
+        elimination=elimination,
         linear=elimination.rule == LINEAR,
         returns=elimination.rule == RETURN,
         boundary=naming.prose(elimination.rule.removeprefix("linear in ")),
@@ -240,7 +240,7 @@ def solution_section(view: View) -> list[Block]:
         view,
         """
         [alone: Given the dwell times, the equations are linear in @coordinates, and are solved for
-        [single: it | them].]
+        [many coordinates: them | it].]
 
         @alone
 
@@ -257,7 +257,6 @@ def solution_section(view: View) -> list[Block]:
         reduction=reduction,
         alone=alone,
         coordinates=coordinates,
-        single=len(coordinates) == 1,
         together=_together(view),
         one=one,
         remaining=count(len(reduction.equations), "equation"),
@@ -284,7 +283,7 @@ def _alone(view: View) -> list[Block]:
             written = view.written.get(symbol)
             blocks += compose(
                 view,
-                "Equation @where[blocks:  then] gives\n$$\n@line\n$$",
+                "Equation @where [blocks: then] gives\n$$\n@line\n$$",
                 where=view.labels_of(elimination.rule.removeprefix("linear in: ")),
                 blocks=blocks,
                 line=view.naming.equal(symbol, expression, written=written),
@@ -319,8 +318,9 @@ def _together(view: View) -> list[Block]:
     return compose(
         view,
         """
-        [alone: Equation[many: s @labels are |  @labels is] then | Given the dwell time[phases: s],
-        equation[many: s @labels are |  @labels is]] linear in @unknowns,[entries:  with]
+        [alone: Equation[many labels: s] @labels [many labels: are | is] then | Given the dwell
+        time[many links: s], equation[many labels: s] @labels [many labels: are | is]] linear in
+        @unknowns, [entries: with]
         $$
         @system
         $$
@@ -332,7 +332,7 @@ def _together(view: View) -> list[Block]:
         $$
         @column
         $$
-        [many: By Cramer's rule | Hence]
+        [many labels: By Cramer's rule | Hence]
         $$
         @solved
         $$
@@ -340,8 +340,6 @@ def _together(view: View) -> list[Block]:
         such orbit, or a whole family of them.]
         """,
         alone=len(unknowns) < view.equations.chain.start.dimension,
-        phases=len(view.links) > 1,
-        many=len(labels) > 1,
         labels=labels,
         unknowns=unknowns,
         entries=not named and (table or column),
@@ -425,7 +423,7 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         @remainder &= [several: \sum_{k=1}^{@count} \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right) [resets: \left(@added\right) | @added] | @added],
         $$
         [several: the factors of later phases standing on the left. The | so that the] closure is
-        linear in the start and determines it[directions:  and $@shift$],
+        linear in the start and determines it [directions: and $@shift$],
         $$
         \left(I - @embedding^{+} @passage @embedding\right) @letters.coordinates &= @embedding^{+} [enclosed: \left([based: @passage @base + ]@remainder[directions:  - @letters.directions @shift]\right) | @remainder].
         \tag{@label}
@@ -436,9 +434,10 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         [harmonics: The forcing is an exception: @oscillating oscillate by themselves, and nothing
         acts on them. They return after whole multiples of @periods alone, which fixes the sum of
         the dwell times, and then from every start: in (@label) their rows vanish. Of their start
-        @kept [one: keeps | keep] the value that is given, the amplitude[one: | s] of the forcing,
-        and the phase[one: | s] of it at the start [one: is an unknown | are unknowns] in place of
-        the sum. The other rows of (@label) determine the other coordinates from these.]
+        @kept [many harmonics: keep | keeps] the value that is given, the amplitude[many harmonics:
+        s] of the forcing, and the phase[many harmonics: s] of it at the start [many harmonics: are
+        unknowns | is an unknown] in place of the sum. The other rows of (@label) determine the
+        other coordinates from these.]
         """,  # noqa: E501
         ends=cycle_end(cycle),
         several=several,
@@ -455,5 +454,4 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         oscillating=[s for h in harmonics for s in (h.first, h.second)],
         periods=enumeration([f"${notation.latex(2 * sp.pi / h.frequency)}$" for h in harmonics]),
         kept=enumeration([f"${notation.latex(h.invariant)}$" for h in harmonics]),
-        one=len(harmonics) == 1,
     )

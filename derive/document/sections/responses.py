@@ -106,7 +106,7 @@ def _definitions(
         $$
         @polynomials
         $$
-        the response $@h_{j}$ is the inverse Laplace transform of $1/@chi_{j}(@s)$[several:  and
+        the response $@h_{j}$ is the inverse Laplace transform of $1/@chi_{j}(@s)$ [several: and
         $@h_{jk}$, that of $1/(@chi_{j}(@s)\,@chi_{k}(@s))$, is the convolution of $@h_{j}$ and
         $@h_{k}$; of more factors likewise]. At the time 0 they vanish with all derivatives but the
         last before their order, which is 1. They have no singularity where roots of the factors

@@ -34,7 +34,7 @@ def symmetry_section(view: View) -> list[Block]:
         The orbit is sought among those whose phases all do so. The conditions halfway replace those
         at the ends, which would contain each of them twice and make the equations singular.
 
-        The states at the ends of the phases[plus:  (a plus marks what is behind a reset)] then
+        The states at the ends of the phases [plus: (a plus marks what is behind a reset)] then
         follow from the start without any flow,
         $$
         @ends

@@ -63,9 +63,9 @@ def system_section(
     return compose(
         naming,
         r"""
-        The system is *@name*: @description. [second: Its state consists of the
-        position[many: s] @positions and the [many: velocities | velocity] @velocities, a prime
-        being the derivative by time. | Its state is @states. @forcing]
+        The system is *@system.name*: @description. [second_order: Its state consists of the
+        position[many positions: s] @positions and the [many positions: velocities | velocity]
+        @velocities, a prime being the derivative by time. | Its state is @system.states. @forcing]
 
         @table
 
@@ -80,11 +80,8 @@ def system_section(
         @substituted
         $$
         """,
-        name=system.name,
+        system=system,
         description=described.prose(system.description),
-        second=naming.second_order,
-        many=size > 1,
-        states=system.states,
         positions=positions,
         velocities=[
             f"${naming.notation.symbol(v)} = {naming.notation.symbol(x)}'$"

@@ -7,9 +7,10 @@ begins with ``##`` is a heading.
 
 ``@name`` inserts a value: text, an expression as LaTeX, a list, lines of a formula, or blocks. A
 relation shows, in the sense of `Line.shows`, the expression that is inserted on its right-hand
-side. ``[name: this | that]`` is the first text if the value is true, and otherwise the second.
-Names are those of the values that a section gives, or else attributes of what it describes, of
-its notation or its letters; ``@name.attribute`` goes on from there.
+side. ``[name: this | that]`` is the first text if the value is true, and otherwise the second;
+``[many name: this | that]`` the first if the value has more than one element. Names are those of
+the values that a section gives, or else attributes of what it describes, of its notation or its
+letters; ``@name.attribute`` goes on from there.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ __all__ = [
 
 _NAME = r"[a-z]+(?:[_.][a-z]+)*"
 _VALUE = re.compile(f"@({_NAME})")
-_CHOICE = re.compile(rf"\[({_NAME}):\s?([^\[\]]*?)(?:\s?(?<!\S)\| ([^\[\]]*))?\]")
+_CHOICE = re.compile(rf"\[(many\s+)?({_NAME}):\s?([^\[\]]*?)(?:\s?(?<!\S)\|\s([^\[\]]*))?\]")
 _RELATION = re.compile(r"(?:(.*?)\s*&(=|\\to)\s+)?(.*)")
 _TAG = re.compile(r"\\tag\{(.*?)\}\s*(.*)")
 
@@ -87,8 +88,14 @@ class _Filling:
         text, before = cleandoc(template), ""
         while text != before:
             before = text
-            text = _CHOICE.sub(lambda c: (c[2] if self.value(c[1]) else c[3]) or "", text)
+            text = _CHOICE.sub(self.choice, text)
         return text
+
+    def choice(self, match: re.Match[str]) -> str:
+        """The text that applies."""
+        many, name, this, that = match.groups()
+        value = self.value(name)
+        return str((this if (len(value) > 1 if many else value) else that) or "")
 
     def inserted(self, text: str) -> str:
         """Text with the values in it."""

@@ -36,9 +36,9 @@ def energy_section(view: View) -> list[Block]:
     return compose(
         view,
         r"""
-        No coordinate is held, nothing damps, and the matrices are symmetric: inside [several: each
-        configuration the energy is constant. With its constant chosen for each configuration, | the
-        configuration the energy is constant,]
+        No coordinate is held, nothing damps, and the matrices are symmetric: inside [many energies:
+        each configuration the energy is constant. With its constant chosen for each configuration,
+        | the configuration the energy is constant,]
         $$
         @energies
         $$
@@ -50,7 +50,6 @@ def energy_section(view: View) -> list[Block]:
         $J$ at least once: the trivial multiplier of the family of orbits in which the energy
         varies.
         """,
-        several=len(energies) > 1,
         energies=[
             Line(
                 f"2 {_letter(name)}",
@@ -116,7 +115,7 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
     return compose(
         view,
         """
-        [lines: At the [one: transition | transitions] it changes by]
+        [lines: At the [many lines: transitions | transition] it changes by]
         $$
         @lines
         $$
@@ -125,7 +124,6 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
         [continuous: At @continuous it does not change.]
         """,
         lines=lines,
-        one=len(lines) == 1,
         required=[f"${notation.symbol(p)} = {notation.latex(v)}$" for p, v in required.items()],
         places=list(dict.fromkeys(places)),
         continuous=continuous,
@@ -284,8 +282,8 @@ def _slope(view: View) -> list[Block]:
         q &= @start
         Q &= @reduction.image
         $$
-        Both are functions of $@x$, [others: since @others [one: follows | follow] from @where, here
-        $F = 0$. By implicit differentiation, with $y = @y$, | so that]
+        Both are functions of $@x$, [others: since @others [many others: follow | follows] from
+        @where, here $F = 0$. By implicit differentiation, with $y = @y$, | so that]
         $$
         \operatorname{tr} J = \frac{\mathrm{d} Q}{\mathrm{d} q} &= \frac{\partial_{@x} Q[others:  - \partial_{y} Q\, \left(\partial_{y} F\right)^{-1} \partial_{@x} F]}{\partial_{@x} q}.
         $$
@@ -300,7 +298,6 @@ def _slope(view: View) -> list[Block]:
         start=symbol(reduction.start),
         x=symbol(first),
         others=others,
-        one=len(others) == 1,
         where=[f"({view.label('The reduction', i)})" for i in range(len(others))],
         y=", ".join(map(symbol, others)),
         trace=trace,
@@ -334,7 +331,7 @@ def _derivatives(
             blocks += compose(
                 naming,
                 """
-                [by: The derivatives by $@by$[fixed:  at fixed @fixed] | Further], stage by stage:
+                [by: The derivatives by $@by$ [fixed: at fixed @fixed] | Further], stage by stage:
                 $$
                 @lines
                 $$
@@ -371,7 +368,7 @@ def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
         \operatorname{tr} J &= @trace
         [shown: J &= \left(\begin{matrix}@rows\end{matrix}\right)]
         $$
-        [size: and the multiplier[one: | s] @multipliers.]
+        [size: and the multiplier[many multipliers: s] @multipliers.]
         """,
         # decimals stay as they are declared
         given=[
@@ -385,7 +382,6 @@ def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
         shown=1 < size <= _LARGEST,
         rows=r"\\".join(rows),
         size=size,
-        one=size == 1,
         multipliers=[f"${_number(m)}$" for m in orbit.multipliers],
     )
 

@@ -74,7 +74,7 @@ def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> li
         cycle,
         r"""
         Transition @place, from *@passing.transition.source* by *@passing.boundary.name* to
-        *@passing.transition.target*[distinct: |  (behind phase[several: s] @phases)]:
+        *@passing.transition.target* [distinct: | (behind phase[many phases: s] @phases)]:
         $$
         @normal_{@place} &= @gradient,\qquad
             @constant_{@place} = @offset
@@ -87,7 +87,6 @@ def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> li
         """,
         place=place,
         passing=passing,
-        several=len(passing.phases) > 1,
         phases=[str(k) for k in passing.phases],
         gradient=naming.notation.latex(passing.normal),
         offset=naming.notation.latex(naming.notation.tidy(passing.constant)),

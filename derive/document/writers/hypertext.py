@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from html import escape
 
-from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.layout import notes_beside, rows
+from nonsmooth.derive.document.blocks import (
+    Block,
+    Document,
+    Formula,
+    Heading,
+    Paragraph,
+    Table,
+    notes_beside,
+)
+from nonsmooth.derive.document.layout import marked
 from nonsmooth.derive.document.writers.mathml import mathml
 
 __all__ = ["to_html"]
@@ -34,7 +41,6 @@ table { border-collapse: collapse; font-size: 0.95rem; }
 th, td { border-bottom: 1px solid #8886; padding: 0.3rem 0.8rem 0.3rem 0; text-align: left;
   vertical-align: baseline; }
 """
-_MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
 def to_html(document: Document) -> str:
@@ -67,33 +73,28 @@ class _Page:
 
     def group(self, group: Sequence[Block]) -> str:
         """HTML of one block, or of consecutive numbered formulas."""
-        formulas = [b for b in group if isinstance(b, Formula)]
-        beside = notes_beside(formulas)
-        return "\n".join(
-            self.formula(b, beside=beside) if isinstance(b, Formula) else self.block(b)
-            for b in group
-        )
+        beside = notes_beside([b for b in group if isinstance(b, Formula)])
+        return "\n".join(self.block(b, beside=beside) for b in group)
 
-    def block(self, block: Heading | Paragraph | Table) -> str:
-        """HTML of one block that is no formula."""
+    def block(self, block: Block, *, beside: bool) -> str:
+        """HTML of one block; the note of a formula stands `beside` it, or else above."""
         if isinstance(block, Heading):
             return f"<h{block.level + 1}>{self.text(block.numbered)}</h{block.level + 1}>"
         if isinstance(block, Paragraph):
             return f"<p>{self.text(block.text)}</p>"
-        return self.table(block)
+        return self.formula(block, beside) if isinstance(block, Formula) else self.table(block)
 
-    def formula(self, formula: Formula, *, beside: bool) -> str:
-        """HTML of a formula's rows, aligned at their signs, in a box that scrolls by itself.
-
-        The note stands `beside` it, or else above.
-        """
+    def formula(self, formula: Formula, beside: bool) -> str:
+        """HTML of a formula's rows, aligned at their signs, in a box that scrolls by itself."""
         cells = "".join(
             f"<mtr><mtd>{self.math(left)}</mtd><mtd>{self.math(right)}</mtd></mtr>"
-            for left, right in rows(formula.lines)
+            for left, right in formula.rows
         )
-        note = self.text(formula.note) if formula.note else ""
-        above = f"<p>{note[:1].upper()}{note[1:]}:</p>\n" if note and not beside else ""
-        note = f'<span class="note">{note}</span>' if note and beside else ""
+        above = note = ""
+        if formula.note and beside:
+            note = f'<span class="note">{self.text(formula.note)}</span>'
+        elif formula.note:
+            above = f"<p>{self.text(formula.lead)}</p>\n"
         label = f'<span class="number">({escape(formula.label)})</span>' if formula.label else ""
         kind = "formula noted" if note else "formula"
         return (
@@ -113,13 +114,11 @@ class _Page:
     def text(self, text: str) -> str:
         """HTML of text with formulas and emphasis."""
         found = []
-        for part in _MARKS.split(text):
-            if part.startswith("$") and len(part) > 1:
-                found.append(f"<math>{self.math(part[1:-1])}</math>")
-            elif part.startswith("*") and len(part) > 1:
-                found.append(f"<em>{escape(part[1:-1])}</em>")
+        for mark, part in marked(text):
+            if mark == "$":
+                found.append(f"<math>{self.math(part)}</math>")
             else:
-                found.append(escape(part))
+                found.append(f"<em>{escape(part)}</em>" if mark else escape(part))
         return "".join(found)
 
     def math(self, latex: str) -> str:

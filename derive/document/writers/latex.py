@@ -11,8 +11,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.layout import notes_beside, rows, text_width
+from nonsmooth.derive.document.blocks import (
+    Block,
+    Document,
+    Formula,
+    Heading,
+    Paragraph,
+    Table,
+    notes_beside,
+)
+from nonsmooth.derive.document.layout import marked, text_width
 
 __all__ = ["LatexMissing", "compile_pdf", "to_latex"]
 
@@ -52,7 +60,6 @@ _ROOM = 6
 _LONG = 14
 # rows of one relation that stay on one page
 _TOGETHER = 18
-_MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
 class LatexMissing(RuntimeError):
@@ -105,19 +112,15 @@ def _group(group: Sequence[Block]) -> str:
         # equations in a row are aligned with each other
         return _aligned(formulas)
     return "\n".join(
-        (f"\n{_text(_sentence(f.note))}:\n" if f.note else "") + _aligned([replace(f, note=None)])
+        (f"\n{_text(f.lead)}\n" if f.note else "") + _aligned([replace(f, note=None)])
         for f in formulas
     )
-
-
-def _sentence(note: str) -> str:
-    return note[:1].upper() + note[1:]
 
 
 def _aligned(formulas: Sequence[Formula]) -> str:
     found: list[str] = []
     for formula in formulas:
-        broken = [f"{left} &{right}" for left, right in rows(formula.lines)]
+        broken = [f"{left} &{right}" for left, right in formula.rows]
         broken[-1] += rf" && \text{{{_text(formula.note)}}}" if formula.note else ""
         broken[-1] += rf" \tag{{{formula.label}}}" if formula.label else ""
         found += broken
@@ -166,18 +169,13 @@ def _table(table: Table) -> str:
 def _text(text: str) -> str:
     """LaTeX of text with formulas and emphasis, special characters escaped outside formulas."""
     found = []
-    for part in _MARKS.split(text):
-        if part.startswith("$") and part.endswith("$") and len(part) > 1:
-            found.append(part)
-        elif part.startswith("*") and part.endswith("*") and len(part) > 1:
-            found.append(rf"\emph{{{_escaped(part[1:-1])}}}")
+    for mark, part in marked(text):
+        if mark == "$":
+            found.append(f"${part}$")
         else:
-            found.append(_escaped(part))
+            words = "".join(_SPECIAL.get(c, c) for c in part)
+            found.append(rf"\emph{{{words}}}" if mark else words)
     return "".join(found)
-
-
-def _escaped(text: str) -> str:
-    return "".join(_SPECIAL.get(c, c) for c in text)
 
 
 def compile_pdf(latex: str) -> bytes:

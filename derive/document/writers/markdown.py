@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
-from nonsmooth.derive.document.layout import rows
 
 __all__ = ["to_markdown"]
 
@@ -20,10 +19,9 @@ def _block(block: Block) -> str:
     if isinstance(block, Paragraph):
         return block.text
     if isinstance(block, Formula):
-        body = " \\\\\n".join(f"{left} &{right}" for left, right in rows(block.lines))
         tag = f" \\tag{{{block.label}}}" if block.label else ""
-        lead = f"{block.note[:1].upper()}{block.note[1:]}:\n\n" if block.note else ""
-        return f"{lead}$$\n\\begin{{aligned}}\n{body}\n\\end{{aligned}}{tag}\n$$"
+        lead = f"{block.lead}\n\n" if block.note else ""
+        return f"{lead}$$\n{block.latex}{tag}\n$$"
     lines = [block.header, tuple("---" for _ in block.header), *block.rows]
     return "\n".join(
         f"| {' | '.join(cell.replace('|', '&#124;') for cell in row)} |" for row in lines
