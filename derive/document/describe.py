@@ -12,8 +12,8 @@ from contextlib import suppress
 from typing import Any
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
+from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.blocks import (
     Block,
     Document,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.contact_law import ContactLaw
+from nonsmooth.derive.declaration.transition import ContactLaw
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.notation.wording import Naming
 
