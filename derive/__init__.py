@@ -93,8 +93,7 @@ _HOMES = {
         "SoftStop",
         "Terms",
     ),
-    "building.matrices": ("chain_matrices",),
-    "building.matrix_files": ("read_matrices",),
+    "building.matrices": ("chain_matrices", "read_matrices"),
     "building.oscillator": ("oscillator",),
     "building.reduction": ("ReducedStructure", "reduce_structure"),
     "declaration.configuration": (

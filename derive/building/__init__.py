@@ -3,8 +3,7 @@
 ====================  =========================================================
 `oscillator`          the one function: matrices and elements to a System
 `elements`            RigidStop, SoftStop, Friction, Slider, Regions, Harmonic
-`matrices`            the matrices of a chain of masses; arrays of doubles
-`matrix_files`        matrices from files of other programs
+`matrices`            matrices of a chain of masses, as arrays of doubles, in files
 `reduction`           large structures reduced to kept coordinates and modes
 `structure_matrices`  their checked matrices, and lowest modes
 `frame`               coordinates, states and parameters by name
@@ -29,8 +28,7 @@ from nonsmooth.derive.building.elements import (
     SoftStop,
     Terms,
 )
-from nonsmooth.derive.building.matrices import chain_matrices
-from nonsmooth.derive.building.matrix_files import read_matrices
+from nonsmooth.derive.building.matrices import chain_matrices, read_matrices
 from nonsmooth.derive.building.oscillator import oscillator
 from nonsmooth.derive.building.reduction import ReducedStructure, reduce_structure
 

@@ -10,7 +10,7 @@ import sympy as sp
 from nonsmooth.derive.building.assembly import Assembly, Regimes
 from nonsmooth.derive.building.parts import FrictionPart, Holder, StopPart
 from nonsmooth.derive.building.resting import pins, unsettled
-from nonsmooth.derive.declaration.contact_law import ContactLaw, LawContact
+from nonsmooth.derive.declaration.transition import ContactLaw, LawContact
 
 __all__ = ["contact_law"]
 

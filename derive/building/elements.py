@@ -194,8 +194,8 @@ class Friction:
     returns it slips, overshoots, or, at r = 0, sticks if it can. A positive constant load adds
     no configuration, nor does a `falling` that is not positive. At r = 0 a contact sticks if it
     can. Contacts that the mass matrix couples are decided together, by one law: see
-    `nonsmooth.derive.declaration.contact_law`. An impact acts on no friction; behind it the
-    velocities that have jumped, and a load that depends on them, tell the regime.
+    `nonsmooth.derive.declaration.transition.ContactLaw`. An impact acts on no friction; behind it
+    the velocities that have jumped, and a load that depends on them, tell the regime.
 
     Boundaries ``NAME-reaches-belt`` (of `slip` and `overshoot`), ``NAME-breaks-forward`` and
     ``NAME-breaks-backward`` (of `stick`; forward into `slip`); ``NAME-exhausts`` (of `slip` and

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
-from functools import cached_property, update_wrapper
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from functools import cached_property, wraps
+from typing import Any, TypeVar, cast
 
 import sympy as sp
 
@@ -13,6 +13,7 @@ from nonsmooth.derive.building.elements import Direction, RigidStop
 from nonsmooth.derive.building.matrices import is_array, square, values_of_doubles
 from nonsmooth.derive.declaration.algebra import (
     affine_terms,
+    along,
     cancel,
     frozen,
     inverse,
@@ -22,30 +23,27 @@ from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
 from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Frame", "along", "inferred_parameters", "remembered"]
+__all__ = ["Frame", "inferred_parameters", "remembered"]
 
 _LISTED = 12
-_Arguments = ParamSpec("_Arguments")
-_Result = TypeVar("_Result")
+_Method = TypeVar("_Method", bound=Callable[..., Any])
 
 
-def remembered(
-    method: Callable[Concatenate[Any, _Arguments], _Result],
-) -> Callable[Concatenate[Any, _Arguments], _Result]:
+def remembered(method: _Method) -> _Method:
     """The method with its results stored in the object, one for each tuple of arguments.
 
     Unlike `functools.cache` it does not keep its objects alive.
     """
     place = f"_remembered_{method.__name__}"
 
-    def call(owner: Any, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Result:
-        known: dict[Any, _Result] = owner.__dict__.setdefault(place, {})
-        key = (args, tuple(kwargs.items()))
-        if key not in known:
-            known[key] = method(owner, *args, **kwargs)
-        return known[key]
+    @wraps(method)
+    def call(owner: Any, *args: Any) -> Any:
+        known = owner.__dict__.setdefault(place, {})
+        if args not in known:
+            known[args] = method(owner, *args)
+        return known[args]
 
-    return update_wrapper(call, method)
+    return cast(_Method, call)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,11 +176,6 @@ class Frame:
         if is_positive(expression, self.parameters):
             return 1
         return -1 if is_positive(-expression, self.parameters) else None
-
-
-def along(row: sp.Matrix, values: Sequence[sp.Expr]) -> sp.Expr:
-    """Sum of the values, weighted by the entries of a row."""
-    return sp.Add(*(weight * values[j] for (_, j), weight in row.todok().items()))
 
 
 def inferred_parameters(

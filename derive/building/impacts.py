@@ -16,8 +16,7 @@ from itertools import chain, combinations, compress, permutations, product
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes, changed
-from nonsmooth.derive.building.frame import along
-from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.algebra import along, cancel
 from nonsmooth.derive.declaration.transition import Condition
 
 __all__ = ["impacts"]

@@ -18,8 +18,8 @@ from nonsmooth.derive.building.frame import Frame, inferred_parameters
 from nonsmooth.derive.building.growing import GrowingSystem, is_large, whole
 from nonsmooth.derive.building.matrices import square
 from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
-from nonsmooth.derive.declaration.names import check_unique
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.soundness import check_unique
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DeclarationError
 

@@ -10,13 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from nonsmooth.derive.building.structure_matrices import (
+    Factor,
     Structure,
     checked_structure,
-    general_solve,
     lowest_modes,
-    solver,
 )
-from nonsmooth.derive.declaration.names import check_unique
+from nonsmooth.derive.declaration.soundness import check_unique
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["ReducedStructure", "reduce_structure"]
@@ -224,7 +223,7 @@ def _craig_bampton(structure: Structure, kept: Sequence[int], count: int) -> _Re
     transformation[list(kept), range(held)] = 1
     inner = stiffness[others][:, others]
     if held and len(others):
-        factor = solver(inner)
+        factor = Factor(inner)
         if not factor.positive_definite:
             raise DeclarationError(
                 "stiffness is not positive definite where all kept coordinates are held: keep"
@@ -275,6 +274,7 @@ def _residual(structure: Structure, kept: Sequence[int], squares: Array, shapes:
     Where the structure moves as a rigid body the forces are balanced by its inertia.
     """
     from scipy.sparse import bmat, csc_array
+    from scipy.sparse.linalg import splu
 
     mass, stiffness, _ = structure
     size = mass.shape[0]
@@ -287,9 +287,9 @@ def _residual(structure: Structure, kept: Sequence[int], squares: Array, shapes:
     if rigid.shape[1]:
         bordered = csc_array(bmat([[stiffness, weighted], [weighted.T, None]]))
         padded = np.vstack([balanced, np.zeros((rigid.shape[1], len(kept)))])
-        answers = general_solve(bordered, padded)[:size]
+        answers = splu(bordered).solve(padded)[:size]
     else:
-        factor = solver(stiffness)
+        factor = Factor(stiffness)
         if not factor.positive_definite:
             raise DeclarationError(
                 "stiffness is not positive definite, and motions as a rigid body are not among"

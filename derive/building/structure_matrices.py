@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Structure", "checked_structure", "general_solve", "lowest_modes", "solver"]
+__all__ = ["Factor", "Structure", "checked_structure", "lowest_modes"]
 
 Array = npt.NDArray[np.float64]
 
@@ -36,7 +36,7 @@ def checked_structure(mass: Any, stiffness: Any, damping: Any) -> Structure:
 
     checked = _checked(mass, "mass", None)
     size = checked.shape[0]
-    if not _is_positive_definite(checked):
+    if not Factor(checked).positive_definite:
         raise DeclarationError("mass is not positive definite")
     return Structure(
         checked,
@@ -71,17 +71,18 @@ def _checked(given: Any, what: str, size: int | None) -> Any:
     return csc_array((matrix + matrix.T) / 2)
 
 
-class _Factor:
-    """The factors of a symmetric matrix, which also show whether it is positive definite."""
+class Factor:
+    """The factors of a symmetric sparse matrix, which also show whether it is positive definite."""
 
     def __init__(self, matrix: Any) -> None:
+        from scipy.sparse import csc_array
         from scipy.sparse.linalg import splu
 
         self.positive_definite = False
         try:
             # without exchange of rows the pivots are those of L D L': their signs are its inertia
             self._factor = splu(
-                matrix,
+                csc_array(matrix),
                 permc_spec="MMD_AT_PLUS_A",
                 diag_pivot_thresh=0.0,
                 options={"SymmetricMode": True},
@@ -97,24 +98,6 @@ class _Factor:
     def __call__(self, right: Array) -> Array:
         """Solutions (n, k) of the linear equations with k right-hand sides."""
         return np.asarray(self._factor.solve(np.ascontiguousarray(right)))
-
-
-def solver(matrix: Any) -> _Factor:
-    """The factors of a symmetric sparse matrix."""
-    from scipy.sparse import csc_array
-
-    return _Factor(csc_array(matrix))
-
-
-def general_solve(matrix: Any, right: Array) -> Array:
-    """Solution of linear equations whose sparse matrix may be indefinite."""
-    from scipy.sparse.linalg import splu
-
-    return np.asarray(splu(matrix).solve(right))
-
-
-def _is_positive_definite(matrix: Any) -> bool:
-    return solver(matrix).positive_definite
 
 
 def lowest_modes(stiffness: Any, mass: Any, count: int) -> tuple[Array, Array]:
@@ -136,7 +119,7 @@ def lowest_modes(stiffness: Any, mass: Any, count: int) -> tuple[Array, Array]:
     else:
         # below zero, so that a structure that moves as a rigid body can be solved as well
         shift = -1e-6 * stiffness.diagonal().sum() / mass.diagonal().sum()
-        factor = solver(stiffness - shift * mass)
+        factor = Factor(stiffness - shift * mass)
         squares, modes = eigsh(
             stiffness,
             k=count,

@@ -15,8 +15,8 @@ from nonsmooth.derive.codegen.kernels import (
 )
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.translation import moves_freely
 from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.equations.equation_system import EquationSystem, frequencies_of
 from nonsmooth.derive.equations.program import Kernel

@@ -24,9 +24,9 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.contact_law import ContactLaw
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import ContactLaw
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 from nonsmooth.derive.flows.modes import Mode, modes_of

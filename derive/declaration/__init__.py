@@ -2,18 +2,16 @@
 
 ===============  ==============================================================
 `algebra`        normal forms of rational expressions
+`real_numbers`   irrational numbers: whether they are real, and their texts
 `parameter`      parameters with domains; what is positive on a whole domain
-`names`          names that a declaration may give, each once
 `dynamics`       the linear motion inside a configuration
 `configuration`  Boundary, Configuration, Contact: one linear regime and where it ends
-`transition`     Condition, Transition: what happens there
-`contact_law`    contacts that the mass matrix couples, as data
-`system`         System: all of these together
-`soundness`      what a system must not be: endings, dead transitions, wrong landings
+`transition`     Condition, Transition: what happens there; the law of coupled contacts
+`system`         System: all of these together, and a hash that equal ones share
+`soundness`      what a system must not be: wrong names and sizes, endings, wrong landings
 `presentation`   Presentation: coordinates and parameters of an orbit's equations
 `itinerary`      Itinerary: the phases of an orbit
-`unfolding`      the whole of an orbit that is declared by a part and a symmetry
-`translation`    directions along which nothing changes, as the angle of a rotor
-`fingerprint`    a hash that equal declarations share
+`source`         Source: the publication that an orbit is taken from
+`symmetry`       directions along which nothing changes; orbits declared by a part
 ===============  ==============================================================
 """

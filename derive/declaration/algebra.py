@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 from functools import lru_cache
 
 import numpy as np
@@ -10,6 +10,7 @@ import sympy as sp
 
 __all__ = [
     "affine_terms",
+    "along",
     "cancel",
     "factor",
     "frozen",
@@ -57,6 +58,11 @@ def affine_terms(
                 found.setdefault(symbol, []).append(sp.diff(term, symbol))
             rest.append(term.xreplace(dict.fromkeys(here, sp.S.Zero)))
     return {s: sp.Add(*parts) for s, parts in found.items()}, sp.Add(*rest)
+
+
+def along(row: sp.Matrix, values: Sequence[sp.Expr]) -> sp.Expr:
+    """Sum of the values, weighted by the entries of a row."""
+    return sp.Add(*(weight * values[j] for (_, j), weight in row.todok().items()))
 
 
 def is_affine(function: sp.Expr, states: Set[sp.Symbol]) -> bool:

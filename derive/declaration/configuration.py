@@ -9,8 +9,8 @@ from types import MappingProxyType
 import sympy as sp
 
 from nonsmooth.derive.declaration.dynamics import Dynamics
-from nonsmooth.derive.declaration.names import check_unique
-from nonsmooth.derive.declaration.parameter import exact
+from nonsmooth.derive.declaration.parameter import exact, set_fields
+from nonsmooth.derive.declaration.soundness import check_unique, named
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Boundary", "Configuration", "Contact"]
@@ -37,7 +37,7 @@ class Boundary:
     acts_when: str = "exceeded"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "function", exact(self.function))
+        set_fields(self, function=exact(self.function))
         if self.acts_when not in ("reached", "exceeded"):
             raise DeclarationError(
                 f"boundary {self.name!r}: acts_when is {self.acts_when!r},"
@@ -65,8 +65,11 @@ class Configuration:
     constraints: tuple[sp.Expr, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "boundaries", tuple(self.boundaries))
-        object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
+        set_fields(
+            self,
+            boundaries=tuple(self.boundaries),
+            constraints=tuple(map(exact, self.constraints)),
+        )
         check_unique([b.name for b in self.boundaries], f"boundary of configuration {self.name!r}")
 
     def boundary(self, name: str) -> Boundary:
@@ -85,13 +88,7 @@ class Configuration:
         DeclarationError
             If this configuration has no boundary of that name.
         """
-        for boundary in self.boundaries:
-            if boundary.name == name:
-                return boundary
-        known = ", ".join(b.name for b in self.boundaries)
-        raise DeclarationError(
-            f"configuration {self.name!r} has no boundary {name!r} (it has: {known})"
-        )
+        return named(self.boundaries, name, f"configuration {self.name!r} has no boundary")
 
 
 @dataclass(frozen=True)
@@ -117,7 +114,10 @@ class Contact:
     surface: sp.Expr = sp.S.Zero
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "velocity", exact(self.velocity))
-        object.__setattr__(self, "surface", exact(self.surface))
         forces = {name: exact(force) for name, force in self.forces.items()}
-        object.__setattr__(self, "forces", MappingProxyType(forces))
+        set_fields(
+            self,
+            velocity=exact(self.velocity),
+            surface=exact(self.surface),
+            forces=MappingProxyType(forces),
+        )

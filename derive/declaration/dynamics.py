@@ -15,7 +15,7 @@ from nonsmooth.derive.declaration.algebra import (
     is_surely_positive_definite,
     symbols_of,
 )
-from nonsmooth.derive.declaration.parameter import check_finite, exact
+from nonsmooth.derive.declaration.parameter import check_finite, exact, set_fields
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Dynamics", "FirstOrder", "SecondOrder"]
@@ -54,17 +54,17 @@ class SecondOrder:
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
         if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
-        for attribute, value in (
-            ("mass", mass),
-            ("stiffness", stiffness),
-            ("damping", damping),
-            ("load", load),
-        ):
-            object.__setattr__(self, attribute, frozen(value))
         held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
         for symbol, velocity in held.items():
             check_finite(velocity, f"held velocity of {symbol}")
-        object.__setattr__(self, "held", sp.Dict(held))
+        set_fields(
+            self,
+            mass=frozen(mass),
+            stiffness=frozen(stiffness),
+            damping=frozen(damping),
+            load=frozen(load),
+            held=sp.Dict(held),
+        )
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
         """Find which coordinates are held.
@@ -117,40 +117,25 @@ class SecondOrder:
             frozen(sp.Matrix.from_dok(whole, 1, offset)),
         )
 
-    def shifted(self, origin: sp.Matrix) -> SecondOrder:
-        """Write the same motion in coordinates ``z = x - origin``.
-
-        Parameters
-        ----------
-        origin : column (n,)
-            In the old coordinates.
-
-        Returns
-        -------
-        SecondOrder
-        """
-        load = (self.load - self.stiffness * origin).applyfunc(cancel)
-        return SecondOrder(self.mass, self.stiffness, tuple(load), self.damping, self.held)
-
-    def substituted(self, values: Mapping[sp.Symbol, sp.Expr]) -> SecondOrder:
-        """Write the same motion with symbols replaced.
+    def substituted(self, values: Mapping[sp.Symbol, sp.Expr], origin: sp.Matrix) -> SecondOrder:
+        """Write the same motion with symbols replaced, in coordinates ``z = x - origin``.
 
         Parameters
         ----------
         values : mapping of symbol to expression
             What is put in place of each symbol.
+        origin : column (n,)
+            In the old coordinates, with the symbols replaced.
 
         Returns
         -------
         SecondOrder
         """
-        return SecondOrder(
-            self.mass.subs(values),
-            self.stiffness.subs(values),
-            tuple(self.load.subs(values)),
-            self.damping.subs(values),
-            {s.subs(values): v.subs(values) for s, v in self.held.items()},
-        )
+        stiffness = self.stiffness.subs(values)
+        load = (self.load.subs(values) - stiffness * origin).applyfunc(cancel)
+        held = {s.subs(values): v.subs(values) for s, v in self.held.items()}
+        damping = self.damping.subs(values)
+        return SecondOrder(self.mass.subs(values), stiffness, tuple(load), damping, held)
 
     def free_symbols(self) -> set[sp.Symbol]:
         """Give the symbols of the matrices, the load and the held velocities.
@@ -191,8 +176,7 @@ class FirstOrder:
             raise DeclarationError(
                 f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
             )
-        object.__setattr__(self, "matrix", frozen(matrix))
-        object.__setattr__(self, "offset", frozen(offset))
+        set_fields(self, matrix=frozen(matrix), offset=frozen(offset))
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
         """Give the matrix A and the offset b of ``y' = A y + b``.

@@ -10,9 +10,9 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.names import check_name
-from nonsmooth.derive.declaration.parameter import Parameter, exact
+from nonsmooth.derive.declaration.parameter import Parameter, exact, set_fields
 from nonsmooth.derive.declaration.presentation import Presentation
+from nonsmooth.derive.declaration.soundness import check_name
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
@@ -57,9 +57,11 @@ class Reference:
     guess: Mapping[str, str]
 
     def __post_init__(self) -> None:
-        for name in ("parameters", "guess"):
-            texts = {key: str(value) for key, value in getattr(self, name).items()}
-            object.__setattr__(self, name, texts)
+        set_fields(
+            self,
+            parameters={key: str(value) for key, value in self.parameters.items()},
+            guess={key: str(value) for key, value in self.guess.items()},
+        )
 
 
 @dataclass(frozen=True)
@@ -132,14 +134,15 @@ class Itinerary:
 
     def __post_init__(self) -> None:
         phases = tuple(p if isinstance(p, Phase) else Phase(*p) for p in self.phases)
-        object.__setattr__(self, "phases", phases)
-        object.__setattr__(self, "start", dict(self.start))
-        reversor = {s: exact(e) for s, e in self.reversor.items()}
-        object.__setattr__(self, "reversor", sp.Dict(reversor))
-        images = {s: exact(e) for s, e in self.symmetry.items()}
-        object.__setattr__(self, "symmetry", sp.Dict(images))
-        for attribute in ("vanishing", "solved_for"):
-            object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
+        set_fields(
+            self,
+            phases=phases,
+            start=dict(self.start),
+            reversor=sp.Dict({s: exact(e) for s, e in self.reversor.items()}),
+            vanishing=tuple(self.vanishing),
+            solved_for=tuple(self.solved_for),
+            symmetry=sp.Dict({s: exact(e) for s, e in self.symmetry.items()}),
+        )
         check_name(self.name, "itinerary")
         if not phases:
             raise DeclarationError(f"itinerary {self.name!r} has no phases")
@@ -149,7 +152,7 @@ class Itinerary:
         for phase, following in zip(phases, phases[1:] + phases[:1], strict=True):
             self.system.configuration(phase.configuration).boundary(phase.boundary)
             self.system.configuration(following.configuration)
-            if phase is phases[-1] and images:
+            if phase is phases[-1] and self.symmetry:
                 continue  # it leads to the image of the first
             self.system.transition(phase.configuration, phase.boundary, following.configuration)
 

@@ -12,7 +12,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.real_numbers import settled
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Parameter", "check_finite", "exact", "is_positive", "is_rational"]
+__all__ = ["Parameter", "check_finite", "exact", "is_positive", "is_rational", "set_fields"]
 
 
 def exact(expression: Any) -> Any:
@@ -23,6 +23,12 @@ def exact(expression: Any) -> Any:
     expression = sp.sympify(expression)
     floats = expression.atoms(sp.Float)
     return settled(expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats}))
+
+
+def set_fields(record: object, **values: Any) -> None:
+    """Replace fields of a frozen record while it is made."""
+    for name, value in values.items():
+        object.__setattr__(record, name, value)
 
 
 def check_finite(expression: sp.Expr, where: str) -> None:
@@ -66,21 +72,19 @@ class Parameter:
     upper_closed: bool = False
 
     def __post_init__(self) -> None:
-        for end in ("lower", "upper"):
-            try:
-                object.__setattr__(self, end, exact(getattr(self, end)))
-            except DeclarationError:
-                raise DeclarationError(
-                    f"parameter {self.name}: the end {getattr(self, end)} of its domain is not a"
-                    " real number"
-                ) from None
         if not self.name.isidentifier() or iskeyword(self.name):
             raise DeclarationError(f"parameter name {self.name!r} is not an identifier")
-        for end in (self.lower, self.upper):
-            if not (end.is_number and end.is_extended_real):
+        for end in ("lower", "upper"):
+            given = getattr(self, end)
+            try:
+                value = exact(given)
+            except DeclarationError:
+                value = sp.nan
+            if not (value.is_number and value.is_extended_real):
                 raise DeclarationError(
-                    f"parameter {self.name}: the end {end} of its domain is not a real number"
+                    f"parameter {self.name}: the end {given} of its domain is not a real number"
                 )
+            set_fields(self, **{end: value})
         if not self.lower < self.upper:
             raise DeclarationError(f"parameter {self.name}: the domain is empty")
 
@@ -88,12 +92,9 @@ class Parameter:
     def symbol(self) -> sp.Symbol:
         """Symbol that carries as much of the domain as SymPy's assumptions can."""
         if self.lower >= 0:
-            zero_allowed = self.closed and self.lower == 0
-            return (
-                sp.Symbol(self.name, nonnegative=True)
-                if zero_allowed
-                else sp.Symbol(self.name, positive=True)
-            )
+            if self.closed and self.lower == 0:
+                return sp.Symbol(self.name, nonnegative=True)
+            return sp.Symbol(self.name, positive=True)
         return sp.Symbol(self.name, real=True)
 
     def unconstrained(self) -> sp.Expr:

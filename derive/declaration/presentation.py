@@ -9,11 +9,10 @@ from functools import cache
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter, exact
+from nonsmooth.derive.declaration.parameter import Parameter, exact, set_fields
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Condition, Transition
+from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Presentation"]
@@ -41,10 +40,12 @@ class Presentation:
     substitution: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "states", tuple(self.states))
-        object.__setattr__(self, "origin", tuple(map(exact, self.origin)))
-        substitution = {s: exact(e) for s, e in self.substitution.items()}
-        object.__setattr__(self, "substitution", sp.Dict(substitution))
+        set_fields(
+            self,
+            states=tuple(self.states),
+            origin=tuple(map(exact, self.origin)),
+            substitution=sp.Dict({s: exact(e) for s, e in self.substitution.items()}),
+        )
         if len(self.origin) != len(self.states):
             raise DeclarationError(
                 f"presentation has {len(self.states)} states but {len(self.origin)} origins"
@@ -89,48 +90,42 @@ class Presentation:
                     raise DeclarationError(
                         "presentation shifts a velocity, which a second-order motion cannot carry"
                     )
-                return old.substituted(values | names).shifted(origin[: old.mass.rows, :])
+                return old.substituted(values | names, origin[: old.mass.rows, :])
             matrix, offset = old.matrix.subs(values), old.offset.subs(values)
             return FirstOrder(matrix, (offset + matrix * origin).applyfunc(cancel))
 
-        replaced = set(values)
-        kept = tuple(p for p in system.parameters if p.symbol not in replaced)
+        def transition(old: Transition) -> Transition:
+            shifted = dict(zip(system.states, origin, strict=True))
+            return replace(
+                old,
+                conditions=tuple(replace(c, function=affine(c.function)) for c in old.conditions),
+                reset={names[s]: affine(e) - shifted[s] for s, e in old.reset.items()},
+            )
+
         return replace(
             system,
             states=self.states,
-            parameters=kept + self.parameters,
+            parameters=(
+                *(p for p in system.parameters if p.symbol not in values),
+                *self.parameters,
+            ),
             configurations=tuple(
-                Configuration(
-                    c.name,
-                    dynamics(c.dynamics),
-                    tuple(Boundary(b.name, affine(b.function), b.acts_when) for b in c.boundaries),
-                    tuple(map(affine, c.constraints)),
+                replace(
+                    c,
+                    dynamics=dynamics(c.dynamics),
+                    boundaries=tuple(replace(b, function=affine(b.function)) for b in c.boundaries),
+                    constraints=tuple(map(affine, c.constraints)),
                 )
                 for c in system.configurations
             ),
-            transitions=tuple(
-                Transition(
-                    t.source,
-                    t.boundaries,
-                    t.target,
-                    tuple(Condition(affine(c.function), c.along, c.holds) for c in t.conditions),
-                    {
-                        names[s]: affine(e) - o
-                        for (s, e), o in (
-                            (item, origin[system.states.index(item[0])]) for item in t.reset.items()
-                        )
-                    },
-                    t.order,
-                )
-                for t in system.transitions
-            ),
+            transitions=tuple(map(transition, system.transitions)),
             constraints=tuple(sp.expand(c.subs(values)) for c in system.constraints),
             contacts=tuple(
-                Contact(
-                    c.name,
-                    affine(c.velocity),
-                    {name: affine(force) for name, force in c.forces.items()},
-                    affine(c.surface),
+                replace(
+                    c,
+                    velocity=affine(c.velocity),
+                    forces={name: affine(force) for name, force in c.forces.items()},
+                    surface=affine(c.surface),
                 )
                 for c in system.contacts
             ),

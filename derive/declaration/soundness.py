@@ -1,38 +1,207 @@
-"""Mistakes in declarations that are well formed: each is refused where it can be proved.
+"""Mistakes in declarations: what does not fit together, and what cannot move as it is declared.
 
-What depends on the parameters is refused only if it is wrong on their whole domain.
+Each is refused where it can be proved. What depends on the parameters is refused only if it is
+wrong on their whole domain.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from functools import lru_cache
 from keyword import iskeyword
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import is_surely_positive_definite
+from nonsmooth.derive.declaration.algebra import (
+    along,
+    cancel,
+    is_affine,
+    is_surely_positive_definite,
+)
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.names import check_name
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.parameter import (
+    Parameter,
+    check_finite,
+    is_positive,
+    is_rational,
+)
 from nonsmooth.derive.errors import DeclarationError
 
 if TYPE_CHECKING:
-    from nonsmooth.derive.declaration.configuration import Configuration
+    from nonsmooth.derive.declaration.configuration import Boundary, Configuration
     from nonsmooth.derive.declaration.system import System
     from nonsmooth.derive.declaration.transition import Transition
 
-__all__ = ["check_soundness"]
+__all__ = ["check_name", "check_system", "check_unique", "named"]
+
+_Named = TypeVar("_Named", "Boundary", "Configuration")
 
 
-def check_soundness(system: System) -> None:
-    """Refuse a system that cannot move as it is declared.
+def check_name(name: str, what: str) -> None:
+    """Refuse a name that cannot be that of a file and a function.
 
-    DeclarationError refuses an unusable name, a mass that is not symmetric and positive
-    definite, a boundary without a transition, a transition that never applies, and a reset
-    that lands where its target is left already.
+    A name has letters, digits, hyphens and underscores, and begins with a letter;
+    DeclarationError refuses another one.
     """
+    plain = isinstance(name, str) and name.replace("-", "_")
+    if not plain or not plain.isidentifier() or iskeyword(plain) or plain.startswith("_"):
+        raise DeclarationError(
+            f"{what} {name!r} is no name: letters, digits and hyphens, a letter first"
+        )
+
+
+def check_unique(names: Sequence[str], what: str) -> None:
+    """Refuse, by DeclarationError, a name that occurs twice."""
+    for name in names:
+        if names.count(name) > 1:
+            raise DeclarationError(f"{what} {name!r} is declared twice")
+
+
+def named(records: Iterable[_Named], name: str, without: str) -> _Named:
+    """The record of a name; DeclarationError says what is without it, and which names there are."""
+    known = {record.name: record for record in records}
+    if name not in known:
+        raise DeclarationError(f"{without} {name!r} (it has: {', '.join(known)})")
+    return known[name]
+
+
+def check_system(system: System) -> None:
+    """Refuse a system whose parts do not fit, or that cannot move as it is declared.
+
+    DeclarationError refuses a wrong size, an unknown or unusable name, a function that is not
+    affine, a mass that is not symmetric and positive definite, a boundary without a transition,
+    a transition that never applies, and a reset that lands where its target is left already.
+    """
+    check_unique([c.name for c in system.configurations], "configuration")
+    for constraint in system.constraints:
+        where = f"constraint {constraint} >= 0"
+        check_finite(constraint, where)
+        _check_symbols(system, constraint.free_symbols, where, states_allowed=False)
+        if not is_rational(constraint):
+            raise DeclarationError(
+                f"{where} is no rational function of parameters with rational coefficients"
+            )
+    for configuration in system.configurations:
+        _check_configuration(system, configuration)
+    for transition in system.transitions:
+        _check_transition(system, transition)
+    check_unique([c.name for c in system.contacts], "contact")
+    for contact in system.contacts:
+        for name in contact.forces:
+            system.configuration(name)
+        for function in (*contact.forces.values(), contact.velocity, contact.surface):
+            _check_affine(system, function, f"contact {contact.name!r}")
+    for cosine, sine in system.forcing:
+        _check_forcing(system, cosine, sine)
+    _check_names(system)
+    for configuration in system.configurations:
+        _check_mass(configuration, system.parameters)
+    if system.transitions or system.law is not None:
+        _check_exits(system)
+        _check_order(system.transitions)
+        for transition in system.transitions:
+            _check_landing(system, transition)
+
+
+def _check_configuration(system: System, configuration: Configuration) -> None:
+    where = f"configuration {configuration.name!r}"
+    dynamics, size = configuration.dynamics, len(system.states)
+    if isinstance(dynamics, SecondOrder):
+        coordinates = dynamics.mass.rows
+        if 2 * coordinates != size:
+            raise DeclarationError(
+                f"{where}: mass is {coordinates} x {coordinates},"
+                f" but the system has {size} states ({size // 2} positions)"
+            )
+        for symbol in dynamics.held:
+            if symbol not in system.states[:coordinates]:
+                raise DeclarationError(f"{where}: held coordinate {symbol} is not a position")
+        held = dynamics.held_at(system.states)
+        free = [i for i in range(coordinates) if i not in held]
+        surely = is_surely_positive_definite(dynamics.mass)
+        if free and not surely and dynamics.mass.extract(free, free).det() == 0:
+            raise DeclarationError(f"{where}: mass of the free coordinates is singular")
+    elif dynamics.matrix.rows != size:
+        raise DeclarationError(
+            f"{where}: matrix is {dynamics.matrix.rows} x {dynamics.matrix.rows},"
+            f" but the system has {size} states"
+        )
+    _check_symbols(system, dynamics.free_symbols(), where, states_allowed=False)
+    for boundary in configuration.boundaries:
+        _check_affine(system, boundary.function, f"{where}, boundary {boundary.name!r}")
+    for function in configuration.constraints:
+        _check_affine(system, function, f"{where}, constraint {function}")
+
+
+def _check_transition(system: System, transition: Transition) -> None:
+    where = f"transition {transition.source!r} -> {transition.target!r}"
+    source = system.configuration(transition.source)
+    system.configuration(transition.target)
+    if not transition.boundaries:
+        raise DeclarationError(f"{where}: no boundary is named")
+    for name in sorted(transition.boundaries):
+        source.boundary(name)
+    for condition in transition.conditions:
+        system.configuration(condition.along)
+        _check_affine(system, condition.function, where)
+    for symbol, expression in transition.reset.items():
+        if symbol not in system.states:
+            raise DeclarationError(f"{where}: reset of {symbol}, which is not a state")
+        _check_affine(system, expression, f"{where}, reset of {symbol}")
+
+
+def _check_forcing(system: System, cosine: sp.Symbol, sine: sp.Symbol) -> None:
+    """Refuse a pair that turns differently in some configuration, or that a reset changes."""
+    where = f"forcing {cosine}, {sine}"
+    for symbol in (cosine, sine):
+        if symbol not in system.states:
+            raise DeclarationError(f"{where}: {symbol} is not a state")
+    first, second = map(system.states.index, (cosine, sine))
+    speeds = set()
+    for configuration in system.configurations:
+        matrix, offset = configuration.dynamics.field(system.states)
+        speed = matrix[second, first]
+        for place, wanted in ((first, -speed * sine), (second, speed * cosine)):
+            rate = along(matrix.row(place), system.states) + offset[place]
+            if sp.expand(rate - wanted) != 0:
+                raise DeclarationError(
+                    f"{where}: in {configuration.name!r} it does not turn, c' = -w s, s' = w c"
+                )
+        speeds.add(cancel(speed))
+    if len(speeds) > 1 and len({sp.simplify(speed) for speed in speeds}) > 1:
+        raise DeclarationError(f"{where}: it turns at different speeds: {speeds}")
+    for transition in system.transitions:
+        if {cosine, sine} & set(transition.reset):
+            raise DeclarationError(
+                f"transition {transition.source!r} -> {transition.target!r} resets the {where}"
+            )
+
+
+def _check_affine(system: System, function: sp.Expr, where: str) -> None:
+    check_finite(function, where)
+    _check_symbols(system, function.free_symbols, where)
+    if not is_affine(function, frozenset(system.states)):
+        raise DeclarationError(f"{where}: {function} is not affine in the state")
+
+
+def _check_symbols(
+    system: System, symbols: Set[sp.Symbol], where: str, *, states_allowed: bool = True
+) -> None:
+    known = {p.symbol for p in system.parameters}.union(system.states if states_allowed else ())
+    unknown = sorted(str(s) for s in symbols - known)
+    if unknown and unknown[0] in map(str, known):
+        raise DeclarationError(
+            f"{where}: symbol {unknown[0]} has other assumptions than the declared"
+            f" {unknown[0]}: use the symbol of the states, or Parameter.symbol"
+        )
+    if unknown:
+        kind = "neither a state nor a parameter" if states_allowed else "not a parameter"
+        raise DeclarationError(f"{where}: symbol {unknown[0]} is {kind}")
+
+
+def _check_names(system: System) -> None:
+    """Refuse a name that the files and functions of a system cannot bear."""
     check_name(system.name, "system")
     seen: dict[str, str] = {}
     for configuration in system.configurations:
@@ -42,16 +211,9 @@ def check_soundness(system: System) -> None:
             raise DeclarationError(
                 f"configurations {other!r} and {configuration.name!r} differ by hyphens only"
             )
-    for state in system.states:
-        if not str(state).isidentifier() or iskeyword(str(state)):
-            raise DeclarationError(f"state {str(state)!r} is not an identifier")
-    for configuration in system.configurations:
-        _check_mass(configuration, system.parameters)
-    if system.transitions or system.law is not None:
-        _check_exits(system)
-        _check_order(system.transitions)
-        for transition in system.transitions:
-            _check_landing(system, transition)
+    for state in map(str, system.states):
+        if not state.isidentifier() or iskeyword(state):
+            raise DeclarationError(f"state {state!r} is not an identifier")
 
 
 def _check_mass(configuration: Configuration, parameters: tuple[Parameter, ...]) -> None:
@@ -170,4 +332,4 @@ def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) ->
 
 def _support(row: sp.Matrix) -> list[int]:
     """Indices of the nonzero entries of a row."""
-    return sorted(place for _, place in row.reshape(1, len(row)).todok())
+    return sorted(place for _, place in row.todok())

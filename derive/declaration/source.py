@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from nonsmooth.derive.declaration.parameter import set_fields
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Source"]
@@ -70,9 +71,13 @@ class Source:
     misprints: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for attribute in ("equations", "flows", "misprints"):
-            object.__setattr__(self, attribute, dict(getattr(self, attribute)))
-        object.__setattr__(self, "states", tuple(self.states))
+        set_fields(
+            self,
+            equations=dict(self.equations),
+            flows=dict(self.flows),
+            states=tuple(self.states),
+            misprints=dict(self.misprints),
+        )
         for place in self.misprints:
             if place not in self.equations.values():
                 raise DeclarationError(

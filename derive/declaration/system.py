@@ -7,33 +7,24 @@ that wrote it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from functools import cache, cached_property, lru_cache
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import (
-    affine_terms,
-    cancel,
-    is_affine,
-    is_surely_positive_definite,
-)
+from nonsmooth.derive.declaration.algebra import affine_terms
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
-from nonsmooth.derive.declaration.contact_law import ContactLaw
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.fingerprint import fingerprint
-from nonsmooth.derive.declaration.names import check_unique
-from nonsmooth.derive.declaration.parameter import Parameter, check_finite, exact, is_rational
-from nonsmooth.derive.declaration.soundness import check_soundness
-from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.declaration.parameter import Parameter, exact, set_fields
+from nonsmooth.derive.declaration.soundness import check_system, check_unique, named
+from nonsmooth.derive.declaration.transition import ContactLaw, Transition
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.registry import registered
 
-__all__ = [
-    "System",
-]
+__all__ = ["TIME", "System"]
 
 TIME = sp.Symbol("t", real=True)
 
@@ -98,18 +89,11 @@ class System:
     model: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        for attribute in (
-            "states",
-            "parameters",
-            "configurations",
-            "transitions",
-            "constraints",
-            "contacts",
-            "forcing",
-            "model",
-        ):
-            object.__setattr__(self, attribute, tuple(getattr(self, attribute)))
-        object.__setattr__(self, "constraints", tuple(map(exact, self.constraints)))
+        listed = (
+            "states", "parameters", "configurations", "transitions", "contacts", "forcing", "model",
+        )  # fmt: skip
+        set_fields(self, **{name: tuple(getattr(self, name)) for name in listed})
+        set_fields(self, constraints=tuple(map(exact, self.constraints)))
         check_unique([str(s) for s in self.states], "state")
         check_unique([p.name for p in self.parameters], "parameter")
         names = [*map(str, self.states), *(p.name for p in self.parameters)]
@@ -118,29 +102,7 @@ class System:
             raise DeclarationError(
                 f"the name {str(TIME)!r} is kept for the time: choose another, such as 'tau'"
             )
-        check_unique([c.name for c in self.configurations], "configuration")
-        for constraint in self.constraints:
-            where = f"constraint {constraint} >= 0"
-            check_finite(constraint, where)
-            self._check_symbols(constraint.free_symbols, where, states_allowed=False)
-            if not is_rational(constraint):
-                raise DeclarationError(
-                    f"{where} is no rational function of parameters with rational coefficients"
-                )
-        for configuration in self.configurations:
-            self._check_configuration(configuration)
-        for transition in self.transitions:
-            self._check_transition(transition)
-        check_unique([c.name for c in self.contacts], "contact")
-        for contact in self.contacts:
-            where = f"contact {contact.name!r}"
-            for name in contact.forces:
-                self.configuration(name)
-            for function in (*contact.forces.values(), contact.velocity, contact.surface):
-                self._check_affine(function, where)
-        for cosine, sine in self.forcing:
-            self._check_forcing(cosine, sine)
-        check_soundness(self)
+        check_system(self)
 
     def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
         """Hash the system and orbits of it; equal declarations give equal hashes.
@@ -155,11 +117,11 @@ class System:
         str
             16 hexadecimal digits.
         """
-        return fingerprint(self, tuple(orbits)) if orbits else self._fingerprint
+        return _hash(self, tuple(orbits)) if orbits else self._fingerprint
 
     @cached_property
     def _fingerprint(self) -> str:
-        return fingerprint(self, ())
+        return _hash(self, ())
 
     def __getstate__(self) -> dict[str, Any]:
         """The declaration alone, without what was derived from it."""
@@ -178,7 +140,7 @@ class System:
         str
             Tables and kernels, over any arithmetic.
         """
-        source: str = registered("emit_python")(self, orbits, f"the declaration of {self.name}")
+        source: str = self._emitted("emit_python", orbits)
         return source
 
     def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
@@ -193,8 +155,7 @@ class System:
         -------
         dict of file name to text
         """
-        emit = registered("emit_library")
-        files: dict[str, str] = emit(self, orbits, f"the declaration of {self.name}")
+        files: dict[str, str] = self._emitted("emit_library", orbits)
         return files
 
     def many_points(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
@@ -210,9 +171,11 @@ class System:
         dict of file name to text
             Of an extension in C, and a Python module of the same kernels.
         """
-        emit = registered("emit_many_points")
-        files: dict[str, str] = emit(self, orbits, f"the declaration of {self.name}")
+        files: dict[str, str] = self._emitted("emit_many_points", orbits)
         return files
+
+    def _emitted(self, emitter: str, orbits: Sequence[Any]) -> Any:
+        return registered(emitter)(self, orbits, f"the declaration of {self.name}")
 
     def configuration(self, name: str) -> Configuration:
         """Give the configuration of a name.
@@ -230,13 +193,7 @@ class System:
         DeclarationError
             If there is none of that name.
         """
-        for configuration in self.configurations:
-            if configuration.name == name:
-                return configuration
-        known = ", ".join(c.name for c in self.configurations)
-        raise DeclarationError(
-            f"system {self.name!r} has no configuration {name!r} (it has: {known})"
-        )
+        return named(self.configurations, name, f"system {self.name!r} has no configuration")
 
     def transition(self, source: str, boundary: str, target: str) -> Transition:
         """Find the transition between two configurations, listed or of the law.
@@ -285,108 +242,6 @@ class System:
         row, constant = _gradient(function, self.states)
         return sp.Matrix(row), constant
 
-    def _check_configuration(self, configuration: Configuration) -> None:
-        where = f"configuration {configuration.name!r}"
-        dynamics, size = configuration.dynamics, len(self.states)
-        if isinstance(dynamics, SecondOrder):
-            if 2 * dynamics.mass.rows != size:
-                raise DeclarationError(
-                    f"{where}: mass is {dynamics.mass.rows} x {dynamics.mass.rows},"
-                    f" but the system has {size} states ({size // 2} positions)"
-                )
-            for symbol in dynamics.held:
-                if symbol not in self.states[: size // 2]:
-                    raise DeclarationError(f"{where}: held coordinate {symbol} is not a position")
-            held = dynamics.held_at(self.states)
-            free = [i for i in range(dynamics.mass.rows) if i not in held]
-            surely = is_surely_positive_definite(dynamics.mass)
-            if free and not surely and dynamics.mass.extract(free, free).det() == 0:
-                raise DeclarationError(f"{where}: mass of the free coordinates is singular")
-        elif dynamics.matrix.rows != size:
-            raise DeclarationError(
-                f"{where}: matrix is {dynamics.matrix.rows} x {dynamics.matrix.rows},"
-                f" but the system has {size} states"
-            )
-        self._check_symbols(dynamics.free_symbols(), where, states_allowed=False)
-        for boundary in configuration.boundaries:
-            self._check_affine(boundary.function, f"{where}, boundary {boundary.name!r}")
-        for function in configuration.constraints:
-            self._check_affine(function, f"{where}, constraint {function}")
-
-    def _check_transition(self, transition: Transition) -> None:
-        where = f"transition {transition.source!r} -> {transition.target!r}"
-        source = self.configuration(transition.source)
-        self.configuration(transition.target)
-        if not transition.boundaries:
-            raise DeclarationError(f"{where}: no boundary is named")
-        for name in sorted(transition.boundaries):
-            source.boundary(name)
-        for condition in transition.conditions:
-            self.configuration(condition.along)
-            self._check_affine(condition.function, where)
-        for symbol, expression in transition.reset.items():
-            if symbol not in self.states:
-                raise DeclarationError(f"{where}: reset of {symbol}, which is not a state")
-            self._check_affine(expression, f"{where}, reset of {symbol}")
-
-    def _check_forcing(self, cosine: sp.Symbol, sine: sp.Symbol) -> None:
-        """Refuse a pair that turns differently in some configuration, or that a reset changes."""
-        where = f"forcing {cosine}, {sine}"
-        for symbol in (cosine, sine):
-            if symbol not in self.states:
-                raise DeclarationError(f"{where}: {symbol} is not a state")
-        speeds = set()
-        for configuration in self.configurations:
-            matrix, offset = configuration.dynamics.field(self.states)
-            rates = {
-                symbol: sum(
-                    (weight * self.states[j] for (_, j), weight in matrix.row(i).todok().items()),
-                    offset[i],
-                )
-                for symbol in (cosine, sine)
-                for i in [self.states.index(symbol)]
-            }
-            speed = matrix[self.states.index(sine), self.states.index(cosine)]
-            wanted = {cosine: -speed * sine, sine: speed * cosine}
-            for symbol, rate in wanted.items():
-                if sp.expand(rates[symbol] - rate) != 0:
-                    raise DeclarationError(
-                        f"{where}: in {configuration.name!r} it does not turn, c' = -w s, s' = w c"
-                    )
-            speeds.add(cancel(speed))
-        if len(speeds) > 1 and len({sp.simplify(speed) for speed in speeds}) > 1:
-            raise DeclarationError(f"{where}: it turns at different speeds: {speeds}")
-        for transition in self.transitions:
-            if {cosine, sine} & set(transition.reset):
-                raise DeclarationError(
-                    f"transition {transition.source!r} -> {transition.target!r} resets the {where}"
-                )
-
-    def _check_affine(self, function: sp.Expr, where: str) -> None:
-        check_finite(function, where)
-        self._check_symbols(function.free_symbols, where)
-        if not is_affine(function, frozenset(self.states)):
-            raise DeclarationError(f"{where}: {function} is not affine in the state")
-
-    def _check_symbols(
-        self, symbols: Iterable[Any], where: str, *, states_allowed: bool = True
-    ) -> None:
-        known = {p.symbol for p in self.parameters} | (
-            set(self.states) if states_allowed else set()
-        )
-        unknown = sorted(str(s) for s in set(symbols) - known)
-        if unknown and unknown[0] in map(str, known):
-            raise DeclarationError(
-                f"{where}: symbol {unknown[0]} has other assumptions than the declared"
-                f" {unknown[0]}: use the symbol of the states, or Parameter.symbol"
-            )
-        if unknown:
-            raise DeclarationError(
-                f"{where}: symbol {unknown[0]} is neither a state nor a parameter"
-                if states_allowed
-                else f"{where}: symbol {unknown[0]} is not a parameter"
-            )
-
 
 @lru_cache(maxsize=4096)  # a declaration is checked again with each change of its coordinates
 def _gradient(
@@ -395,3 +250,48 @@ def _gradient(
     slopes, rest = affine_terms(function, frozenset(states))
     row = sp.ImmutableMatrix([[slopes.get(s, sp.S.Zero) for s in states]])
     return row, sp.expand(rest)
+
+
+def _hash(*declarations: Any) -> str:
+    """Hash of declarations, of SymPy's version and of the code that derives from them.
+
+    DeclarationError refuses an object that declares nothing.
+    """
+    parts = [sp.__version__, _code(), *map(_text, declarations)]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
+
+
+def _text(value: Any) -> str:
+    """A text that differs for different values, with all their parts."""
+    if is_dataclass(value) and not isinstance(value, type):
+        if hasattr(value, "identity"):  # of a system that is not listed
+            return _text(value.identity)
+        inside = ", ".join(f"{f.name}={_text(getattr(value, f.name))}" for f in fields(value))
+        return f"{type(value).__name__}({inside})"
+    if isinstance(value, Mapping | sp.Dict):
+        entries = [f"{_text(key)}: {_text(entry)}" for key, entry in value.items()]
+        # SymPy's own mappings have no order of their own
+        return f"{{{', '.join(sorted(entries) if isinstance(value, sp.Dict) else entries)}}}"
+    if isinstance(value, sp.MatrixBase):
+        placed = (f"{place}: {sp.srepr(entry)}" for place, entry in sorted(value.todok().items()))
+        return f"{type(value).__name__}({value.shape}, {{{', '.join(placed)}}})"
+    if isinstance(value, sp.Basic):
+        return str(sp.srepr(value))
+    if isinstance(value, frozenset):
+        return f"{{{', '.join(sorted(map(_text, value)))}}}"
+    if isinstance(value, tuple | list):
+        return f"({', '.join(map(_text, value))})"
+    if value is None or isinstance(value, str | bool | int):
+        return repr(value)
+    raise DeclarationError(f"a declaration holds {value!r}, which declares nothing")
+
+
+@cache
+def _code() -> str:
+    """Hash of this package's sources, which makes another release derive anew."""
+    digest = hashlib.sha256()
+    root = Path(__file__).parents[1]
+    for path in sorted(root.rglob("*.py")) + sorted(root.rglob("*.h")):
+        digest.update(path.relative_to(root).as_posix().encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()

@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
+from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.blocks import Block, Document, Heading
 from nonsmooth.derive.document.notation.letters import is_response
 from nonsmooth.derive.document.notation.printer import Notation

@@ -25,7 +25,7 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.declaration.unfolding import unfolded
+from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document import describe
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system, naming_of

@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Formula, Heading, Paragraph
-from nonsmooth.derive.document.notation.symbols import Notation
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.sections.template import compose, sentence
 from nonsmooth.derive.systems import dry_friction

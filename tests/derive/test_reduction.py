@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 from scipy.sparse.linalg import spsolve
 
 from nonsmooth.derive import DeclarationError, oscillator, read_matrices, reduce_structure
-from nonsmooth.derive.building import matrix_files
+from nonsmooth.derive.building import matrices
 from tests.beams import beam, cantilever
 
 METHODS = ("craig-bampton", "free-interface")
@@ -257,7 +257,7 @@ def test_bad_files_are_one_line(tmp_path):
 
 
 def test_what_a_small_file_unpacks_to_is_bounded(tmp_path, monkeypatch):
-    monkeypatch.setattr(matrix_files, "_SMALL", 1 << 20)
+    monkeypatch.setattr(matrices, "_SMALL", 1 << 20)
     names = ("large.npz", "large.mat", "large.mtx.gz")
     zeros = {"K": np.zeros((1000, 1000))}
     np.savez_compressed(tmp_path / names[0], **zeros)

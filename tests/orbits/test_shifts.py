@@ -16,7 +16,7 @@ from scipy.integrate import solve_ivp
 import nonsmooth as ns
 from nonsmooth import simulate_many
 from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
-from nonsmooth.derive.declaration.translation import moves_freely
+from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.finding.outcomes import Outcome

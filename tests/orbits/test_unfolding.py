@@ -20,7 +20,7 @@ from nonsmooth.derive import (
     dry_friction,
     oscillator,
 )
-from nonsmooth.derive.declaration.unfolding import unfolded
+from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document.describe import describe_itinerary
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.runtime.explore.finding.outcomes import Outcome

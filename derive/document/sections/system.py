@@ -8,11 +8,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.contact_law import ContactLaw
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.declaration.transition import ContactLaw, Transition
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration

@@ -11,9 +11,9 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary
 from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.symmetry import translations
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
-from nonsmooth.derive.declaration.translation import translations
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.monodromy import where_zero

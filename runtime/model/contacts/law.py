@@ -51,9 +51,10 @@ class ContactEvent(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Law:
-    """The law that decides about coupled contacts; see `nonsmooth.derive.declaration.contact_law`.
+    """The law that decides about coupled contacts.
 
-    Here m is the number of contacts. Tuples run over the configurations or over the contacts.
+    See `nonsmooth.derive.declaration.transition.ContactLaw`. Here m is the number of contacts.
+    Tuples run over the configurations or over the contacts.
     """
 
     contacts: tuple[ContactRows, ...]
