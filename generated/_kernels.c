@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 862aed4d3c8370b3 */
+ * SymPy 1.14.0, derivation 5a600c85b8e521c8 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1391,11 +1391,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "da33caa920e8a2cd") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "602bbe88237ee977") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "bf1832f0bd73ae77") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "c94c33c51ceeddd3") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "c95b40eee0de940e") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "2003ece3edd2ed62") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation c95b40eee0de940e */
+ * SymPy 1.14.0, derivation 2003ece3edd2ed62 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

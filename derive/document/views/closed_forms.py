@@ -20,7 +20,7 @@ def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[s
         return derive_flows(_alone(system, chosen))
     except DerivationError:
         closed = [c for c in chosen if _is_closed(system, c)]
-        return derive_flows(_alone(system, closed)) if closed else (Spectrum(()), {})
+        return derive_flows(_alone(system, closed)) if closed else (Spectrum(), {})
 
 
 def _is_closed(system: System, configuration: Configuration) -> bool:
