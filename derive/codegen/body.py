@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import sympy as sp
@@ -14,7 +14,7 @@ from nonsmooth.derive.declaration.real_numbers import (
     nearest_double,
     number_text,
 )
-from nonsmooth.derive.equations.program import Kernel, prune
+from nonsmooth.derive.equations.program import Kernel, Stage, prune
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["Body", "Constant", "Line", "body_of", "hoisted", "needed", "split"]
@@ -46,24 +46,6 @@ class Constant(sp.AtomicExpr):
         return (self.text,)
 
 
-def _prepared(expression: sp.Expr) -> sp.Expr:
-    """An expression, ready for `sp.cse`, in which irrational numbers are constants."""
-    found: sp.Expr = _distributed(map_numbers(expression, Constant))
-    return found
-
-
-@lru_cache(maxsize=1 << 14)
-def _distributed(expression: sp.Expr) -> sp.Expr:
-    """An expression in which no number stands in front of a sum.
-
-    `sp.cse` makes such a product anew, which gives the sum of its terms, and takes it for a
-    product: where the same sum occurs its terms come out multiplied.
-    """
-    if not expression.args:
-        return expression
-    return expression.func(*map(_distributed, expression.args))
-
-
 @dataclass(frozen=True)
 class Line:
     """One assignment; the first one of a stage has the stage's title."""
@@ -80,6 +62,7 @@ class Body:
     An output needs the lines up to its place in `ends`, and no later ones.
     """
 
+    inputs: tuple[sp.Symbol, ...]
     lines: tuple[Line, ...]
     outputs: tuple[tuple[sp.Expr, ...], ...]
     ends: tuple[int, ...]
@@ -116,14 +99,68 @@ def body_of(kernel: Kernel) -> Body:
     """The body of a kernel, its common subexpressions eliminated.
 
     The symbols of the stages stay; each common term is assigned right before its first use.
+    SymPy sorts by name: meanwhile every symbol has a name that only tells its place.
     """
-    symbols = [s for stage in kernel.stages for s, _ in stage.assignments]
-    right = [_prepared(e) for stage in kernel.stages for _, e in stage.assignments]
-    results = [_prepared(e) for output in kernel.outputs for e in output.expressions]
-    taken = _checked_names(kernel, [*right, *results])
-    fresh = (s for s in sp.numbered_symbols("t", real=True) if s.name not in taken)
+    prepared = _translated(kernel, lambda e: map_numbers(e, Constant))
+    taken = _checked_names(prepared)
+    # of the orders that were tried, the last entries of an argument first gives least operations
+    inputs = tuple(s for argument in kernel.arguments for s in reversed(argument.symbols))
+    places = _places([*inputs, *(s for s, _ in _assignments(kernel))])
+    body = _eliminated(_translated(prepared, lambda e: e.xreplace(places)))
+    return replace(_named(body, places, "t", taken), inputs=inputs)
+
+
+def _places(symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
+    """A symbol in place of each, such that SymPy sorts them as they are given."""
+    return {s: sp.Symbol(f"s{i:06}", **s.assumptions0) for i, s in enumerate(symbols)}
+
+
+def _named(body: Body, places: Mapping[sp.Symbol, sp.Symbol], stem: str, taken: set[str]) -> Body:
+    """The body with the symbols again that have places, and numbered ones for all others."""
+    names = {place: symbol for symbol, place in places.items()}
+    fresh = (s for s in sp.numbered_symbols(stem, real=True) if s.name not in taken)
+    names |= {line.symbol: next(fresh) for line in body.lines if line.symbol not in names}
+    return _renamed(body, names)
+
+
+def _renamed(body: Body, names: Mapping[sp.Symbol, sp.Symbol]) -> Body:
+    return Body(
+        tuple(names[s] for s in body.inputs),
+        tuple(Line(names[x.symbol], x.expression.xreplace(names), x.title) for x in body.lines),
+        tuple(tuple(e.xreplace(names) for e in output) for output in body.outputs),
+        body.ends,
+    )
+
+
+def _assignments(kernel: Kernel) -> list[tuple[sp.Symbol, sp.Expr]]:
+    return [assignment for stage in kernel.stages for assignment in stage.assignments]
+
+
+def _results(kernel: Kernel) -> list[sp.Expr]:
+    return [e for output in kernel.outputs for e in output.expressions]
+
+
+def _translated(kernel: Kernel, translate: Callable[[sp.Expr], sp.Expr]) -> Kernel:
+    """A kernel with the translation of every symbol that it assigns, and of every expression."""
+    stages = (
+        Stage(s.title, tuple((translate(x), translate(e)) for x, e in s.assignments))
+        for s in kernel.stages
+    )
+    outputs = (replace(o, expressions=tuple(map(translate, o.expressions))) for o in kernel.outputs)
+    return replace(kernel, stages=tuple(stages), outputs=tuple(outputs))
+
+
+def _eliminated(kernel: Kernel) -> Body:
+    """The body of a kernel whose names are such that their order may decide."""
+    symbols = [s for s, _ in _assignments(kernel)]
+    right = [e for _, e in _assignments(kernel)]
     # a flat list: SymPy loses common subexpressions of nested ones
-    common, reduced = sp.cse([*right, *results], symbols=fresh, order="none", list=True)
+    common, reduced = sp.cse(
+        [*right, *_results(kernel)],
+        symbols=sp.numbered_symbols("t", real=True),
+        order="none",
+        list=True,
+    )
     negatives = {s: e for s, e in common if (-e).is_Symbol}
     definitions = {s: e.xreplace(negatives) for s, e in common if s not in negatives}
     reduced = [e.xreplace(negatives) for e in reduced]
@@ -175,17 +212,18 @@ def body_of(kernel: Kernel) -> Body:
         outputs.append(tuple(require(e) for e in expressions))
         titled(begin, output.name)
         ends.append(len(lines))
-    return Body(tuple(lines), tuple(outputs), tuple(ends))
+    return Body((), tuple(lines), tuple(outputs), tuple(ends))
 
 
-def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
+def _checked_names(kernel: Kernel) -> set[str]:
     """Names of the symbols of a kernel.
 
     DerivationError refuses a symbol without a value, a name with two meanings, and a number
     that no kernel can hold.
     """
-    given = [s for argument in kernel.arguments for s in argument.symbols]
-    defined = {*given, *(s for stage in kernel.stages for s, _ in stage.assignments)}
+    assignments = _assignments(kernel)
+    expressions = [*(e for _, e in assignments), *_results(kernel)]
+    defined = {*(s for a in kernel.arguments for s in a.symbols), *(s for s, _ in assignments)}
     # an argument without a shape may bear the name of its symbol
     arrays = {a.name for a in kernel.arguments if a.shape or a.name != a.symbols[0].name}
     arrays |= {o.name for o in kernel.outputs}
@@ -195,13 +233,12 @@ def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
         if owners.setdefault(name, symbol) != symbol or name in arrays | RESERVED:
             raise DerivationError(f"kernel {kernel.name!r}: the name {name!r} is taken; rename it")
     for expression in expressions:
-        # kernels without arguments are the inner parts of others
         unknown = sorted(expression.free_symbols - defined, key=str)
-        if unknown and kernel.arguments:
+        if unknown:
             raise DerivationError(f"kernel {kernel.name!r}: {unknown[0]} has no value")
         if atoms := _not_held(expression):
             raise DerivationError(f"kernel {kernel.name!r}: no kernel holds {min(atoms, key=str)}")
-    return {*owners, *(s.name for e in expressions for s in e.free_symbols)}
+    return set(owners)
 
 
 @lru_cache(maxsize=1 << 14)
@@ -226,13 +263,13 @@ def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[L
 
 def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
     """The body with every term that depends on the given inputs alone on a line of its own."""
+    places = _places([*body.inputs, *(line.symbol for line in body.lines)])
+    placed = _renamed(body, places)
     fixed, _ = split(body, inputs)
-    known = inputs | {line.symbol for line in fixed}
+    known = {places[s] for s in inputs.union(line.symbol for line in fixed) if s in places}
     found: dict[sp.Expr, sp.Symbol] = {}
     lines: list[Line] = []
-    lefts, rights = {line.symbol for line in body.lines}, [line.expression for line in body.lines]
-    taken = {s.name for s in inputs.union(lefts, *(e.free_symbols for e in rights))}
-    fresh = (s for s in sp.numbered_symbols("h", real=True) if s.name not in taken)
+    fresh = sp.numbered_symbols("h", real=True)
 
     def name(part: sp.Expr) -> sp.Expr:
         if part.is_Atom or not part.free_symbols:
@@ -255,12 +292,13 @@ def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
             return expression.func(name(expression.func(*constant)), *moving)
         return expression.func(*(hoist(a) for a in expression.args))
 
-    for line in body.lines:
+    for line in placed.lines:
         moves = not line.expression.free_symbols <= known
         value = hoist(line.expression) if moves else line.expression
         lines.append(Line(line.symbol, value, line.title))
-    outputs = tuple(tuple(hoist(e) for e in output) for output in body.outputs)
-    return Body(tuple(lines), outputs, (len(lines),) * len(outputs))
+    outputs = tuple(tuple(hoist(e) for e in output) for output in placed.outputs)
+    raised = Body(placed.inputs, tuple(lines), outputs, (len(lines),) * len(outputs))
+    return _named(raised, places, "h", {s.name for s in places})
 
 
 def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:

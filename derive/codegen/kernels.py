@@ -81,15 +81,7 @@ def flow_kernels(
 
 def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     """All kernels of one orbit; each gives first what the later outputs rest on."""
-    parameters = _vector("parameters", orbit.parameters)
-    spectrum = _vector("spectrum", orbit.spectrum.symbols)
-    unknowns = _vector("unknowns", orbit.unknowns)
-    derivatives = Argument(
-        "spectrum_derivatives",
-        (len(orbit.spectrum.symbols), len(orbit.spectrum.parameters)),
-        tuple(derivative(s, p) for s in orbit.spectrum.symbols for p in orbit.spectrum.parameters),
-    )
-    point = (parameters, spectrum, unknowns)
+    point, derivatives = _point(orbit), _spectrum_derivatives(orbit)
     flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
     return (
         _equations_kernel(orbit, (*point, replace(derivatives, since=2))),
@@ -97,7 +89,32 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
         _passage_kernel(orbit, point),
         _linearisation_kernel(orbit, point),
         *flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters),
-        _reduced_kernel(orbit, parameters, spectrum),
+        _reduced_kernel(orbit),
+    )
+
+
+def _point(orbit: EquationSystem) -> tuple[Argument, Argument, Argument]:
+    """What the equations are evaluated at."""
+    return (
+        _vector("parameters", orbit.parameters),
+        _vector("spectrum", orbit.spectrum.symbols),
+        _vector("unknowns", orbit.unknowns),
+    )
+
+
+def _reduced_point(orbit: EquationSystem) -> tuple[Argument, ...]:
+    """What the reduced equations are evaluated at."""
+    parameters, spectrum, _ = _point(orbit)
+    unknowns = orbit.reduction.unknowns
+    return (parameters, spectrum, *([_vector("reduced", unknowns)] if unknowns else []))
+
+
+def _spectrum_derivatives(orbit: EquationSystem) -> Argument:
+    symbols, parameters = orbit.spectrum.symbols, orbit.spectrum.parameters
+    return Argument(
+        "spectrum_derivatives",
+        (len(symbols), len(parameters)),
+        tuple(derivative(s, p) for s in symbols for p in parameters),
     )
 
 
@@ -202,11 +219,7 @@ def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
         "period_map",
         "Map [N, c] of a turn; the start that follows from the dwell times; compatibility and"
         " switching conditions. The start among the unknowns is not read.",
-        (
-            _vector("parameters", orbit.parameters),
-            _vector("spectrum", orbit.spectrum.symbols),
-            _vector("unknowns", orbit.unknowns),
-        ),
+        _point(orbit),
         (
             _table("period_map", sp.Matrix.hstack(turn.matrix, turn.offset)),
             _flat("linear_start", list(starts.values())),
@@ -216,7 +229,7 @@ def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
     )
 
 
-def _reduced_kernel(orbit: EquationSystem, parameters: Argument, spectrum: Argument) -> Kernel:
+def _reduced_kernel(orbit: EquationSystem) -> Kernel:
     """Kernel of all unknowns from the reduced ones, and of the equations that are left."""
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
@@ -225,15 +238,15 @@ def _reduced_kernel(orbit: EquationSystem, parameters: Argument, spectrum: Argum
     if reduction.determinants:
         outputs.append(_determinants(reduction))
         title += "; how singular the linear equations for them are: 0 if they are"
-    point: tuple[Argument, ...] = (parameters, spectrum)
     if reduction.unknowns:
-        point = (*point, _vector("reduced", reduction.unknowns))
         outputs += [
             _flat("reduced_residual", [e for _, e in reduction.equations]),
             _table("reduced_jacobian", jacobian),
         ]
         title += "; the equations for these and their derivatives"
-    return _kernel("reduced", f"{title}.", point, outputs, (*reduction.stages, *stages))
+    return _kernel(
+        "reduced", f"{title}.", _reduced_point(orbit), outputs, (*reduction.stages, *stages)
+    )
 
 
 def _determinants(reduction: Reduction) -> Output:
@@ -256,20 +269,18 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
     given = [(u, v) for u, v in reduction.values.items() if u != v]
     back = Stage("all unknowns", tuple(given))
     known = merged(merged(reduction.stages, stages), [back])
-    everything = merged(known, trace_stages, reduction.unknowns)
-    determinants = _determinants(reduction)
-    return Kernel(
+    return _kernel(
         "solve",
         "Newton's method on the reduced equations.",
-        (),
+        _reduced_point(orbit),
         (
             _flat("residual", equations),
             _table("jacobian", jacobian),
             _flat("unknowns", values),
             _scalar("trace", trace),
-            determinants,
+            _determinants(reduction),
         ),
-        prune(everything, [*equations, *jacobian, *values, trace, *determinants.expressions]),
+        merged(known, trace_stages, reduction.unknowns),
     )
 
 

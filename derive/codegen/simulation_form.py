@@ -45,7 +45,7 @@ class SimulationForm:
     """
 
     system: System
-    spectrum: Spectrum = field(default_factory=lambda: Spectrum(()))
+    spectrum: Spectrum = field(default_factory=Spectrum)
     flows: Mapping[str, Flow] | None = None
     beside: tuple[sp.Expr, ...] = ()
 

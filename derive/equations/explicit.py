@@ -51,14 +51,14 @@ class ExplicitTime:
 
 
 def explicit_time(
-    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
+    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Sequence[sp.Symbol]
 ) -> ExplicitTime | None:
     """Closed form of the dwell time after which an exit condition is first met; else None.
 
     `coefficients` are those of each basis function in the boundary's function of time, and
-    `constants` are parameters and spectrum, which do not belong to the state.
+    `variables` are what the state may contain beside parameters and spectrum.
     """
-    return _linear_time(coefficients) or _first_return(coefficients, dwell, constants)
+    return _linear_time(coefficients) or _first_return(coefficients, dwell, variables)
 
 
 def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None:
@@ -71,7 +71,7 @@ def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None
 
 
 def _first_return(
-    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
+    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Sequence[sp.Symbol]
 ) -> ExplicitTime | None:
     """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0`` that is met rising.
 
@@ -100,7 +100,7 @@ def _first_return(
         at = (b / r, -a / r)
         if a.is_Symbol and b.is_Symbol:
             parts_of = ((present[cosine], a), (present[sine], b))
-            identities = _amplitude_identities(parts_of, r, constants)
+            identities = _amplitude_identities(parts_of, r, variables)
     else:
         scale, (s,) = assign(title, [Symbol("rate", dwell)], [sp.sqrt(square - c**2)])
         at = ((b * s - a * c) / square, -(b * c + a * s) / square)
@@ -113,10 +113,11 @@ def _first_return(
 
 
 def _amplitude_identities(
-    parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, constants: set[sp.Symbol]
+    parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, variables: Sequence[sp.Symbol]
 ) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr]]:
     """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state reduces to r."""
-    states = sorted(set().union(*(e.free_symbols for e, _ in parts)) - constants, key=str)
+    used = set().union(*(e.free_symbols for e, _ in parts))
+    states = [s for s in variables if s in used]
     solution = _linear_solution([e - s for e, s in parts], states)
     solved = {x: v for x, v in zip(states, solution, strict=True) if x != v}
     (_, a), (_, b) = parts

@@ -142,6 +142,13 @@ class _Draft:
     rates: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = field(default_factory=dict)
     solved: list[Stage] = field(default_factory=list)
 
+    @property
+    def variables(self) -> list[sp.Symbol]:
+        """What a state may contain beside constants, in the order in which it comes up."""
+        stages = (*self.stages, *self.solved)
+        assigned = (symbol for stage in stages for symbol, _ in stage.assignments)
+        return [*self.unsolved, *self.unknowns, *assigned]
+
     def settle(self) -> None:
         """Assign the solved coordinates, the last one first, as the others contain it."""
         self.stages += reversed(self.solved)
@@ -245,7 +252,7 @@ def _through(
     flow, dwell = leaving.flow, leaving.dwell
     draft.values[dwell] = dwell
     coefficients = dict(zip(flow.basis, flow.along(*leaving.gradient, state), strict=True))
-    explicit = explicit_time(coefficients, dwell, draft.constants)
+    explicit = explicit_time(coefficients, dwell, draft.variables)
     if explicit is not None:
         after = _at_explicit_time(draft, leaving, explicit, coefficients, state)
         if not draft.unsolved:

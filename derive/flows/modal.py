@@ -44,18 +44,14 @@ class Spectrum:
     """Frequencies and projector coefficients: all that needs a root of the parameters."""
 
     # in order of evaluation; an expression may use the symbols before it
-    entries: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    entries: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    # those on which the entries depend, in the order in which they are declared
+    parameters: tuple[sp.Symbol, ...] = ()
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """All spectral symbols in order."""
         return tuple(s for s, _ in self.entries)
-
-    @property
-    def parameters(self) -> tuple[sp.Symbol, ...]:
-        """Symbols of the parameters on which the spectrum depends, sorted by name."""
-        inputs = set().union(*(e.free_symbols for _, e in self.entries))
-        return tuple(sorted(inputs - set(self.symbols), key=str))
 
 
 @dataclass(frozen=True)
@@ -140,7 +136,8 @@ def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
     names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
     flows = {c.name: _flow(c, system, names) for c in system.configurations}
     entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
-    return Spectrum(entries), flows
+    used = frozenset().union(*(expression.free_symbols for expression in names.entries))
+    return Spectrum(entries, tuple(p.symbol for p in system.parameters if p.symbol in used)), flows
 
 
 def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:

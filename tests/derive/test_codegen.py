@@ -249,7 +249,8 @@ def test_titles_and_operation_counts_are_those_of_the_body() -> None:
     shared = a * b + 1
     names = sp.symbols("u v", real=True)
     stage = Stage("both", ((names[0], sp.cos(shared)), (names[1], sp.sin(shared))))
-    body = body_of(Kernel("k", "", (), (Output("o", (), (names[0] * names[1],)),), (stage,)))
+    given = (Argument("inputs", (3,), INPUTS),)
+    body = body_of(Kernel("k", "", given, (Output("o", (), (names[0] * names[1],)),), (stage,)))
     assert [line.title for line in body.lines] == ["both", None, None]
     assert body.operations == 5
 

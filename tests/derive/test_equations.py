@@ -566,7 +566,7 @@ def test_the_first_return_is_the_first_rise_through_zero() -> None:
         c = 0 if case % 3 == 0 else MP.sqrt(a**2 + b**2) * MP.mpf(source.uniform(-0.9, 0.9))
         level = parts[2] if c else sp.Integer(0)
         found = explicit_time(
-            {cosine: parts[0], sine: parts[1], sp.Integer(1): level}, dwell, set()
+            {cosine: parts[0], sine: parts[1], sp.Integer(1): level}, dwell, parts
         )
         assert found is not None
         assert found.rule == RETURN

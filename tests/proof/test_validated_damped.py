@@ -44,7 +44,7 @@ def kernels_of(system: System) -> SystemKernels:
         c.name: Flow(c.name, (sp.exp(TIME),), (), (), c.dynamics.field(system.states))
         for c in system.configurations
     }
-    declaration = SimulationForm(system, Spectrum(()), flows)
+    declaration = SimulationForm(system, Spectrum(), flows)
     module = ModuleType(system.name)
     exact = declaration.kernels()
     for kernel in exact:

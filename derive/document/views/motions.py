@@ -37,7 +37,7 @@ def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[s
     if whole is not None:
         return whole
     closed = [motion for motion in motions if _flows(system, [motion])]
-    return (closed and _flows(system, closed)) or (Spectrum(()), {})
+    return (closed and _flows(system, closed)) or (Spectrum(), {})
 
 
 def _flows(
