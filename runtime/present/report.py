@@ -113,8 +113,9 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
     `trace` is its enclosure, ``{"mid", "rad"}``, over a box around the orbit that holds exactly
     one, or None. `statement` is the criterion of stability: |trace| < 1 if the map has rank one
     and keeps no energy, |trace - 1| < 2 if the orbit is conservative and has three multipliers
-    (then it is neutral, if its transitions keep volume too, which is not checked); of an orbit by tables that every nontrivial multiplier is inside the unit circle, or on it
-    where the orbit is neutral. `verdict` says whether it is "proved", "refuted" or "undecided";
+    (then it is neutral, if its transitions keep volume too, which is not checked); of an orbit by
+    tables that every nontrivial multiplier is inside the unit circle, or on it where the orbit is
+    neutral. `verdict` says whether it is "proved", "refuted" or "undecided";
     both are None where there is no criterion. `one_sided` says whether all of it is about one
     side of a border collision. `reason` is there where something is left open: why there is no
     enclosure or no certificate, or why a certificate does not prove existence or stability.
