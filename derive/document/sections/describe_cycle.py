@@ -218,7 +218,7 @@ def equation_section(cycle: Cycle) -> list[Block]:
             + (
                 " The energy is kept along the orbit, so that one of the equations follows from"
                 " the others: the orbit is one of a family, and its period may be given."
-                if is_conservative(cycle.itinerary, cycle.system)
+                if is_conservative(cycle.itinerary)
                 else ""
             )
         ),

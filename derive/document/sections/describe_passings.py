@@ -220,6 +220,6 @@ def _trivial(cycle: Cycle) -> str:
             f" {'is' if one else 'are'} 1 and trivial: the forcing keeps the amplitude"
             f"{'' if one else 's and phases'} of the start."
         )
-    if is_conservative(cycle.itinerary, cycle.system):
+    if is_conservative(cycle.itinerary):
         return " One more is 1 and trivial, since the energy is kept along the orbit."
     return ""

@@ -8,7 +8,7 @@ from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.notation.wording import enumeration, in_one_line
 from nonsmooth.derive.document.views.view import View
-from nonsmooth.derive.equations.reference_orbit import ReferenceOrbit
+from nonsmooth.derive.equations.reference import ReferenceOrbit
 
 __all__ = ["reference_section"]
 

@@ -9,7 +9,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.document.notation.arrange import grouped_by
 from nonsmooth.derive.document.views.view import View
-from nonsmooth.derive.equations.saltation import saltation_matrix
+from nonsmooth.derive.equations.linearisation import saltation_matrix
 
 __all__ = ["MonodromyTrace", "keeps_volume", "monodromy_trace", "saltations"]
 
