@@ -190,7 +190,7 @@ def _obstacle(form: SimulationForm, orbit: Itinerary) -> str | None:
         return "it is periodic up to a shift: its system does not depend on where"
     if len(orbit.phases) > MOST_PHASES:
         return f"it has more than {MOST_PHASES} phases"
-    if boundary := transition_unshown(orbit, orbit.system):
+    if boundary := transition_unshown(orbit):
         return f"behind {boundary!r} conditions decide where it leads, which its phases do not show"
     return None
 

@@ -9,6 +9,7 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.linearisation import monodromy, saltation_matrices
 from nonsmooth.derive.equations.program import (
     Argument,
     Kernel,
@@ -19,7 +20,6 @@ from nonsmooth.derive.equations.program import (
     prune,
 )
 from nonsmooth.derive.equations.reduction import Reduction
-from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.symbols import Symbol, derivative

@@ -58,8 +58,8 @@ from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.motions import closed_flows
 from nonsmooth.derive.document.views.view import View, view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
-from nonsmooth.derive.equations.reference_orbit import reference_orbit
-from nonsmooth.derive.equations.section import section_of, start_of
+from nonsmooth.derive.equations.reference import reference_orbit
+from nonsmooth.derive.equations.section import start_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
@@ -226,7 +226,7 @@ def naming_of(
     parameters = [p.symbol for p in (*system.parameters, *itinerary.system.parameters)]
     constants = (*dict.fromkeys(parameters), *spectrum.symbols)
     states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
-    section = start_of(itinerary, system, section_of(itinerary, system))
+    section = start_of(itinerary)
     dwell_times = tuple(dwell_symbol(p.dwell_time) for p in itinerary.phases)
     notation = Notation(
         states,

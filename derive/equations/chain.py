@@ -12,44 +12,42 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
-from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.forcing import Forcing
-from nonsmooth.derive.equations.program import Stage, assign
-from nonsmooth.derive.equations.section import Section, reset_matrix
+from nonsmooth.derive.equations.program import Equation, Stage, affine_sum, assign
+from nonsmooth.derive.equations.section import Passage, Section, passages_of
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
-from nonsmooth.derive.symbols import Symbol, derivative
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = [
     "PHASE",
     "Chain",
     "Link",
+    "affine_conditions",
+    "affine_in",
     "derived_time",
     "follow",
     "name_functions",
-    "poincare_jacobian",
-    "sensitivities",
 ]
 
 PHASE = Symbol("phase")  # of the forcing, as a coordinate of the Poincare map
 
 
 @dataclass(frozen=True)
-class Link:
+class Link(Passage):
     """One phase of the chain, with the transition that ends it."""
 
     flow: Flow
-    dwell: sp.Symbol  # symbol of the dwell time
-    # the dwell time in unknowns and parameters: itself, zero, or the rest of a given period
-    duration: sp.Expr
     functions: tuple[sp.Expr, ...]  # values of the flow's basis functions at the end of the phase
     before: sp.Matrix  # N x 1: state at the start
     after: sp.Matrix  # N x 1: state at the end
     following: sp.Matrix  # N x 1: state behind the transition
-    normal: sp.Matrix  # 1 x N: gradient of the exit boundary
-    exit: sp.Expr  # exit boundary's function at the end, which the switching condition makes zero
-    reset: sp.Matrix  # N x N: linear part of the transition's reset
+
+    @property
+    def exit(self) -> sp.Expr:
+        """The boundary's function at the end, which the switching condition makes zero."""
+        return self.value(self.after)
 
     @property
     def transfer(self) -> sp.Matrix:
@@ -75,7 +73,7 @@ class Chain:
     start: Section
     links: tuple[Link, ...]
     stages: tuple[Stage, ...]
-    forcing: Forcing | None = None
+    forcing: Forcing | None
 
     @property
     def end(self) -> sp.Matrix:
@@ -89,10 +87,20 @@ class Chain:
         return (*found, PHASE) if self.forcing else found
 
     @property
+    def closing(self) -> list[tuple[sp.Symbol, int]]:
+        """Coordinates of the start, with their places, whose closure is one of the equations."""
+        pairs = zip(self.start.coordinates, self.start.places, strict=True)
+        return [(q, place) for q, place in pairs if place not in self._forced]
+
+    @property
+    def _forced(self) -> tuple[int, ...]:
+        """Places of the states of a forcing, which comes back by itself."""
+        return self.forcing.states if self.forcing else ()
+
+    @property
     def _unforced(self) -> list[int]:
         """Indices of the section's coordinates that belong to no forcing."""
-        forced = self.forcing.states if self.forcing else ()
-        return [i for i, place in enumerate(self.section.places) if place not in forced]
+        return [i for i, place in enumerate(self.section.places) if place not in self._forced]
 
     @property
     def directions(self) -> sp.Matrix:
@@ -115,118 +123,75 @@ class Chain:
 
 def follow(
     itinerary: Itinerary,
-    system: System,
     flows: Mapping[str, Flow],
     section: Section,
     start: Section,
-    forcing: Forcing | None = None,
+    forcing: Forcing | None,
 ) -> Chain:
     """The chain of an itinerary, from its start through all phases and transitions."""
-    states = system.states
-    begin, values = assign(
-        "start on the section", [Symbol("state", s, 0) for s in states], start.state
-    )
+    states = itinerary.presented_system.states
+    names = [Symbol("state", s, 0) for s in states]
+    begin, values = assign("start on the section", names, start.state)
     stages, state, links = [begin], sp.Matrix(values), []
-    for index, phase in enumerate(itinerary.phases):
-        flow, dwell = flows[phase.configuration], dwell_symbol(phase.dwell_time)
-        duration = itinerary.duration(index)
-        stages.append(derived_time(dwell, duration))
-        naming, functions = name_functions(flow, dwell, duration if duration == 0 else dwell)
-        end = flow.matrix(functions) * state + flow.offset(functions)
-        names = [Symbol("state", s, index + 1) for s in states]
-        title = f"{phase.configuration} for {dwell}, until {phase.boundary}"
-        step, values = assign(title, names, end)
+    for index, passage in enumerate(passages_of(itinerary), start=1):
+        flow, dwell = flows[passage.configuration.name], passage.dwell
+        naming, functions = name_functions(flow, dwell, 0 if passage.duration == 0 else dwell)
+        names = [Symbol("state", s, index) for s in states]
+        title = f"{flow.configuration} for {dwell}, until {passage.boundary}"
+        step, values = assign(title, names, flow.end(functions, state))
         after = sp.Matrix(values)
-        boundary = system.configuration(phase.configuration).boundary(phase.boundary)
-        normal, constant = system.gradient(boundary.function)
-        transition = itinerary.transition_after(system, index)
-        jump, values = assign(
-            f"transition to {transition.target}",
-            [Symbol("reset", s, index + 1) for s in states],
-            transition.reset_of(after, states),
-        )
-        following = sp.Matrix(values)
-        stages += [naming, step, jump]
+        title = f"transition to {passage.transition.target}"
+        names = [Symbol("reset", s, index) for s in states]
+        jump, values = assign(title, names, passage.behind(after))
+        stages += [derived_time(dwell, passage.duration), naming, step, jump]
+        before, state = state, sp.Matrix(values)
         links.append(
             Link(
-                flow,
-                dwell,
-                duration,
-                tuple(functions),
-                state,
-                after,
-                following,
-                normal,
-                (normal * after)[0] + constant,
-                reset_matrix(transition.reset.items(), states)[0],
+                **vars(passage),
+                flow=flow,
+                functions=tuple(functions),
+                before=before,
+                after=after,
+                following=state,
             )
         )
-        state = following
     kept = tuple(s for s in stages if s.assignments)
     return Chain(section, start, tuple(links), kept, forcing)
 
 
-def sensitivities(
-    chain: Chain, states: Sequence[sp.Symbol], unknowns: Sequence[sp.Symbol]
-) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
-    """Stages and derivatives (N x n) of the states at all ends of phases and behind the last.
+def affine_conditions(chain: Chain) -> tuple[list[Stage], list[Equation]]:
+    """Stages, and the switching conditions and closures as equations (meaning, expression).
 
-    Columns follow `unknowns` (coordinates of the start, then dwell times). By the chain
-    rule S' = Phi S + f e^T, with f the vector field at the end and e the derivatives of the
-    phase's dwell time.
+    They are affine in the coordinates of the start, with coefficients that are functions of
+    the dwell times. The closure of a forcing is left out.
     """
-    columns = len(unknowns)
-    matrix = sp.Matrix.hstack(
-        chain.start.embedding, sp.zeros(len(states), columns - chain.start.dimension)
-    )
-    stages, ends = [], []
-    for index, link in enumerate(chain.links):
-        moved = sp.Matrix(link.transfer * matrix)
-        for column, unknown in enumerate(unknowns):
-            moved[:, column] += sp.diff(link.duration, unknown) * link.velocity
-        behind = [Symbol("state", s, index + 1) for s in states]
-        names = [derivative(s, u) for s in behind for u in unknowns]
-        step, values = assign(f"derivatives of the state after {link.dwell}", names, moved)
-        ends.append(sp.Matrix(len(states), columns, values))
-        matrix = link.reset * ends[-1]
-        stages.append(step)
-    return tuple(stages), [*ends, matrix]
+    start, stages, equations = chain.start, [], []
+    state = start.state
+    for link in chain.links:
+        naming, functions = name_functions(link.flow, link.dwell, link.dwell)
+        after = link.flow.end(functions, state)
+        equations.append((link.meaning, sp.expand(link.value(after))))
+        state = link.behind(after)
+        stages.append(naming)
+        if link is not chain.links[-1]:
+            step, state = affine_in(start.coordinates, state.applyfunc(sp.expand), link.dwell)
+            stages.append(step)
+    for coordinate, place in chain.closing:
+        equations.append((f"{coordinate} returns", sp.expand(state[place] - coordinate)))
+    return [s for s in stages if s.assignments], equations
 
 
-def poincare_jacobian(
-    chain: Chain, states: Sequence[sp.Symbol]
-) -> tuple[tuple[Stage, ...], sp.Matrix]:
-    """Stages and Jacobian (d x d) of the Poincare map, a product of local maps (Sec. 4).
-
-    Each phase carries a perturbation by Phi and projects it along the vector field onto its
-    exit boundary, (I - f n/(n f)) Phi; the transition's reset follows.
-    """
-    matrix, stages, columns = chain.directions, [], chain.coordinates
-    for index, link in enumerate(chain.links):
-        behind = [Symbol("state", s, index + 1) for s in states]
-        names = [derivative(Symbol("carried", s), q) for s in behind for q in columns]
-        step, values = assign(f"Phi along {link.dwell}", names, link.transfer * matrix)
-        carried = sp.Matrix(len(states), len(columns), values)
-        velocity = link.velocity
-        rate, (speed,) = assign(
-            f"rate of the exit boundary after {link.dwell}",
-            [Symbol("rate", index + 1)],
-            [(link.normal * velocity)[0]],
-        )
-        delays = [-(link.normal * carried[:, j])[0] / speed for j in range(len(columns))]
-        delay, values = assign(
-            f"derivatives of the time to the boundary after {link.dwell}",
-            [derivative(Symbol("delay", link.dwell), q) for q in columns],
-            delays,
-        )
-        projected = carried + velocity * sp.Matrix(1, len(columns), values)
-        names = [derivative(Symbol("on boundary", s), q) for s in behind for q in columns]
-        landing, values = assign(
-            f"perturbation on the boundary after {link.dwell}", names, link.reset * projected
-        )
-        matrix = sp.Matrix(len(states), len(columns), values)
-        stages += [step, rate, delay, landing]
-    return tuple(stages), chain.returning(matrix)
+def affine_in(
+    coordinates: Sequence[sp.Symbol], state: sp.Matrix, dwell: sp.Symbol
+) -> tuple[Stage, sp.Matrix]:
+    """Stage and state, with names for the coefficients of section coordinates in the state."""
+    constant = state.subs(dict.fromkeys(coordinates, 0))
+    parts = sp.Matrix.hstack(constant, state.jacobian(coordinates)).T.applyfunc(sp.factor_terms)
+    places = [(i, q) for q in (1, *coordinates) for i in range(state.rows)]
+    names = [Symbol("part", i, q, dwell) for i, q in places]
+    step, values = assign(f"state after {dwell}, affine in the section", names, parts)
+    table = sp.Matrix(*parts.shape, values)
+    return step, sp.Matrix([affine_sum(table[:, i], coordinates) for i in range(state.rows)])
 
 
 def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
@@ -235,12 +200,10 @@ def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
     return Stage(f"{dwell} completes the period", ((dwell, duration),) if derived else ())
 
 
-def name_functions(
-    flow: Flow, dwell: sp.Symbol, time: sp.Expr | None = None
-) -> tuple[Stage, list[sp.Expr]]:
-    """Stage and names of the values of a flow's functions of time at the end of a phase.
+def name_functions(flow: Flow, dwell: sp.Symbol, time: sp.Expr) -> tuple[Stage, list[sp.Expr]]:
+    """Stage and names of the values of a flow's functions at a time.
 
-    The names contain the dwell time; `time`, if given, is when the values are taken.
+    The names contain the dwell time of the phase.
     """
     names: list[str] = []
     for position, function in enumerate(flow.basis):
@@ -249,6 +212,6 @@ def name_functions(
         stem = "difference" if kind is ExponentialDifference else kind.__name__.lower()
         name = "_".join([stem, *frequency, str(dwell)])
         names.append(f"{name}_{position}" if name in names else name)
-    values = [function.subs(TIME, dwell if time is None else time) for function in flow.basis]
+    values = [function.subs(TIME, time) for function in flow.basis]
     symbols = [Symbol("function", name) for name in names]
     return assign(f"functions of {dwell} in {flow.configuration}", symbols, values)

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import Chain, follow
-from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
-from nonsmooth.derive.equations.energy import energy_of, is_conservative
+from nonsmooth.derive.equations.elimination import eliminate_coordinates, reduce_forced
+from nonsmooth.derive.equations.energy import is_conservative, without_redundant
 from nonsmooth.derive.equations.equation_system import EquationSystem
-from nonsmooth.derive.equations.forced import reduce_forced
-from nonsmooth.derive.equations.forcing import PERIODS, Forcing, forcing_of
-from nonsmooth.derive.equations.guess import with_guess
-from nonsmooth.derive.equations.reduction import reduce_itinerary, unreduced
-from nonsmooth.derive.equations.section import Section, section_of, smallest_section, start_of
+from nonsmooth.derive.equations.forcing import PERIODS, forcing_of
+from nonsmooth.derive.equations.program import Equation
+from nonsmooth.derive.equations.reduction import Reduction, reduce_itinerary
+from nonsmooth.derive.equations.reference import reference_values, with_guess
+from nonsmooth.derive.equations.section import section_of, smallest_section, start_of
 from nonsmooth.derive.equations.symmetry import half_phases, required_values, vanishing_coordinates
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
@@ -68,51 +67,44 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     >>> derive_equations(itinerary).unknowns
     (y, u)
     """
-    required = _required(itinerary)
+    required = required_values(itinerary, start_of(itinerary)) if itinerary.reversor else {}
     itinerary = itinerary.specialised(required)
     system = itinerary.presented_system
     spectrum, flows = derive_flows(system)
-    section = section_of(itinerary, system)
-    start = start_of(itinerary, system, section)
-    vanishing = vanishing_coordinates(itinerary, system, start) if itinerary.reversor else ()
+    section, start = section_of(itinerary), start_of(itinerary)
+    vanishing = vanishing_coordinates(itinerary, start) if itinerary.reversor else ()
     start = start.without(vanishing)
-    forcing = _forcing(itinerary, system, section)
-    chain = follow(itinerary, system, flows, section, start, forcing)
+    forcing = forcing_of(itinerary, section.places)
+    chain = follow(itinerary, flows, section, start, forcing)
     _check_length(itinerary, chain)
     parameters = tuple(p.symbol for p in system.parameters)
     known = reference_values(itinerary.reference, spectrum, parameters)
     if not itinerary.reversor and itinerary.period is None:
-        itinerary = with_guess(itinerary, system, chain, known)
+        itinerary = with_guess(itinerary, chain, known)
+        known = reference_values(itinerary.reference, spectrum, parameters)
     dwell_times = tuple(
         link.dwell
         for link in chain.links
         if link.duration == link.dwell and link.dwell not in parameters
     )
     swapped = tuple(s for s in parameters if str(s) in itinerary.solved_for)
-    if itinerary.reversor:
-        halves = half_phases(itinerary, system, flows, start)
-        stages, equations = halves.stages, halves.equations
-        reduction = eliminate_coordinates(
-            stages,
-            equations,
-            start.coordinates,
-            dwell_times,
-            {*parameters, *spectrum.symbols},
-            known,
-            smallest_section(itinerary, system)[1].dimension,
-        )
-    else:
-        stages, equations = chain.stages, _full_turn(itinerary, chain)
-        if forcing is not None and not itinerary.solved_for:
-            reduction = reduce_forced(itinerary, system, chain, known, spectrum)
-        elif itinerary.period is None and forcing is None:
-            reduction = reduce_itinerary(itinerary, system, flows, spectrum)
-        else:
-            equations = _without_one(itinerary, system, chain, equations, known)
-            dimension = smallest_section(itinerary, system)[1].dimension
-            left = start.coordinates + dwell_times + swapped
-            reduction = unreduced(left, equations, stages, dimension)
     unknowns = start.coordinates + dwell_times + swapped
+    conservative, rank = is_conservative(itinerary), smallest_section(itinerary)[1].dimension
+    constants = {*parameters, *spectrum.symbols}
+    stages, equations = chain.stages, _full_turn(chain)
+    if itinerary.reversor:
+        stages, equations = half_phases(itinerary, flows, start)
+        reduction = eliminate_coordinates(
+            stages, equations, start.coordinates, dwell_times, constants, known, rank
+        )
+    elif forcing is not None and not swapped:
+        reduction = reduce_forced(chain, constants, known, rank)
+    elif forcing is None and itinerary.period is None:
+        reduction = reduce_itinerary(itinerary, flows, constants, swapped)
+    else:
+        if conservative:
+            equations = without_redundant(itinerary, chain, equations, known)
+        reduction = Reduction(rank, unknowns, equations, stages, {u: u for u in unknowns})
     if len(equations) != len(unknowns):
         raise DerivationError(
             f"itinerary {itinerary.name!r}: {len(equations)} equations for {len(unknowns)} unknowns"
@@ -123,13 +115,8 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
         *(e.free_symbols for stage in (*stages, *chain.stages) for _, e in stage.assignments),
         spectrum.parameters,
     )
-    limiting = set().union(
-        *(
-            boundary.function.free_symbols
-            for phase in itinerary.phases
-            for boundary in system.configuration(phase.configuration).boundaries
-        )
-    )
+    boundaries = (b.function for link in chain.links for b in link.configuration.boundaries)
+    limiting = set().union(*(function.free_symbols for function in boundaries))
     free = [s for s in parameters if s not in swapped]
     return EquationSystem(
         itinerary,
@@ -145,45 +132,23 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
         reduction,
         required,
         vanishing,
-        is_conservative(itinerary, system),
+        conservative,
+        known,
     )
 
 
-def _required(itinerary: Itinerary) -> dict[sp.Symbol, sp.Expr]:
-    """Values by parameter without which a reversible orbit does not exist."""
-    if not itinerary.reversor:
-        return {}
-    system = itinerary.presented_system
-    start = start_of(itinerary, system, section_of(itinerary, system))
-    return required_values(itinerary, system, start)
-
-
-def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr], ...]:
+def _full_turn(chain: Chain) -> tuple[Equation, ...]:
     """One exit condition for each phase, and the closure of the start's coordinates.
 
     A forcing has, in place of closure, conditions on its amplitude and on the period.
     """
-    equations = [
-        (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
-        for phase, link in zip(itinerary.phases, chain.links, strict=True)
-    ]
-    forced = chain.forcing.states if chain.forcing else ()
-    for coordinate, place in zip(chain.start.coordinates, chain.start.places, strict=True):
-        if place not in forced:
-            equations.append((f"{coordinate} returns", chain.end[place] - coordinate))
+    equations = [(link.meaning, sp.expand(link.exit)) for link in chain.links]
+    equations += [(f"{q} returns", chain.end[place] - q) for q, place in chain.closing]
     if chain.forcing is not None:
         equations += chain.forcing.conditions(chain.start.state)
         total = sp.Add(*(link.duration for link in chain.links))
         equations.append((PERIODS, total - chain.forcing.period))
     return tuple(equations)
-
-
-def _forcing(itinerary: Itinerary, system: System, section: Section) -> Forcing | None:
-    """The forcing of an orbit, if any; refused if the section fixes one of its states."""
-    forcing = forcing_of(itinerary, system)
-    if forcing is not None and not {*forcing.states} <= {*section.places}:
-        raise DerivationError(f"itinerary {itinerary.name!r}: its section ties the forcing")
-    return forcing
 
 
 def _check_length(itinerary: Itinerary, chain: Chain) -> None:
@@ -197,37 +162,9 @@ def _check_length(itinerary: Itinerary, chain: Chain) -> None:
         )
 
 
-def _without_one(
-    itinerary: Itinerary,
-    system: System,
-    chain: Chain,
-    equations: tuple[tuple[str, sp.Expr], ...],
-    known: Mapping[sp.Symbol, sp.Expr],
-) -> tuple[tuple[str, sp.Expr], ...]:
-    """The equations without the closure that the first integral E makes redundant.
-
-    It is the closure of the coordinate q with the largest |dE/dq| at the known point: the
-    others would leave q undetermined to first order.
-    """
-    first = system.configuration(itinerary.phases[0].configuration)
-    energy = energy_of(first.dynamics, system.states)
-    if energy is None or not is_conservative(itinerary, system):
-        return equations
-    at_start = energy.subs(dict(zip(system.states, chain.start.state, strict=True)))
-    slopes = [abs(sp.diff(at_start, q).subs(known)) for q in chain.start.coordinates]
-    if not all(slope.is_number for slope in slopes):
-        raise DerivationError(
-            f"itinerary {itinerary.name!r}: a conservative orbit of given period needs a"
-            " reference with values of all its parameters and unknowns"
-        )
-    steepest = max(range(len(slopes)), key=lambda k: slopes[k])
-    dropped = len(chain.links) + steepest
-    return equations[:dropped] + equations[dropped + 1 :]
-
-
 def _check_solvable(
     itinerary: Itinerary,
-    swapped: tuple[sp.Symbol, ...],
+    swapped: Sequence[sp.Symbol],
     spectrum: Spectrum,
     flows: Mapping[str, Flow],
 ) -> None:

@@ -5,6 +5,10 @@ given the dwell times. Coordinates whose coefficient holds no function of time g
 rest follow from a square part of the equations, by Cramer's rule where they are few. What
 remains are equations for the dwell times, and for those coordinates that other equations, of
 higher degree, are left to determine.
+
+Of a forced orbit these are the forcing's own: the period, that of the forcing, makes the last dwell
+time explicit, all coordinates but one follow, and what is left is that the forcing's amplitude is
+one. For an orbit of one phase that is a quadratic equation over the parameters.
 """
 
 from __future__ import annotations
@@ -15,18 +19,24 @@ from itertools import combinations
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.itinerary import Reference
-from nonsmooth.derive.declaration.parameter import exact
-from nonsmooth.derive.equations.program import Stage, assign, evaluate, prune
+from nonsmooth.derive.equations.chain import Chain, affine_conditions, derived_time
+from nonsmooth.derive.equations.forcing import PERIODS
+from nonsmooth.derive.equations.program import (
+    Equation,
+    Stage,
+    affine_sum,
+    assign,
+    coefficients_of,
+    evaluate,
+    name_parts,
+    prune,
+)
 from nonsmooth.derive.equations.reduction import Elimination, Reduction
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
-from nonsmooth.derive.flows.modal import Spectrum
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["LinearSolution", "eliminate_coordinates", "entry", "reference_values", "solve_linear"]
-
-_Equation = tuple[str, sp.Expr]
+__all__ = ["LinearSolution", "eliminate_coordinates", "entry", "reduce_forced", "solve_linear"]
 
 MOST_BY_CRAMER = 3
 _SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
@@ -34,13 +44,13 @@ _SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
 
 def eliminate_coordinates(
     stages: Sequence[Stage],
-    equations: Sequence[_Equation],
+    equations: Sequence[Equation],
     coordinates: Sequence[sp.Symbol],
     dwell_times: Sequence[sp.Symbol],
     constants: set[sp.Symbol],
     choose: Mapping[sp.Symbol, sp.Expr],
     rank: int,
-    polynomials: Sequence[_Equation] = (),
+    polynomials: Sequence[Equation] = (),
     known: Sequence[Elimination] = (),
 ) -> Reduction:
     """The reduction to the dwell times of equations that are affine in the start.
@@ -69,7 +79,7 @@ def eliminate_coordinates(
         rule = f"linear in: {meaning}"
         eliminations.append(Elimination(coordinate, rule))
         solved.append(Stage(f"{coordinate}: {rule}", ((coordinate, solution),)))
-    block = LinearSolution((), {}, sp.Integer(1), ())
+    block = None
     kept: tuple[sp.Symbol, ...] = tuple(open_ones[: len(polynomials)])
     if len(open_ones) > len(polynomials):
         rows, kept = _part(left, open_ones, len(polynomials), stages, choose)
@@ -85,52 +95,66 @@ def eliminate_coordinates(
     roots: tuple[sp.Expr, ...] = ()
     if len(left) == 1:
         written = {x: e for stage in solved for x, e in stage.assignments if x in coordinates}
-        left = [_cleared(left[0], {q: written[q] for q in written if q not in open_ones}, block)]
+        if block is not None:
+            alone = {q: written[q] for q in written if q not in open_ones}
+            left = [_cleared(left[0], alone, block)]
         roots = _roots(left[0], kept)
-    unknowns = (*dwell_times, *kept)
     names = [*dict.fromkeys((*coordinates, *dwell_times, *(e.unknown for e in known)))]
-    wanted = [*(e for _, e in left), *roots, *coordinates, *(e.unknown for e in known)]
-    wanted += [determinant for determinant, _ in block.determinants]
+    determinants = (block.determinant,) if block else ()
+    wanted = [*(e for _, e in left), *roots, *names, *(d for d, _ in determinants)]
     return Reduction(
-        rotation=0,
-        rank=rank,
-        unknowns=unknowns,
-        equations=tuple(left),
-        stages=prune(every, wanted),
-        values={name: name for name in names},
-        eliminations=(*known, *eliminations),
-        rates={},
-        start=None,
-        image=None,
-        determinants=block.determinants,
+        rank,
+        (*dwell_times, *kept),
+        tuple(left),
+        prune(every, wanted),
+        {name: name for name in names},
+        (*known, *eliminations),
+        determinants=determinants,
         roots=roots,
     )
 
 
-def reference_values(
-    reference: Reference | None, spectrum: Spectrum, parameters: Sequence[sp.Symbol]
-) -> dict[sp.Symbol, sp.Expr]:
-    """Numbers of parameters, spectrum and unknowns at the reference point of an orbit."""
-    if reference is None:
-        return {}
-    texts = reference.parameters
-    known = {s: exact(texts[str(s)]) for s in parameters if str(s) in texts}
-    for symbol, expression in spectrum.entries:
-        known[symbol] = expression.xreplace(known).evalf(30)
-    kinds: tuple[dict[str, bool], ...] = ({"positive": True}, {"real": True})
-    return known | {
-        sp.Symbol(name, **kind): sp.Float(text)
-        for name, text in reference.guess.items()
-        for kind in kinds  # of dwell times, and of coordinates
-    }
+def reduce_forced(
+    chain: Chain,
+    constants: set[sp.Symbol],
+    choose: Mapping[sp.Symbol, sp.Expr],
+    rank: int,
+) -> Reduction:
+    """The reduction of a forced orbit, in which velocities are eliminated last.
+
+    The arguments are those of :func:`eliminate_coordinates`.
+    """
+    forcing, start, link = chain.forcing, chain.start, chain.links[0]
+    assert forcing is not None
+    *others, last = (link.dwell for link in chain.links)
+    complete = derived_time(last, forcing.period - sp.Add(*others))
+    stages, equations = affine_conditions(chain)
+    rates = link.flow.velocity(sp.Matrix(link.states))
+    velocities = {link.states.index(rate) for rate in rates if rate in link.states}
+    # those that may stay unknown come first: velocities, other states, those of the forcing
+    order = sorted(
+        zip(start.coordinates, start.places, strict=True),
+        key=lambda q: 2 if q[1] in forcing.states else 0 if q[1] in velocities else 1,
+    )
+    return eliminate_coordinates(
+        [complete, *stages],
+        equations,
+        [coordinate for coordinate, _ in order],
+        others,
+        constants,
+        choose,
+        rank - len(forcing.states) + 1,
+        forcing.conditions(start.state),
+        [Elimination(last, PERIODS)],
+    )
 
 
 def _constant_pivot(
-    equations: Sequence[_Equation],
+    equations: Sequence[Equation],
     coordinates: Sequence[sp.Symbol],
     constants: set[sp.Symbol],
     kept: int,
-) -> tuple[_Equation, sp.Symbol] | None:
+) -> tuple[Equation, sp.Symbol] | None:
     """An equation and a coordinate that has a nonzero constant coefficient in it, if any.
 
     The first `kept` coordinates are left alone.
@@ -144,16 +168,15 @@ def _constant_pivot(
 
 
 def _part(
-    equations: Sequence[_Equation],
+    equations: Sequence[Equation],
     coordinates: Sequence[sp.Symbol],
     kept: int,
     stages: Sequence[Stage],
     choose: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[tuple[int, ...], tuple[sp.Symbol, ...]]:
     """Indices of the equations to be solved, and the coordinates that stay unknown."""
-    table = sp.Matrix([[sp.diff(e, q) for q in coordinates] for _, e in equations])
-    flat = evaluate(stages, table, choose, digits=30)
-    numbers = sp.Matrix(*table.shape, flat)
+    table = coefficients_of(equations, coordinates)[:, :-1]
+    numbers = sp.Matrix(*table.shape, evaluate(stages, table, choose, digits=30))
     known = all(n.is_number for n in numbers)
     best: tuple[sp.Expr, tuple[int, ...], tuple[sp.Symbol, ...]] | None = None
     for names in combinations(coordinates, kept):
@@ -176,8 +199,8 @@ def _part(
 
 
 def _cleared(
-    equation: _Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: LinearSolution
-) -> _Equation:
+    equation: Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: LinearSolution
+) -> Equation:
     """The only remaining equation, cleared of its pole.
 
     It is multiplied by a power of the determinant of the solved equations. If it is affine,
@@ -187,22 +210,20 @@ def _cleared(
     for coordinate, solution in solutions.items():
         condition = condition.subs(coordinate, solution)
     numerators = block.numerators
-    if not numerators:
-        return equation
     zero = dict.fromkeys(numerators, 0)
     inside = sp.Poly(condition, *numerators)
     terms = []
     for powers in reversed(inside.monoms()):
         orders = list(zip(numerators, powers, strict=True))
         slope = sp.diff(condition, *((q, k) for q, k in orders if k)) if any(powers) else condition
-        coefficient = slope.subs(zero) / sp.prod([sp.factorial(k) for k in powers])
+        coefficient = slope.subs(zero) / sp.Mul(*map(sp.factorial, powers))
         factors = [numerators[q] ** k for q, k in orders]
-        scale = block.determinant ** (inside.total_degree() - sum(powers))
+        scale = block.divisor ** (inside.total_degree() - sum(powers))
         terms.append(coefficient * scale * sp.Mul(*factors))
     return meaning, sp.Add(*terms)
 
 
-def _roots(equation: _Equation, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+def _roots(equation: Equation, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
     """Both roots of a quadratic equation for the only unknown; none for another equation."""
     if len(unknowns) != 1:
         return ()
@@ -245,12 +266,12 @@ class LinearSolution:
 
     stages: tuple[Stage, ...]
     numerators: Mapping[sp.Symbol, sp.Expr]  # of each coordinate, affine in what is kept
-    determinant: sp.Expr  # what the numerators are divided by
-    determinants: tuple[tuple[sp.Expr, sp.Expr], ...]  # (determinant, bound)
+    divisor: sp.Expr  # what the numerators are divided by
+    determinant: tuple[sp.Symbol, sp.Expr]  # with its bound
 
 
 def solve_linear(
-    equations: Sequence[_Equation],
+    equations: Sequence[Equation],
     coordinates: Sequence[sp.Symbol],
     kept: Sequence[sp.Symbol],
     stages: Sequence[Stage],
@@ -261,17 +282,26 @@ def solve_linear(
     `stages` compute the coefficients. `choose` has numbers of a known point: there the pivots of
     an elimination are the best, where the coordinates are too many for Cramer's rule.
     """
-    solve = _cramer if len(coordinates) <= MOST_BY_CRAMER else _successively
-    return solve(equations, coordinates, kept, stages, choose)
-
-
-def _bound(
-    equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], stages: Sequence[Stage]
-) -> sp.Expr:
-    """Hadamard's bound of the determinant of linear equations."""
-    sizes = _squared_sizes(stages)
-    rows = ([_squared_bound(sp.diff(e, q), sizes) for q in coordinates] for _, e in equations)
-    return sp.sqrt(sp.prod([sp.Add(*row) for row in rows], sp.Integer(1)))
+    entries = coefficients_of(equations, (*coordinates, *kept))
+    size, sizes = len(coordinates), _squared_sizes(stages)
+    squares = entries[:, :size].applyfunc(lambda e: _squared_bound(e, sizes))
+    bound = sp.sqrt(sp.Mul(*(sp.Add(*squares[i, :]) for i in range(size))))
+    naming, table, names = _named(entries, size, kept)
+    determinant = Symbol("determinant")
+    if size <= MOST_BY_CRAMER:
+        more, numerators = _cramer(table, coordinates, kept, determinant)
+        divisor: sp.Expr = determinant
+    else:
+        known = evaluate([*stages, *naming], table, choose, digits=30)
+        numbers = sp.Matrix(*table.shape, known)
+        if not all(number.is_number for number in numbers):
+            raise DerivationError(
+                f"the start solves {size} linear equations, and no reference tells in which order"
+            )
+        more, numerators = _successively(table, numbers, names, coordinates, kept, determinant)
+        divisor = sp.Integer(1)
+    used = tuple(s for s in (*naming, *more) if s.assignments)
+    return LinearSolution(used, numerators, divisor, (determinant, bound))
 
 
 def entry(row: int, column: int, size: int) -> Symbol:
@@ -284,100 +314,79 @@ def _sides(symbol: Symbol, kept: Iterable[sp.Symbol]) -> list[Symbol]:
     return [symbol, *(Symbol("times", symbol, q) for q in kept)]
 
 
-def _tables(
-    equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], kept: Sequence[sp.Symbol]
-) -> tuple[list[Stage], sp.Matrix, list[sp.Matrix]]:
-    """Stages, matrix and right-hand sides of linear equations, their entries named.
+def _named(
+    entries: sp.Matrix, size: int, kept: Sequence[sp.Symbol]
+) -> tuple[list[Stage], sp.Matrix, list[list[Symbol]]]:
+    """Stages, table and names of linear equations: their matrix, then right-hand sides.
 
     The first right-hand side is that of the constants, then there is one for each unknown
     that is kept.
     """
-    size = len(coordinates)
-    zero = dict.fromkeys((*coordinates, *kept), 0)
-    naming, values = assign(
-        "coefficients of the linear equations",
-        [entry(i, j, size) for i in range(size) for j in range(size)],
-        [sp.diff(e, q) for _, e in equations for q in coordinates],
-    )
-    stages, columns = [naming], []
-    sides = [_sides(Symbol("right", i + 1), kept) for i in range(size)]
-    for names, unknown in zip(zip(*sides, strict=True), (None, *kept), strict=True):
-        parts = [e.subs(zero) if unknown is None else sp.diff(e, unknown) for _, e in equations]
-        other, right = assign(
-            "right-hand sides of the linear equations",
-            names,
-            [-part for part in parts],
-        )
-        stages.append(other)
-        columns.append(sp.Matrix(right))
-    return stages, sp.Matrix(size, size, values), columns
+    names = [
+        [*(entry(i, j, size) for j in range(size)), *_sides(Symbol("right", i + 1), kept)]
+        for i in range(size)
+    ]
+    table = sp.Matrix.hstack(entries[:, :size], -entries[:, -1], -entries[:, size:-1])
+    stages = []
+    for columns, title in (
+        (range(size), "coefficients of the linear equations"),
+        *(([k], "right-hand sides of the linear equations") for k in range(size, table.cols)),
+    ):
+        cells = [(i, j) for i in range(size) for j in columns]
+        step, values = assign(title, [names[i][j] for i, j in cells], [table[c] for c in cells])
+        stages.append(step)
+        for cell, value in zip(cells, values, strict=True):
+            table[cell] = value
+    return stages, table, names
 
 
 def _cramer(
-    equations: Sequence[_Equation],
+    table: sp.Matrix,
     coordinates: Sequence[sp.Symbol],
     kept: Sequence[sp.Symbol],
-    stages: Sequence[Stage],
-    choose: Mapping[sp.Symbol, sp.Expr],
-) -> LinearSolution:
-    """Linear equations solved by Cramer's rule."""
-    naming, matrix, columns = _tables(equations, coordinates, kept)
-    determinant = Symbol("determinant")
-    naming.append(
-        Stage("determinant of the linear equations", ((determinant, sp.expand(matrix.det())),))
-    )
-    numerators = dict.fromkeys(coordinates, sp.Integer(0))
-    sides = [_sides(Symbol("numerator", j + 1), kept) for j in range(len(coordinates))]
-    for place, (unknown, column) in enumerate(zip((None, *kept), columns, strict=True)):
+    determinant: sp.Symbol,
+) -> tuple[list[Stage], dict[sp.Symbol, sp.Expr]]:
+    """Stages and numerators of linear equations solved by Cramer's rule."""
+    size = len(coordinates)
+    matrix = table[:, :size]
+    title = "determinant of the linear equations"
+    stages = [Stage(title, ((determinant, sp.expand(matrix.det())),))]
+    parts: list[list[sp.Expr]] = []
+    sides = [_sides(Symbol("numerator", j + 1), kept) for j in range(size)]
+    for k, names in enumerate(zip(*sides, strict=True), start=size):
         replaced = [matrix.copy() for _ in coordinates]
         for j, numerator in enumerate(replaced):
-            numerator[:, j] = column
-        minors, values = assign(
-            "numerators of Cramer's rule",
-            [side[place] for side in sides],
-            [sp.expand(m.det()) for m in replaced],
-        )
-        naming.append(minors)
-        for q, value in zip(coordinates, values, strict=True):
-            numerators[q] += value * (sp.Integer(1) if unknown is None else unknown)
+            numerator[:, j] = table[:, k]
+        determinants = [sp.expand(m.det()) for m in replaced]
+        minors, values = assign("numerators of Cramer's rule", names, determinants)
+        stages.append(minors)
+        parts.append(values)
+    columns = zip(*parts, strict=True)
+    numerators = {q: affine_sum(p, kept) for q, p in zip(coordinates, columns, strict=True)}
     title = f"{', '.join(map(str, coordinates))} by Cramer's rule"
-    naming.append(Stage(title, tuple((q, numerators[q] / determinant) for q in coordinates)))
-    found = tuple(s for s in naming if s.assignments)
-    bound = _bound(equations, coordinates, stages)
-    return LinearSolution(found, numerators, determinant, ((determinant, bound),))
+    stages.append(Stage(title, tuple((q, n / determinant) for q, n in numerators.items())))
+    return stages, numerators
 
 
 def _successively(
-    equations: Sequence[_Equation],
+    table: sp.Matrix,
+    numbers: sp.Matrix,
+    entries: list[list[Symbol]],
     coordinates: Sequence[sp.Symbol],
     kept: Sequence[sp.Symbol],
-    stages: Sequence[Stage],
-    choose: Mapping[sp.Symbol, sp.Expr],
-) -> LinearSolution:
-    """Linear equations solved by elimination, with the pivots that are best at a known point."""
-    naming, matrix, columns = _tables(equations, coordinates, kept)
-    size, width = len(coordinates), len(coordinates) + len(columns)
-    table = sp.Matrix.hstack(matrix, *columns)
-    flat = evaluate([*stages, *naming], table, choose, digits=30)
-    numbers = sp.Matrix(*table.shape, flat)
-    if not all(n.is_number for n in numbers):
-        raise DerivationError(
-            f"the start solves {size} linear equations, and no reference tells in which order"
-        )
+    determinant: sp.Symbol,
+) -> tuple[list[Stage], dict[sp.Symbol, sp.Expr]]:
+    """Stages and solutions of linear equations by elimination, with the pivots best for numbers."""
+    size, stages = len(coordinates), []
     rows, places = list(range(size)), list(range(size))
-    entries = [
-        [*(entry(k, m, size) for m in places), *_sides(Symbol("right", k + 1), kept)] for k in rows
-    ]
-    pivots: list[sp.Expr] = []
     order: list[tuple[int, int]] = []
     while rows:
         i, j = max(((i, j) for i in rows for j in places), key=lambda ij: abs(numbers[ij]))
         rows.remove(i)
         places.remove(j)
         order.append((i, j))
-        pivots.append(table[i, j])
         names, values = [], []
-        cells = [(k, m) for k in rows for m in (*places, *range(size, width))]
+        cells = [(k, m) for k in rows for m in (*places, *range(size, table.cols))]
         for k, m in cells:
             numbers[k, m] -= numbers[k, j] * numbers[i, m] / numbers[i, j]
             names.append(Symbol("without", entries[k][m], len(order)))
@@ -385,25 +394,17 @@ def _successively(
         step, found = assign(f"without {coordinates[j]}", names, values)
         for cell, value in zip(cells, found, strict=True):
             table[cell] = value
-        naming.append(step)
-    numerators: dict[sp.Symbol, sp.Expr] = {}
+        stages.append(step)
     known: dict[int, list[sp.Expr]] = {}
     for i, j in reversed(order):
         parts = [
             (table[i, m] - sum(table[i, n] * known[n][m - size] for n in known)) / table[i, j]
-            for m in range(size, width)
+            for m in range(size, table.cols)
         ]
-        solved = coordinates[j]
-        names = [Symbol("constant", solved), *(Symbol("times", solved, q) for q in kept)]
-        step, known[j] = assign(f"parts of {solved}", names, parts)
-        naming.append(step)
-        constant, *rates = known[j]
-        numerators[solved] = constant + sum(
-            (r * q for r, q in zip(rates, kept, strict=True)), sp.Integer(0)
-        )
-    naming.append(Stage("the start", tuple((q, numerators[q]) for q in coordinates)))
-    determinant = Symbol("determinant")
-    naming.append(Stage("determinant of the linear equations", ((determinant, sp.Mul(*pivots)),)))
-    found_stages = tuple(s for s in naming if s.assignments)
-    bound = _bound(equations, coordinates, stages)
-    return LinearSolution(found_stages, numerators, sp.Integer(1), ((determinant, bound),))
+        step, known[j] = name_parts(coordinates[j], parts, kept)
+        stages.append(step)
+    solutions = {coordinates[j]: affine_sum(known[j], kept) for j in known}
+    stages.append(Stage("the start", tuple((q, solutions[q]) for q in coordinates)))
+    product = sp.Mul(*(table[pivot] for pivot in order))
+    stages.append(Stage("determinant of the linear equations", ((determinant, product),)))
+    return stages, solutions

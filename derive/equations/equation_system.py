@@ -5,26 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.equations.chain import Chain, poincare_jacobian, sensitivities
-from nonsmooth.derive.equations.elimination import reference_values
+from nonsmooth.derive.equations.chain import Chain
+from nonsmooth.derive.equations.linearisation import poincare_jacobian, sensitivities
 from nonsmooth.derive.equations.period_map import PeriodMap, derive_period_map
 from nonsmooth.derive.equations.program import (
+    Equation,
+    Program,
     Stage,
-    derivative_of,
-    differentiate,
     evaluate,
     gradient,
+    jacobian,
     prune,
 )
 from nonsmooth.derive.equations.reduction import Reduction
-from nonsmooth.derive.equations.section import Section, section_of
+from nonsmooth.derive.equations.section import is_zero, row_of, section_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.registry import registered
@@ -33,7 +33,6 @@ from nonsmooth.derive.symbols import derivative
 __all__ = [
     "BoundaryFunction",
     "EquationSystem",
-    "Program",
     "frequencies_of",
 ]
 
@@ -56,13 +55,6 @@ class BoundaryFunction:
     open_parameter: sp.Symbol | None  # a parameter that the equations leave open
     open_coefficient: sp.Expr
     begins: bool  # whether the phase begins on the boundary, so that the sum is zero there
-
-
-class Program(NamedTuple):
-    """Expressions of symbols that stages assign, one after the other."""
-
-    stages: tuple[Stage, ...]
-    expressions: Any  # one expression, a matrix or a list of them
 
 
 @dataclass(frozen=True, repr=False)
@@ -100,6 +92,8 @@ class EquationSystem:
         Coordinates of the start that the closure makes zero.
     conservative : bool
         Whether energy is a first integral along the itinerary.
+    known : mapping of symbol to number
+        Parameters, spectrum and unknowns at the itinerary's reference, as far as it has them.
 
     Examples
     --------
@@ -119,13 +113,14 @@ class EquationSystem:
     chain: Chain
     unknowns: tuple[sp.Symbol, ...]
     stages: tuple[Stage, ...]
-    equations: tuple[tuple[str, sp.Expr], ...]
+    equations: tuple[Equation, ...]
     parameters: tuple[sp.Symbol, ...]
     open_parameters: tuple[sp.Symbol, ...]
     reduction: Reduction
     required: Mapping[sp.Symbol, sp.Expr]
     vanishing: tuple[sp.Symbol, ...]
     conservative: bool
+    known: Mapping[sp.Symbol, sp.Expr]
 
     @property
     def residual(self) -> list[sp.Expr]:
@@ -227,32 +222,25 @@ class EquationSystem:
     @cached_property
     def jacobian_program(self) -> Program:
         """Stages and entries of the derivatives of the equations by the unknowns."""
-        itinerary = self.itinerary
+        itinerary, chain = self.itinerary, self.chain
         if itinerary.reversor or itinerary.solved_for or itinerary.period is not None:
             seeds = {u: {u: sp.Integer(1)} for u in self.unknowns}
-            stages, moving = differentiate(self.stages, seeds)
-            rows = [[derivative_of(e, moving[u]) for u in self.unknowns] for e in self.residual]
-            return Program(stages, sp.Matrix(rows))
-        stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
-        start = self.chain.start
-        rows = [link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)]
-        forced = self.chain.forcing.states if self.chain.forcing else ()
-        for column, place in enumerate(start.places):
-            if place not in forced:
-                closure = sp.Matrix(ends[-1][place, :])
-                closure[column] -= 1
-                rows.append(closure)
+            return jacobian(self.stages, self.residual, seeds)
+        stages, ends = sensitivities(chain, self.system.states, self.unknowns)
+        rows = [link.normal * end for link, end in zip(chain.links, ends[:-1], strict=True)]
+        for coordinate, place in chain.closing:
+            closure = sp.Matrix(ends[-1][place, :])
+            closure[self.unknowns.index(coordinate)] -= 1
+            rows.append(closure)
         # those of the forcing are written in the unknowns themselves
-        for equation in self.residual[len(rows) :]:
-            rows.append(sp.Matrix([[sp.diff(equation, u) for u in self.unknowns]]))
+        own = sp.Matrix(self.residual[len(rows) :])
+        rows += [own.jacobian(self.unknowns)] if own else []
         return Program(stages, sp.Matrix.vstack(*rows))
 
     @cached_property
     def parameter_jacobian_program(self) -> Program:
         """Stages and entries of the total derivatives of the equations by the parameters."""
-        stages, moving = differentiate(self.stages, self.parameter_seeds)
-        rows = [[derivative_of(e, moving[p]) for p in self.parameters] for e in self.residual]
-        return Program(stages, sp.Matrix(rows))
+        return jacobian(self.stages, self.residual, self.parameter_seeds)
 
     @property
     def parameter_seeds(self) -> dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]:
@@ -321,8 +309,9 @@ class EquationSystem:
             If the orbit is given by half phases, by its period or by a forcing, if its section
             leaves nothing to be sought, or knows an entry otherwise.
         """
-        known = reference_values(self.itinerary.reference, self.spectrum, self.parameters)
-        return derive_period_map(self.itinerary, self.system, self.chain, self.equations, known)
+        return derive_period_map(
+            self.itinerary, self.chain, self.unknowns, self.equations, self.known
+        )
 
     @cached_property
     def trigonometric(self) -> bool:
@@ -343,16 +332,14 @@ class EquationSystem:
         DerivationError
             If a boundary contains two open parameters.
         """
-        found = []
+        found, one = [], sp.Integer(1)
         for index, link in enumerate(self.chain.links):
-            configuration = self.system.configuration(link.flow.configuration)
             oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
-            basis = (sp.Integer(1), TIME, *oscillations)
-            if frequencies_of(link.flow) is None:
-                basis = ()
-            begin = section_of(self.itinerary.rotated(index), self.system)
-            for boundary in configuration.boundaries:
-                row, constant = self.system.gradient(boundary.function)
+            basis = (one, TIME, *oscillations) if frequencies_of(link.flow) is not None else ()
+            inclusion = section_of(self.itinerary, index).inclusion
+            for boundary in link.configuration.boundaries:
+                row = row_of(boundary.function, self.system)
+                constant = row[-1]
                 opened = sorted(constant.free_symbols & set(self.open_parameters), key=str)
                 if len(opened) > 1:
                     raise DerivationError(
@@ -361,18 +348,18 @@ class EquationSystem:
                 parameter = opened[0] if opened else None
                 slope = sp.diff(constant, parameter) if parameter else sp.Integer(0)
                 closed = sp.expand(constant - slope * parameter) if parameter else constant
-                along = link.flow.along(row, closed, link.before) if basis else ()
+                along = link.flow.along(row[:, :-1], closed, link.before) if basis else ()
                 values = dict(zip(link.flow.basis, along, strict=bool(basis)))
                 found.append(
                     BoundaryFunction(
                         index,
                         boundary.name,
-                        row,
+                        row[:, :-1],
                         closed,
                         tuple(values.get(f, sp.Integer(0)) for f in basis),
                         parameter,
                         slope,
-                        _vanishes_on(begin, row, constant),
+                        is_zero(row * inclusion),
                     )
                 )
         return tuple(found)
@@ -384,9 +371,7 @@ class EquationSystem:
         The start's coordinates, and the parameters in the boundaries.
         """
         boundaries = (
-            boundary.function
-            for phase in self.itinerary.phases
-            for boundary in self.system.configuration(phase.configuration).boundaries
+            b.function for link in self.chain.links for b in link.configuration.boundaries
         )
         contained = set().union(*(b.free_symbols for b in boundaries))
         known = (*self.parameters, *self.unknowns)
@@ -415,12 +400,6 @@ class EquationSystem:
     def _repr_html_(self) -> str | None:
         html: str | None = registered("equation_html")(self._shown, self._name)
         return html
-
-
-def _vanishes_on(section: Section, row: sp.Matrix, constant: sp.Expr) -> bool:
-    """Whether an affine function of the state is zero on a whole section."""
-    values = [*(row * section.embedding), (row * section.constant)[0] + constant]
-    return all(cancel(sp.expand(value)) == 0 for value in values)
 
 
 def frequencies_of(flow: Flow) -> tuple[sp.Expr, ...] | None:

@@ -12,14 +12,13 @@ so that one phase is that of all.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import exact
-from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["PERIODS", "Forcing", "forcing_of"]
@@ -85,13 +84,14 @@ class Forcing:
         return (end[c] * moved[s, :] - end[s] * moved[c, :]) / self.multiples[0]
 
 
-def forcing_of(itinerary: Itinerary, system: System) -> Forcing | None:
+def forcing_of(itinerary: Itinerary, free: Collection[int]) -> Forcing | None:
     """The forcings of an orbit and how many of their periods it takes; None without any.
 
-    That number is the nearest to the dwell times of the itinerary's reference.
-    DerivationError says that the forcings have no common period, or that no reference gives
-    the number.
+    That number is the nearest to the dwell times of the itinerary's reference. DerivationError
+    says that the forcings have no common period, that no reference gives the number, or that a
+    forcing is not among the states that are `free` at the start.
     """
+    system = itinerary.presented_system
     if not system.forcing:
         return None
     where = f"itinerary {itinerary.name!r}"
@@ -107,32 +107,26 @@ def forcing_of(itinerary: Itinerary, system: System) -> Forcing | None:
     frequency = frequencies[0] * common / whole
     if itinerary.period is not None:
         raise DerivationError(f"{where}: its period is given, and that of its forcing too")
-    turns = _turns(itinerary, system, frequency)
+    turns = _turns(itinerary, frequency)
     if not turns:
         raise DerivationError(f"{where}: no reference tells how many periods of its forcing it has")
-    return Forcing(frequency, tuple(m // common for m in multiples), places, turns)
+    forcing = Forcing(frequency, tuple(m // common for m in multiples), places, turns)
+    if not {*forcing.states} <= {*free}:
+        raise DerivationError(f"{where}: its section ties the forcing")
+    return forcing
 
 
-def _turns(itinerary: Itinerary, system: System, frequency: sp.Expr) -> int:
+def _turns(itinerary: Itinerary, frequency: sp.Expr) -> int:
     """Number of periods of a frequency in the reference's dwell times; 0 if it is not known."""
     reference = itinerary.reference
     if reference is None:
         return 0
-    known = {
-        p.symbol: exact(reference.parameters[p.name])
-        for p in system.parameters
-        if p.name in reference.parameters
-    }
-    times = [
-        reference.guess.get(phase.dwell_time)
-        for phase in itinerary.phases
-        if phase.dwell_time not in itinerary.vanishing
-    ]
-    if None in times:
+    texts = reference.parameters
+    symbols = [p.symbol for p in itinerary.presented_system.parameters]
+    known = {s: exact(texts[str(s)]) for s in symbols if str(s) in texts}
+    names = [p.dwell_time for p in itinerary.phases if p.dwell_time not in itinerary.vanishing]
+    if not {*names} <= {*reference.guess}:
         return 0
-    turned = frequency.xreplace(known) * sp.Add(*map(exact, _texts(times))) / (2 * sp.pi)
+    total = sp.Add(*(exact(reference.guess[name]) for name in names))
+    turned = frequency.xreplace(known) * total / (2 * sp.pi)
     return int(sp.floor(turned + sp.Rational(1, 2))) if turned.is_number else 0
-
-
-def _texts(times: Sequence[str | None]) -> list[str]:
-    return [time for time in times if time is not None]

@@ -19,19 +19,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.equations.chain import Chain, name_functions
+from nonsmooth.derive.equations.chain import Chain, Link, name_functions
 from nonsmooth.derive.equations.elimination import solve_linear
-from nonsmooth.derive.equations.program import Stage, assign, prune
-from nonsmooth.derive.equations.section import coordinates_of, reset_matrix
+from nonsmooth.derive.equations.program import Equation, Stage, assign, prune
+from nonsmooth.derive.equations.section import coordinates_of, is_zero
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = ["PeriodMap", "derive_period_map"]
-
-_Equation = tuple[str, sp.Expr]
 
 
 @dataclass(frozen=True)
@@ -70,8 +66,8 @@ class PeriodMap:
     known: tuple[int, ...]
     start: sp.Matrix
     unknowns: tuple[sp.Symbol, ...]
-    compatibility: tuple[_Equation, ...]
-    switching: tuple[_Equation, ...]
+    compatibility: tuple[Equation, ...]
+    switching: tuple[Equation, ...]
     contained: tuple[int, ...]
     resets: tuple[int, ...]
 
@@ -101,67 +97,36 @@ class PeriodMap:
         return (first - one).inv("ADJ") * second - third.inv("ADJ") * (fourth - one)
 
 
-@dataclass(frozen=True)
-class _Row:
-    """An affine function of the state, ``row y + constant``."""
-
-    row: sp.Matrix  # 1 x N
-    constant: sp.Expr
-
-    def through(self, matrix: sp.Matrix, offset: sp.Matrix) -> _Row:
-        """The function in front of an affine map."""
-        return _Row(self.row * matrix, self.constant + (self.row * offset)[0])
-
-    @property
-    def is_zero(self) -> bool:
-        """Whether the function is zero everywhere."""
-        return all(cancel(sp.expand(e)) == 0 for e in (*self.row, self.constant))
-
-    def vanishes_with(self, other: _Row) -> bool:
-        """Whether the function is a multiple of another one."""
-        mine, theirs = [*self.row, self.constant], [*other.row, other.constant]
-        pivot = next(i for i, entry in enumerate(theirs) if entry != 0)
-        return all(
-            cancel(sp.expand(a * theirs[pivot] - b * mine[pivot])) == 0
-            for a, b in zip(mine, theirs, strict=True)
-        )
-
-
-@dataclass(frozen=True)
-class _Passage:
-    """One phase and its transition, for a given dwell time."""
-
-    naming: Stage
-    flow: tuple[sp.Matrix, sp.Matrix]  # affine map of the phase
-    field: tuple[sp.Matrix, sp.Matrix]
-    exit: _Row
-    reset: tuple[sp.Matrix, sp.Matrix] | None  # None if it only states that the exit is reached
-
-
 def derive_period_map(
     itinerary: Itinerary,
-    system: System,
     chain: Chain,
-    equations: Sequence[_Equation],
+    unknowns: Sequence[sp.Symbol],
+    equations: Sequence[Equation],
     choose: Mapping[sp.Symbol, sp.Expr],
 ) -> PeriodMap:
     """The map of a turn and its equations; see the module's description.
 
-    `equations` are the switching conditions of all phases, then the closures; `choose` has numbers
-    of a known point, which tell the order of elimination where many entries are sought.
+    `equations` for the `unknowns` are the switching conditions of all phases, then the closures;
+    `choose` has numbers of a known point, which tell the order of elimination where many entries
+    are sought.
     DerivationError refuses an orbit that is given by half phases, by its period or by a forcing,
     one with nothing to seek at its start alone, and one whose section knows an entry otherwise
     than by a switching condition.
     """
-    name, section, states = itinerary.name, chain.section, system.states
+    where, section, links = f"itinerary {itinerary.name!r}", chain.section, chain.links
+    states = links[0].states
     if itinerary.reversor or itinerary.period is not None or chain.forcing is not None:
-        raise DerivationError(f"itinerary {name!r}: its equations are not those of a free turn")
+        raise DerivationError(f"{where}: its equations are not those of a free turn")
     if not section.dimension or chain.start != section:
-        raise DerivationError(f"itinerary {name!r}: its section leaves nothing else to be sought")
-    passages = [_passage(itinerary, system, chain, k) for k in range(len(chain.links))]
+        raise DerivationError(f"{where}: its section leaves nothing else to be sought")
+    resets = [k for k, link in enumerate(links) if not _only_states_its_exit(link)]
     known = tuple(i for i in range(len(states)) if i not in section.places)
-    tested = {place: _tested(passages, _relation(chain, place), name) for place in known}
-    stages, matrix, offset = _turn(itinerary, system, chain, passages)
+    relations = sp.eye(len(states) + 1)[:-1, :]
+    for column, place in enumerate(section.places):
+        relations[:, place] -= section.embedding[:, column]
+    relations[:, -1] -= section.constant
+    tested = {i: _tested(links, resets, relations[i, :], where) for i in known}
+    stages, matrix, offset = _turn(itinerary, links, resets)
     closures = matrix * section.state + offset - section.state
     solution = solve_linear(
         [
@@ -173,14 +138,12 @@ def derive_period_map(
         stages,
         choose,
     )
-    compatibility = tuple(
+    compatibility = [
         (f"{states[place]} returns", closures[place])
         for place, phase in tested.items()
         if phase is not None
-    )
-    contained = tuple(sorted(k for k in tested.values() if k is not None))
-    switching = tuple(equations[k] for k in range(len(passages)) if k not in contained)
-    swapped = [p.symbol for p in system.parameters if p.name in itinerary.solved_for]
+    ]
+    contained = sorted(k for k in tested.values() if k is not None)
     return PeriodMap(
         stages,
         solution.stages,
@@ -189,77 +152,62 @@ def derive_period_map(
         section.places,
         known,
         section.state,
-        (*(link.dwell for link in chain.links if link.duration != 0), *swapped),
-        compatibility,
-        switching,
-        contained,
-        tuple(k for k, passage in enumerate(passages) if passage.reset is not None),
+        tuple(u for u in unknowns if u not in section.coordinates),
+        tuple(compatibility),
+        tuple(equations[k] for k in range(len(links)) if k not in contained),
+        tuple(contained),
+        tuple(resets),
     )
 
 
-def _passage(itinerary: Itinerary, system: System, chain: Chain, index: int) -> _Passage:
-    """The passage of one phase of an itinerary."""
-    phase, link = itinerary.phases[index], chain.links[index]
-    boundary = system.configuration(phase.configuration).boundary(phase.boundary)
-    leaving = _Row(*system.gradient(boundary.function))
-    naming, _ = name_functions(link.flow, link.dwell)
-    transition = itinerary.transition_after(system, index)
-    jump, shift = reset_matrix(transition.reset.items(), system.states)
-    changes = jump - sp.eye(jump.rows)
-    stated = all(_Row(changes[i, :], shift[i]).vanishes_with(leaving) for i in range(changes.rows))
-    return _Passage(
-        naming,
-        (link.transfer, link.flow.offset(link.functions)),
-        link.flow.field,
-        leaving,
-        None if stated else (jump, shift),
-    )
+def _only_states_its_exit(link: Link) -> bool:
+    """Whether a transition changes the state by multiples of its boundary's function alone."""
+    changes = link.jump - sp.eye(link.jump.rows)
+    return all(_vanishes_with(changes[i, :], link.row) for i in range(changes.rows))
 
 
-def _relation(chain: Chain, place: int) -> _Row:
-    """What the section knows of one entry: a function that vanishes on it."""
-    section = chain.section
-    row = sp.zeros(1, section.embedding.rows)
-    row[place] = 1
-    for column, other in enumerate(section.places):
-        row[other] -= section.embedding[place, column]
-    return _Row(row, -section.constant[place])
+def _vanishes_with(one: sp.Matrix, other: sp.Matrix) -> bool:
+    """Whether an affine function is a multiple of another one."""
+    pivot = next(i for i, entry in enumerate(other) if entry != 0)
+    return is_zero(one * other[pivot] - other * one[pivot])
 
 
-def _tested(passages: Sequence[_Passage], relation: _Row, name: str) -> int | None:
+def _tested(
+    links: Sequence[Link], resets: Sequence[int], relation: sp.Matrix, where: str
+) -> int | None:
     """The last phase that ends where a function vanishes, if nothing behind it changes that.
 
     None if nothing in the whole turn does, or a reset makes the function zero. DerivationError
     says that a phase or a transition changes it and none behind ends on it.
     """
-    for index, passage in reversed(list(enumerate(passages))):
-        carried = relation if passage.reset is None else relation.through(*passage.reset)
-        if carried.is_zero:
+    for index, link in reversed(list(enumerate(links))):
+        carried = relation * link.jump if index in resets else relation
+        if is_zero(carried):
             return None
-        if carried.vanishes_with(passage.exit):
+        if _vanishes_with(carried, link.row):
             return index
-        matrix, offset = passage.field
-        rate = _Row(relation.row * matrix, (relation.row * offset)[0])
-        if not (carried.vanishes_with(relation) and rate.vanishes_with(relation)):
+        if not all(_vanishes_with(f, relation) for f in (carried, relation * link.field)):
             raise DerivationError(
-                f"itinerary {name!r}: phase {index + 1} changes what the section knows, and no"
+                f"{where}: phase {index + 1} changes what the section knows, and no"
                 " switching condition behind it does"
             )
     return None
 
 
 def _turn(
-    itinerary: Itinerary, system: System, chain: Chain, passages: Sequence[_Passage]
+    itinerary: Itinerary, links: Sequence[Link], resets: Sequence[int]
 ) -> tuple[tuple[Stage, ...], sp.Matrix, sp.Matrix]:
-    """Stages, matrix and offset of the map of all passages, with names for its entries."""
-    states, size = system.states, len(system.states)
-    entries = coordinates_of(itinerary, states)
+    """Stages, matrix and offset of the map of all phases, with names for its entries."""
+    states, size = links[0].states, len(links[0].states)
+    entries = coordinates_of(itinerary.start, states)
     stages: list[Stage] = []
     matrix, offset = sp.eye(size), sp.zeros(size, 1)
-    for number, (link, passage) in enumerate(zip(chain.links, passages, strict=True), start=1):
-        stages.append(passage.naming)
-        maps = [("state", passage.flow), ("reset", passage.reset)]
-        for meaning, (product, shift) in ((m, step) for m, step in maps if step is not None):
+    for number, link in enumerate(links, start=1):
+        stages.append(name_functions(link.flow, link.dwell, link.dwell)[0])
+        maps = [("state", (link.transfer, link.flow.offset(link.functions)))]
+        if number - 1 in resets:
+            maps.append(("reset", (link.reset, link.jump[:-1, -1])))
+        for meaning, (product, shift) in maps:
             behind = [Symbol(meaning, s, number) for s in states]
             what = meaning if meaning == "reset" else link.flow.configuration
             title = f"{what} after {link.dwell}, by the start"

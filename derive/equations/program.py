@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any, NamedTuple
 
 import sympy as sp
 
@@ -16,16 +17,25 @@ from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = [
     "Argument",
+    "Equation",
     "Kernel",
     "Output",
+    "Program",
     "Stage",
+    "affine_sum",
     "assign",
+    "coefficients_of",
     "differentiate",
     "evaluate",
     "gradient",
+    "jacobian",
     "merged",
+    "name_parts",
     "prune",
 ]
+
+
+Equation = tuple[str, sp.Expr]  # its meaning, and what vanishes
 
 
 @dataclass(frozen=True)
@@ -34,6 +44,13 @@ class Stage:
 
     title: str
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+
+class Program(NamedTuple):
+    """Expressions of symbols that stages assign, one after the other."""
+
+    stages: tuple[Stage, ...]
+    expressions: Any  # one expression, a matrix or a list of them
 
 
 @dataclass(frozen=True)
@@ -90,6 +107,26 @@ def assign(
     return Stage(title, tuple(assignments)), values
 
 
+def name_parts(
+    solved: sp.Symbol, parts: Sequence[sp.Expr], others: Sequence[sp.Symbol]
+) -> tuple[Stage, list[sp.Expr]]:
+    """Stage and names of the constant and the rates of a solution that is affine in others."""
+    names = [Symbol("constant", solved), *(Symbol("times", solved, q) for q in others)]
+    return assign(f"parts of {solved}", names, parts)
+
+
+def affine_sum(parts: Sequence[sp.Expr], others: Sequence[sp.Symbol]) -> sp.Expr:
+    """The first part, and one of the other parts times each of the others."""
+    return sp.Add(*(p * q for p, q in zip(parts, (1, *others), strict=True)))
+
+
+def coefficients_of(equations: Sequence[Equation], unknowns: Sequence[sp.Symbol]) -> sp.Matrix:
+    """Matrix (n x (k + 1)) of equations affine in k unknowns: their coefficients, the constant."""
+    zero = dict.fromkeys(unknowns, 0)
+    rows = ([*(sp.diff(e, q) for q in unknowns), e.subs(zero)] for _, e in equations)
+    return sp.Matrix(len(equations), len(unknowns) + 1, [entry for row in rows for entry in row])
+
+
 def differentiate(
     stages: Sequence[Stage],
     seeds: Mapping[sp.Symbol, Mapping[sp.Symbol, sp.Expr]],
@@ -128,6 +165,18 @@ def differentiate(
             if assignments:
                 result.append(Stage(f"d/d{direction} of: {stage.title}", tuple(assignments)))
     return tuple(result), derivatives
+
+
+def jacobian(
+    stages: Sequence[Stage],
+    expressions: Sequence[sp.Expr],
+    seeds: Mapping[sp.Symbol, Mapping[sp.Symbol, sp.Expr]],
+    rates: Mapping[tuple[sp.Symbol, sp.Symbol], sp.Expr] | None = None,
+) -> Program:
+    """Stages and total derivatives of expressions, with a column for each direction."""
+    more, moving = differentiate(stages, seeds, rates)
+    entries = [derivative_of(e, moving[by]) for e in expressions for by in seeds]
+    return Program(more, sp.Matrix(len(expressions), len(seeds), entries))
 
 
 def gradient(

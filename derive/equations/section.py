@@ -1,26 +1,137 @@
-"""Sections: the affine set on which an orbit starts, as the end of its last phase leaves it."""
+"""Passages and sections: how an itinerary leaves its phases, and where an orbit can start.
+
+Affine functions and maps are matrices in homogeneous coordinates (y, 1): a function n y + c is the
+row [n, c], a map y -> M y + m is [[M, m], [0, 1]], a field y' = A y + b is [[A, b], [0, 0]]. A row
+times a map is the function in front of the map; a row times a field is its rate along the flow.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
+from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = [
+    "Passage",
     "Section",
+    "bordered",
     "coordinates_of",
+    "is_zero",
+    "passages_of",
     "reset_matrix",
+    "row_of",
     "section_of",
+    "simplified",
     "smallest_section",
     "start_of",
 ]
+
+
+@dataclass(frozen=True)
+class Passage:
+    """One phase of an itinerary, the boundary that ends it and the transition behind it."""
+
+    configuration: Configuration
+    boundary: str
+    transition: Transition
+    states: tuple[sp.Symbol, ...]
+    dwell: sp.Symbol  # symbol of the dwell time
+    # the dwell time in unknowns and parameters: itself, zero, or the rest of a given period
+    duration: sp.Expr
+    row: sp.Matrix  # 1 x (N + 1): the boundary's function
+    jump: sp.Matrix  # (N + 1) x (N + 1): the transition's reset
+
+    @property
+    def meaning(self) -> str:
+        """The exit condition in words."""
+        return f"{self.boundary} ends {self.configuration.name}"
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """Gradient (1 x N) of the boundary's function."""
+        return self.row[:, :-1]
+
+    @property
+    def reset(self) -> sp.Matrix:
+        """Linear part (N x N) of the transition's reset."""
+        return self.jump[:-1, :-1]
+
+    @property
+    def field(self) -> sp.Matrix:
+        """Vector field of the phase as a matrix, (N + 1) x (N + 1)."""
+        return bordered(*self.configuration.dynamics.field(self.states), 0)
+
+    def value(self, state: sp.Matrix) -> sp.Expr:
+        """Value of the boundary's function at a state (N x 1)."""
+        return (self.normal * state)[0] + self.row[-1]
+
+    def behind(self, state: sp.Matrix) -> sp.Matrix:
+        """State (N x 1) behind the transition."""
+        return self.transition.reset_of(state, self.states)
+
+
+def passages_of(itinerary: Itinerary) -> list[Passage]:
+    """The passages of an itinerary in the coordinates of its presentation, in order."""
+    system, found = itinerary.presented_system, []
+    for index, phase in enumerate(itinerary.phases):
+        configuration = system.configuration(phase.configuration)
+        transition = itinerary.transition_after(system, index)
+        found.append(
+            Passage(
+                configuration,
+                phase.boundary,
+                transition,
+                system.states,
+                dwell_symbol(phase.dwell_time),
+                itinerary.duration(index),
+                row_of(configuration.boundary(phase.boundary).function, system),
+                bordered(*reset_matrix(transition.reset.items(), system.states)),
+            )
+        )
+    return found
+
+
+def row_of(function: sp.Expr, system: System) -> sp.Matrix:
+    """An affine function n y + c of a system's state as the row [n, c]."""
+    normal, constant = system.gradient(function)
+    return sp.Matrix([[*normal, constant]])
+
+
+def bordered(matrix: sp.Matrix, offset: sp.Matrix, last: int = 1) -> sp.Matrix:
+    """The matrix [[matrix, offset], [0, last]] of an affine map, or with 0 of a field."""
+    below = sp.Matrix([[0] * matrix.cols + [last]])
+    return sp.Matrix.vstack(sp.Matrix.hstack(matrix, offset), below)
+
+
+def simplified(matrix: sp.Matrix) -> sp.Matrix:
+    """The matrix with its entries in a form that is zero if they are."""
+    return matrix.applyfunc(lambda entry: cancel(sp.expand(entry)))
+
+
+def is_zero(matrix: sp.Matrix) -> bool:
+    """Whether a matrix is zero."""
+    return bool(simplified(matrix).is_zero_matrix)
+
+
+def reset_matrix(
+    reset: Iterable[tuple[sp.Symbol, sp.Expr]], states: Sequence[sp.Symbol]
+) -> tuple[sp.Matrix, sp.Matrix]:
+    """Matrix R (N x N) and shift r (N x 1) of an affine reset ``y -> R y + r``."""
+    matrix, shift = sp.eye(len(states)), sp.zeros(len(states), 1)
+    for symbol, expression in reset:
+        row = list(states).index(symbol)
+        matrix[row, :] = sp.Matrix([[sp.diff(expression, state) for state in states]])
+        shift[row] = expression.subs(dict.fromkeys(states, 0))
+    return matrix, shift
 
 
 @dataclass(frozen=True)
@@ -45,6 +156,11 @@ class Section:
         """State (N x 1) at the start in terms of the coordinates."""
         return self.embedding * sp.Matrix(self.dimension, 1, self.coordinates) + self.constant
 
+    @property
+    def inclusion(self) -> sp.Matrix:
+        """The map from the coordinates to the state as a matrix, (N + 1) x (d + 1)."""
+        return bordered(self.embedding, self.constant)
+
     def without(self, coordinates: Iterable[sp.Symbol]) -> Section:
         """The subset on which some coordinates are zero."""
         dropped = set(coordinates)
@@ -57,124 +173,78 @@ class Section:
         )
 
 
-def section_of(itinerary: Itinerary, system: System) -> Section:
-    """The section at the start of the first phase.
+def section_of(itinerary: Itinerary, phase: int = 0) -> Section:
+    """The section at the start of a phase, counted from 0.
 
-    It collects what the end of the last phase enforces: the velocities held through that
+    It collects what the end of the phase before enforces: the velocities held through that
     phase, its constraints and its exit boundary, carried through the reset, and what the
     reset assigns. Closing the section's own coordinates then closes the orbit, with no
     equation twice. States without a name of their own in the itinerary are eliminated
     first.
     """
-    states = system.states
-    last = itinerary.phases[-1]
-    configuration = system.configuration(last.configuration)
-    vanishing = (configuration.boundary(last.boundary).function, *configuration.constraints)
-    constraints = [system.gradient(function) for function in vanishing]
-    if isinstance(configuration.dynamics, SecondOrder):
-        size = len(states) // 2
-        for index, velocity in configuration.dynamics.held_at(states).items():
-            row = sp.zeros(1, len(states))
-            row[size + index] = 1
-            constraints.append((row, -velocity))
-    transition = itinerary.transition_after(system, -1)
-    jump, shift = reset_matrix(transition.reset.items(), states)
-    rows = [row for row, _ in constraints]
-    constants = [constant for _, constant in constraints]
-    if not transition.reset:
-        after = list(zip(rows, constants, strict=True))
-    else:
-        after = _image(sp.Matrix.vstack(*rows), sp.Matrix(constants), jump, shift)
-    matrix = sp.Matrix.vstack(*(row for row, _ in after))
-    right = -sp.Matrix([constant for _, constant in after])
-    # elimination takes the first columns: those of the states without a name
-    order = sorted(range(len(states)), key=lambda i: (str(states[i]) in itinerary.start, i))
-    augmented = sp.Matrix.hstack(matrix.extract(list(range(matrix.rows)), order), right)
-    reduced, pivots = augmented.applyfunc(cancel).rref(simplify=cancel)
-    if len(states) in pivots:
+    system, last = itinerary.presented_system, passages_of(itinerary)[phase - 1]
+    size, dynamics = len(system.states), last.configuration.dynamics
+    rows = [last.row, *(row_of(f, system) for f in last.configuration.constraints)]
+    if isinstance(dynamics, SecondOrder):
+        for index, velocity in dynamics.held_at(system.states).items():
+            rows.append(row_of(system.states[size // 2 + index] - velocity, system))
+    # elimination takes the first columns: the state in front, then states without a name
+    named = set() if phase else set(itinerary.start)
+    order = sorted(range(size), key=lambda i: (str(system.states[i]) in named, i))
+    enforced = sp.Matrix.vstack(*rows)
+    before = sp.Matrix.vstack(enforced[:, :-1], last.reset)
+    behind = sp.Matrix.vstack(sp.zeros(len(rows), size), -sp.eye(size)[:, order])
+    right = -sp.Matrix.vstack(enforced[:, -1], last.jump[:-1, -1])
+    augmented = sp.Matrix.hstack(before, behind, right).applyfunc(cancel)
+    reduced, pivots = augmented.rref(simplify=cancel)
+    if 2 * size in pivots:
         raise DerivationError(f"itinerary {itinerary.name!r}: its start satisfies no state")
-    solved = {order[pivot]: row for row, pivot in enumerate(pivots)}
-    places = tuple(i for i in range(len(states)) if i not in solved)
-    embedding = sp.zeros(len(states), len(places))
-    constant = sp.zeros(len(states), 1)
-    for column, place in enumerate(places):
-        embedding[place, column] = 1
+    matrix, constant = sp.zeros(size, size), sp.zeros(size, 1)
+    solved = {order[pivot - size]: row for row, pivot in enumerate(pivots) if pivot >= size}
+    free = [place for place in range(size) if place not in solved]
     for state, row in solved.items():
-        constant[state] = factor(reduced[row, len(states)])
-        for column, place in enumerate(places):
-            embedding[state, column] = -factor(reduced[row, order.index(place)])
-    return Section(
-        coordinates_of(itinerary, (states[i] for i in places)),
-        places,
-        sp.ImmutableMatrix(embedding),
-        sp.ImmutableMatrix(constant),
-    )
+        constant[state] = factor(reduced[row, 2 * size])
+        for place in free:
+            matrix[state, place] = -factor(reduced[row, size + order.index(place)])
+    return _spanned(itinerary, phase, free, matrix, constant)
 
 
-def smallest_section(itinerary: Itinerary, system: System) -> tuple[int, Section]:
+def smallest_section(itinerary: Itinerary) -> tuple[int, Section]:
     """Index of the first phase whose section has the least dimension, and that section."""
-    sections = [section_of(itinerary.rotated(k), system) for k in range(len(itinerary.phases))]
+    sections = [section_of(itinerary, k) for k in range(len(itinerary.phases))]
     rotation = min(range(len(sections)), key=lambda k: (sections[k].dimension, k))
     return rotation, sections[rotation]
 
 
-def start_of(itinerary: Itinerary, system: System, section: Section) -> Section:
+def start_of(itinerary: Itinerary) -> Section:
     """The set on which the start is sought.
 
     It is the section, or a larger set if the itinerary names more states.
     """
-    states = system.states
+    section, states = section_of(itinerary), itinerary.presented_system.states
     named = {i for i, s in enumerate(states) if str(s) in itinerary.start}
-    places = tuple(sorted(named | set(section.places)))
-    embedding, constant = sp.zeros(len(states), len(places)), sp.Matrix(section.constant)
-    for row in range(len(states)):
-        if row in places:
-            embedding[row, places.index(row)], constant[row] = 1, 0
-            continue
-        for column, place in enumerate(section.places):
-            embedding[row, places.index(place)] = section.embedding[row, column]
+    matrix = sp.zeros(len(states), len(states))
+    for column, place in enumerate(section.places):
+        matrix[:, place] = section.embedding[:, column]
+    places = sorted(named | set(section.places))
+    return _spanned(itinerary, 0, places, matrix, sp.Matrix(section.constant))
+
+
+def _spanned(
+    itinerary: Itinerary, phase: int, places: list[int], matrix: sp.Matrix, constant: sp.Matrix
+) -> Section:
+    """The set of states ``matrix y + constant`` in which the states at some places are free."""
+    for place in places:
+        matrix[place, :], constant[place] = sp.eye(matrix.rows)[place, :], 0
+    states = [itinerary.presented_system.states[place] for place in places]
     return Section(
-        coordinates_of(itinerary, (states[i] for i in places)),
-        places,
-        sp.ImmutableMatrix(embedding),
+        coordinates_of({} if phase else itinerary.start, states),
+        tuple(places),
+        sp.ImmutableMatrix(matrix[:, places]),
         sp.ImmutableMatrix(constant),
     )
 
 
-def coordinates_of(itinerary: Itinerary, states: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
-    """Symbols of some states at the start."""
-    names = map(str, states)
-    return tuple(sp.Symbol(itinerary.start.get(n, f"{n}0"), real=True) for n in names)
-
-
-def reset_matrix(
-    reset: Iterable[tuple[sp.Symbol, sp.Expr]], states: Sequence[sp.Symbol]
-) -> tuple[sp.Matrix, sp.Matrix]:
-    """Matrix R (N x N) and shift r (N x 1) of an affine reset ``y -> R y + r``."""
-    matrix, shift = sp.eye(len(states)), sp.zeros(len(states), 1)
-    for symbol, expression in reset:
-        row = list(states).index(symbol)
-        for column, state in enumerate(states):
-            matrix[row, column] = sp.diff(expression, state)
-        shift[row] = expression.subs(dict.fromkeys(states, 0))
-    return matrix, shift
-
-
-def _image(
-    rows: sp.Matrix, constants: sp.Matrix, jump: sp.Matrix, shift: sp.Matrix
-) -> list[tuple[sp.Matrix, sp.Expr]]:
-    """Equations (row, constant) of the image of a plane under ``y -> jump y + shift``.
-
-    The plane is ``rows y + constants = 0``.
-    """
-    size = jump.rows
-    solved = [sp.Symbol(f"before{i}") for i in range(size)]
-    (point,) = sp.linsolve((rows, -constants), *solved) or [None]
-    if point is None:
-        return [(sp.zeros(1, size), sp.Integer(1))]  # no state before, none behind
-    free = sorted(set().union(*(e.free_symbols for e in point)) & set(solved), key=str)
-    particular = sp.Matrix(point).subs(dict.fromkeys(free, 0))
-    directions = sp.Matrix(point).jacobian(free) if free else sp.zeros(size, 0)
-    normals = (jump * directions).T.nullspace() if free else [*sp.eye(size).columnspace()]
-    image = jump * particular + shift
-    return [(normal.T, -(normal.T * image)[0]) for normal in normals]
+def coordinates_of(names: Mapping[str, str], states: Iterable[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+    """Symbols of some states at the start, which may have names of their own."""
+    return tuple(sp.Symbol(names.get(str(s), f"{s}0"), real=True) for s in states)

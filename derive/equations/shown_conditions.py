@@ -17,47 +17,50 @@ from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
-from nonsmooth.derive.equations.section import Section, section_of
+from nonsmooth.derive.equations.section import (
+    Passage,
+    bordered,
+    is_zero,
+    passages_of,
+    row_of,
+    section_of,
+    simplified,
+)
 
 __all__ = ["transition_unshown"]
 
 
-def transition_unshown(itinerary: Itinerary, system: System) -> str | None:
-    """The first boundary behind which an orbit's phases do not show where it leads, or None.
-
-    `system` is the one in whose states and parameters the itinerary is written.
-    """
-    for place, phase in enumerate(itinerary.phases):
-        taken = itinerary.transition_after(system, place)
+def transition_unshown(itinerary: Itinerary) -> str | None:
+    """The first boundary behind which an orbit's phases do not show where it leads, or None."""
+    for place, passage in enumerate(passages_of(itinerary)):
+        taken = passage.transition
         listed = [
             t
-            for t in system.transitions
+            for t in itinerary.presented_system.transitions
             if (t.source, t.boundaries) == (taken.source, taken.boundaries)
         ]
         # of none that is listed the contact law decides
-        if len(listed) != 1 and not _shown(itinerary, system, place, taken, listed):
-            return phase.boundary
+        if len(listed) != 1 and not _shown(itinerary, place, passage, listed):
+            return passage.boundary
     return None
 
 
 def _shown(
-    itinerary: Itinerary,
-    system: System,
-    place: int,
-    taken: Transition,
-    listed: Sequence[Transition],
+    itinerary: Itinerary, place: int, passage: Passage, listed: Sequence[Transition]
 ) -> bool:
     """Whether the conditions of the taken transition hold, and those of earlier ones fail."""
-    positive = list(_positive(itinerary, system, place, taken))
-    section = section_of(itinerary.rotated(place + 1), system)
+    system, taken = itinerary.presented_system, passage.transition
+    on_section = section_of(itinerary, (place + 1) % len(itinerary.phases)).inclusion
+    positive = list(_positive(system, passage, on_section))
 
     def signs(condition: Condition) -> Iterator[bool]:
         """Verdicts on whether a condition is met, one for each function that decides it."""
-        row = _row(system, condition.function)
+        row = row_of(condition.function, system)
         for known, along in positive:
             if along is not None and along != condition.along:
                 continue
-            for one, other in ((row, known), (_on(section, row), _on(section, known))):
+            landed = simplified(row * on_section), simplified(known * on_section)
+            for one, other in ((row, known), landed):
                 if _positive_factor(one, other, system):
                     yield condition.holds
                 if _positive_factor(-one, other, system) or _opposed(one, other, system):
@@ -74,46 +77,22 @@ def _shown(
 
 
 def _positive(
-    itinerary: Itinerary, system: System, place: int, taken: Transition
+    system: System, passage: Passage, on_section: sp.Matrix
 ) -> Iterator[tuple[sp.Matrix, str | None]]:
     """Rows [n, c] of functions that are positive at a transition, in general.
 
     With a row comes a configuration if the function itself is zero there, and positive
     along that configuration's flow.
     """
-    source = system.configuration(taken.source)
-    boundary = source.boundary(itinerary.phases[place].boundary)
-    row = _row(system, boundary.function)
-    yield row, taken.source
-    yield _rate(system, taken.source, row), None
-    section = section_of(itinerary.rotated(place + 1), system)
-    changed = [_row(system, s - e) for s, e in taken.reset.items()]
-    if any(_on(section, row) != sp.zeros(1, section.dimension + 1) for row in changed):
+    yield passage.row, passage.configuration.name
+    yield passage.row * passage.field, None
+    if not is_zero((passage.jump - sp.eye(passage.jump.rows)) * on_section):
         return  # the next phase does not begin at the state that decides
-    for boundary in system.configuration(taken.target).boundaries:
-        row = _row(system, boundary.function)
-        begins = _on(section, row) == sp.zeros(1, section.dimension + 1)
-        yield -(_rate(system, taken.target, row) if begins else row), None
-
-
-def _row(system: System, function: sp.Expr) -> sp.Matrix:
-    """An affine function n y + c of the state as a row [n, c]."""
-    normal, constant = system.gradient(function)
-    return sp.Matrix([[*normal, constant]])
-
-
-def _rate(system: System, configuration: str, row: sp.Matrix) -> sp.Matrix:
-    """Derivative, as a row, of an affine function along a configuration's flow."""
-    field = system.configuration(configuration).dynamics.field(system.states)
-    return row[:, :-1] * sp.Matrix.hstack(*field)
-
-
-def _on(section: Section, row: sp.Matrix) -> sp.Matrix:
-    """An affine function as a row in the coordinates of a section."""
-    place = sp.Matrix.vstack(sp.Matrix(section.constant), sp.Matrix([[1]]))
-    return sp.Matrix.hstack(row[:, :-1] * section.embedding, row * place).applyfunc(
-        lambda e: cancel(sp.expand(e))
-    )
+    target = system.configuration(passage.transition.target)
+    field = bordered(*target.dynamics.field(system.states), 0)
+    for boundary in target.boundaries:
+        row = row_of(boundary.function, system)
+        yield -(row * field if is_zero(row * on_section) else row), None
 
 
 def _positive_factor(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
@@ -121,7 +100,7 @@ def _positive_factor(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
     ratio = next((cancel(a / b) for a, b in zip(one, other, strict=True) if b != 0), None)
     if ratio is None or not _not_negative(ratio, system):
         return False
-    return all(cancel(sp.expand(a - ratio * b)) == 0 for a, b in zip(one, other, strict=True))
+    return is_zero(one - ratio * other)
 
 
 def _opposed(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
@@ -129,11 +108,11 @@ def _opposed(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
 
     Its sum with a positive multiple of the other one is then a constant and not positive.
     """
-    pairs = list(zip(one, other, strict=True))
-    ratio = next((cancel(-a / b) for a, b in pairs[:-1] if b != 0), None)
+    pairs = list(zip(one, other, strict=True))[:-1]
+    ratio = next((cancel(-a / b) for a, b in pairs if b != 0), None)
     if ratio is None or not _not_negative(ratio, system):
         return False
-    *states, constant = (cancel(sp.expand(a + ratio * b)) for a, b in pairs)
+    *states, constant = simplified(one + ratio * other)
     return not any(states) and (constant == 0 or _not_negative(cancel(-constant), system))
 
 

@@ -78,6 +78,11 @@ class Flow:
             total += function * term
         return total
 
+    def end(self, functions: Iterable[sp.Expr], state: sp.Matrix) -> sp.Matrix:
+        """State (N x 1) at which a motion from another one ends, with `functions` of its time."""
+        values = list(functions)
+        return self.matrix(values) * state + self.offset(values)
+
     def velocity(self, state: sp.Matrix) -> sp.Matrix:
         """Vector field (N x 1) at a state: the derivative of the flow by time."""
         matrix, offset = self.field

@@ -11,7 +11,6 @@ import sympy as sp
 from nonsmooth import solve
 from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, Reference, derive_equations
 from nonsmooth.derive.equations.program import evaluate
-from nonsmooth.derive.equations.section import section_of
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from tests.places import GALLERY
@@ -71,7 +70,7 @@ def test_without_a_reference_or_for_a_lossy_impact_it_is_refused() -> None:
 def test_a_section_keeps_the_constraints_of_the_last_phase() -> None:
     """A pad that is dragged along starts with the belt's velocity: one state less is unknown."""
     itinerary = declaration_in(GALLERY / "brake_pad.py").orbits[-1]
-    section = section_of(itinerary, itinerary.system)
+    section = derive_equations(itinerary).chain.section
     (constraint,) = itinerary.system.configuration("stick").constraints
     row, constant = itinerary.system.gradient(constraint)
     assert (row * section.embedding).is_zero_matrix

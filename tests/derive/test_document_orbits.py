@@ -13,7 +13,7 @@ from nonsmooth.derive import derive_equations
 from nonsmooth.derive.document.blocks import Formula, Table
 from nonsmooth.derive.document.sections.reduction import difference_of_squares
 from nonsmooth.derive.document.writers.markdown import to_markdown
-from nonsmooth.derive.equations.section import section_of, start_of
+from nonsmooth.derive.equations.section import start_of
 from nonsmooth.derive.equations.symmetry import end_conditions
 from nonsmooth.derive.flows.modal import TIME
 from tests.documents import derived, labels_by_section, marked
@@ -259,9 +259,7 @@ def test_the_symmetry_says_what_the_closure_leaves(name: str) -> None:
     section = written.document.section("The symmetry")
     lines = [line for b in section if isinstance(b, Formula) for line in b.lines]
     declared = declared_as(name)
-    presented = declared.presented_system
-    start = start_of(declared, presented, section_of(declared, presented))
-    conditions = [e for _, e in end_conditions(declared, presented, start) if e != 0]
+    conditions = [e for _, e in end_conditions(declared, start_of(declared)) if e != 0]
     inserted = {*written.equations.required, *written.equations.vanishing}
     left = [line.shows for line in lines if line.latex.endswith("= 0,")]
     assert left == [e for e in conditions if e.free_symbols & inserted]

@@ -38,8 +38,8 @@ from nonsmooth.derive.codegen.kernels import spectrum_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.codegen.solver import STATUSES, solve_source
 from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
+from nonsmooth.derive.equations.linearisation import monodromy, saltation_matrix
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
-from nonsmooth.derive.equations.saltation import monodromy, saltation_matrix
 from nonsmooth.derive.flows.modal import TIME
 from nonsmooth.derive.symbols import derivative
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop

@@ -28,14 +28,14 @@ def rubbed(kinetic, static):
 
 @pytest.mark.parametrize("orbit", BUILT_IN, ids=lambda orbit: orbit.name)
 def test_those_that_are_built_in_show_them(orbit):
-    assert transition_unshown(orbit, orbit.system) is None
+    assert transition_unshown(orbit) is None
 
 
 def test_a_reversal_shows_that_kinetic_friction_is_overcome_and_not_static():
     same = rubbed(S.symbol, S.symbol)
-    assert transition_unshown(same, same.system) is None
+    assert transition_unshown(same) is None
     more = rubbed(S.symbol, S.symbol + E.symbol)
-    assert transition_unshown(more, more.system) == "ground-reaches-belt"
+    assert transition_unshown(more) == "ground-reaches-belt"
 
 
 def test_an_impact_is_faster_than_rest():
@@ -48,7 +48,7 @@ def test_an_impact_is_faster_than_rest():
         parameters=[S],
     )
     orbit = Itinerary("one", system, [("free", "stop-reaches-stop", "T")])
-    assert transition_unshown(orbit, system) is None
+    assert transition_unshown(orbit) is None
     resting = [("free", "stop-reaches-stop", "T"), ("contact", "stop-leaves-stop", "rest")]
     sticking = Itinerary("resting", system, resting)
-    assert transition_unshown(sticking, system) == "stop-reaches-stop"
+    assert transition_unshown(sticking) == "stop-reaches-stop"

@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 from scipy.optimize import linear_sum_assignment
 
 from nonsmooth import refine, solve, solve_many
-from nonsmooth.derive.equations.saltation import saltation_matrix
+from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.runtime.model.kernels import orbit_names
 from tests.declared import Declared, random_points
 

@@ -161,7 +161,7 @@ def cycle_equations(cycle: Cycle) -> list[Block]:
             ends=cycle_end(cycle),
         ),
         total=count(cycle.count + cycle.start.dimension, "equation"),
-        conservative=is_conservative(cycle.itinerary, cycle.system),
+        conservative=is_conservative(cycle.itinerary),
         first=cycle.label("The equations"),
         second=cycle.label("The equations", 1),
         third=cycle.label("The equations", 2),

@@ -58,7 +58,7 @@ def symmetry_section(view: View) -> list[Block]:
 
 def _fixed(view: View) -> list[str]:
     """Conditions under which a state is its own image."""
-    jump, shift = reversor_of(view.equations.itinerary, view.naming.system)
+    jump, shift = reversor_of(view.equations.itinerary)
     fixed, _ = sp.Matrix.hstack(jump - sp.eye(jump.rows), shift).rref()
     rows = fixed * sp.Matrix([*view.naming.system.states, 1])
     return [math(view.naming, row, " = 0") for row in rows if row != 0]
@@ -68,10 +68,10 @@ def _ends(view: View) -> list[Line]:
     """Lines with the states at the ends of the phases, which follow without a flow."""
     itinerary, system, start = view.undecided
     naming, state = view.naming, view.naming.state
-    jump, shift = reversor_of(itinerary, system)
+    jump, shift = reversor_of(itinerary)
     lines: list[Line] = []
     begin = f"{state}^{{(0)}}"
-    for index, before in enumerate(phase_starts(itinerary, system, start), start=1):
+    for index, before in enumerate(phase_starts(itinerary, start), start=1):
         end = jump * before + shift
         left = f"{state}^{{({index})}}"
         lines.append(relation(naming, rf"{left} = \mathcal{{R}}\,{begin}", end, ","))
@@ -86,8 +86,8 @@ def _closure(view: View) -> list[Block]:
     """Blocks on what remains of the exit conditions and of the closure."""
     naming, equations = view.naming, view.equations
     notation, required = naming.notation, equations.required
-    itinerary, system, start = view.undecided
-    left = [(m, e) for m, e in end_conditions(itinerary, system, start) if e != 0]
+    itinerary, _, start = view.undecided
+    left = [(m, e) for m, e in end_conditions(itinerary, start) if e != 0]
     decided = {*equations.vanishing, *required}
     deciding = [e for _, e in left if e.free_symbols & decided]
     staying = [m for m, e in left if not e.free_symbols & decided]

@@ -19,7 +19,7 @@ from nonsmooth.derive.document.sections.template import compose, summed, zeros
 from nonsmooth.derive.document.views.monodromy import FACTOR, keeps_volume, monodromy_trace
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.program import Stage
-from nonsmooth.derive.equations.reference_orbit import ReferenceOrbit
+from nonsmooth.derive.equations.reference import ReferenceOrbit
 from nonsmooth.derive.symbols import parts_of_derivative
 
 __all__ = ["energy_section", "reference_section", "trace_section"]

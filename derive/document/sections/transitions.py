@@ -151,7 +151,7 @@ def stability_section(cycle: Cycle) -> list[Block]:
         forced=trivial > 0,
         trivial=number(max(trivial, 0)).capitalize(),
         one=trivial == 1,
-        conservative=is_conservative(cycle.itinerary, cycle.system),
+        conservative=is_conservative(cycle.itinerary),
         moved=number(moved).capitalize() if moved else "",
         single=moved == 1,
     )

@@ -17,8 +17,8 @@ from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.document.notation.letters import Letters
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.monodromy import where_zero
-from nonsmooth.derive.equations.saltation import saltation_matrix
-from nonsmooth.derive.equations.section import Section, reset_matrix, section_of, start_of
+from nonsmooth.derive.equations.linearisation import saltation_matrix
+from nonsmooth.derive.equations.section import Section, reset_matrix, start_of
 
 __all__ = ["Cycle", "Harmonic", "Passing", "harmonics_of"]
 
@@ -103,7 +103,7 @@ class Cycle:
     @cached_property
     def start(self) -> Section:
         """The set on which the start lies."""
-        return start_of(self.itinerary, self.system, section_of(self.itinerary, self.system))
+        return start_of(self.itinerary)
 
     @cached_property
     def passings(self) -> tuple[Passing, ...]:

@@ -10,7 +10,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.document.notation.symbols import grouped_by
 from nonsmooth.derive.document.views.view import View
-from nonsmooth.derive.equations.saltation import saltation_matrix
+from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.symbols import Symbol, meaning_of
 
 __all__ = [

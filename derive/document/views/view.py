@@ -16,10 +16,10 @@ from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.equations.chain import PHASE, Link
-from nonsmooth.derive.equations.elimination import eliminate_coordinates, reference_values
+from nonsmooth.derive.equations.elimination import eliminate_coordinates
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.reduction import Reduction
-from nonsmooth.derive.equations.section import Section, section_of, start_of
+from nonsmooth.derive.equations.section import Section, start_of
 from nonsmooth.derive.equations.symmetry import half_phases, halfway, phase_starts, reversor_of
 from nonsmooth.derive.flows.modal import Flow
 
@@ -67,14 +67,14 @@ class View:
             kept = {s: e for s, e in shown.substitution.items() if s not in equations.required}
             itinerary = replace(itinerary, presentation=replace(shown, substitution=kept))
         system = itinerary.presented_system
-        return itinerary, system, start_of(itinerary, system, section_of(itinerary, system))
+        return itinerary, system, start_of(itinerary)
 
     @cached_property
     def images(self) -> tuple[sp.Matrix, ...]:
         """States at the ends of a reversible orbit's phases, in the start's coordinates."""
-        itinerary, system = self.equations.itinerary, self.equations.system
-        jump, shift = reversor_of(itinerary, system)
-        starts = phase_starts(itinerary, system, self.equations.chain.start)
+        itinerary = self.equations.itinerary
+        jump, shift = reversor_of(itinerary)
+        starts = phase_starts(itinerary, self.equations.chain.start)
         return tuple(jump * state + shift for state in starts)
 
     @cached_property
@@ -85,8 +85,8 @@ class View:
             return tuple(equations.residual)
         flows = {name: self.centres.written(flow) for name, flow in equations.flows.items()}
         start = equations.chain.start
-        found = half_phases(equations.itinerary, equations.system, flows, start)
-        return tuple(expression for _, expression in found.equations)
+        _, found = half_phases(equations.itinerary, flows, start)
+        return tuple(expression for _, expression in found)
 
     @cached_property
     def reduction(self) -> Reduction:
@@ -96,15 +96,14 @@ class View:
             return equations.reduction
         parameters = [p.symbol for p in equations.system.parameters]
         spectrum, start = equations.spectrum, equations.chain.start
-        known = reference_values(equations.itinerary.reference, spectrum, parameters)
-        centres = self.centres.values
+        known, centres = equations.known, self.centres.values
         return eliminate_coordinates(
             equations.stages,
             [(m, e) for (m, _), e in zip(equations.equations, self.conditions, strict=True)],
             start.coordinates,
             [u for u in equations.unknowns if u not in start.coordinates],
             {*parameters, *spectrum.symbols, *centres},
-            known and known | {s: e.xreplace(known) for s, e in centres.items()},
+            known and dict(known) | {s: e.xreplace(known) for s, e in centres.items()},
             equations.reduction.rank,
         )
 
