@@ -18,7 +18,7 @@ from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem, frequencies_of
+from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.equations.shown_conditions import transition_unshown
 from nonsmooth.derive.errors import DeclarationError, DerivationError
@@ -157,7 +157,7 @@ def _damped_or_forced(form: SimulationForm, orbit: Itinerary) -> str | None:
     """
     flows = {} if form.flows is None or orbit.vanishing else form.flows
     for name in dict.fromkeys(phase.configuration for phase in orbit.phases):
-        if name in flows and frequencies_of(flows[name]) is None:
+        if name in flows and flows[name].frequencies is None:
             return f"{name!r} is damped or forced: compiled kernels of its own solve many points"
     return None
 

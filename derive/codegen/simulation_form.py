@@ -28,8 +28,7 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import ContactLaw
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
-from nonsmooth.derive.flows.modal import Flow, Spectrum
-from nonsmooth.derive.flows.modes import Mode, modes_of
+from nonsmooth.derive.flows.modal import Flow, Mode, Spectrum
 
 __all__ = [
     "SimulationForm",
@@ -85,7 +84,7 @@ class SimulationForm:
         """Modes by configuration; None if one of them has no closed form of that kind."""
         if self.flows is None:
             return None
-        found = {name: modes_of(flow) for name, flow in self.flows.items()}
+        found = {name: flow.modes for name, flow in self.flows.items()}
         known = {name: modes for name, modes in found.items() if modes is not None}
         return known if len(known) == len(found) else None
 
@@ -120,9 +119,7 @@ class SimulationForm:
         ]
         if self.modes is not None:
             exponents = [
-                sp.Matrix([[mode.rate, mode.frequency]])
-                for modes in self.modes.values()
-                for mode in modes
+                sp.Matrix([[0, mode.frequency]]) for modes in self.modes.values() for mode in modes
             ]
             matrices = [
                 self._coefficient(name, term)

@@ -33,7 +33,6 @@ from nonsmooth.derive.symbols import derivative
 __all__ = [
     "BoundaryFunction",
     "EquationSystem",
-    "frequencies_of",
 ]
 
 
@@ -316,12 +315,12 @@ class EquationSystem:
     @cached_property
     def trigonometric(self) -> bool:
         """Whether all flows along the orbit are sums of a line, sines and cosines."""
-        return all(frequencies_of(link.flow) is not None for link in self.chain.links)
+        return all(link.flow.frequencies is not None for link in self.chain.links)
 
     @cached_property
     def frequencies(self) -> tuple[tuple[sp.Expr, ...], ...]:
         """Frequencies of each phase, in order; none where it is no trigonometric sum."""
-        return tuple(frequencies_of(link.flow) or () for link in self.chain.links)
+        return tuple(link.flow.frequencies or () for link in self.chain.links)
 
     @cached_property
     def boundary_functions(self) -> tuple[BoundaryFunction, ...]:
@@ -335,7 +334,7 @@ class EquationSystem:
         found, one = [], sp.Integer(1)
         for index, link in enumerate(self.chain.links):
             oscillations = [g(w * TIME) for g in (sp.cos, sp.sin) for w in self.frequencies[index]]
-            basis = (one, TIME, *oscillations) if frequencies_of(link.flow) is not None else ()
+            basis = (one, TIME, *oscillations) if link.flow.frequencies is not None else ()
             inclusion = section_of(self.itinerary, index).inclusion
             for boundary in link.configuration.boundaries:
                 row = row_of(boundary.function, self.system)
@@ -400,14 +399,3 @@ class EquationSystem:
     def _repr_html_(self) -> str | None:
         html: str | None = registered("equation_html")(self._shown, self._name)
         return html
-
-
-def frequencies_of(flow: Flow) -> tuple[sp.Expr, ...] | None:
-    """Frequencies of a flow in 1, t, sines and cosines; None for a flow with other functions."""
-    found: dict[sp.Expr, None] = {}
-    for function in flow.basis:
-        if isinstance(function, sp.cos | sp.sin):
-            found[function.args[0] / TIME] = None
-        elif function not in (sp.Integer(1), TIME):
-            return None
-    return tuple(found)

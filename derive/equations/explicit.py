@@ -58,20 +58,21 @@ def explicit_time(
     `coefficients` are those of each basis function in the boundary's function of time, and
     `variables` are what the state may contain beside parameters and spectrum.
     """
-    return _linear_time(coefficients) or _first_return(coefficients, dwell, variables)
+    present = {f: sp.expand(c) for f, c in coefficients.items()}
+    present = {f: c for f, c in present.items() if c != 0}
+    return _linear_time(present) or _first_return(present, dwell, variables)
 
 
-def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None:
+def _linear_time(present: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None:
     """Dwell time of an exit condition ``c + s t = 0``; None for another condition."""
-    present = {f: c for f, c in coefficients.items() if sp.expand(c) != 0}
     if TIME not in present or set(present) - {sp.Integer(1), TIME}:
         return None
-    constant = sp.expand(present.get(sp.Integer(1), sp.Integer(0)))
+    constant = present.get(sp.Integer(1), sp.Integer(0))
     return ExplicitTime(LINEAR, (), {}, -constant / sp.factor(present[TIME]))
 
 
 def _first_return(
-    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Sequence[sp.Symbol]
+    present: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Sequence[sp.Symbol]
 ) -> ExplicitTime | None:
     """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0`` that is met rising.
 
@@ -79,8 +80,6 @@ def _first_return(
     s = sqrt(a^2 + b^2 - c^2), which fixes cosine and sine; the angle in (0, 2 pi) is the
     first return.
     """
-    present = {f: sp.expand(c) for f, c in coefficients.items()}
-    present = {f: c for f, c in present.items() if c != 0}
     oscillating = [f for f in present if isinstance(f, sp.cos | sp.sin)]
     arguments = {f.args[0] for f in oscillating}
     if len(arguments) != 1 or set(present) - {sp.Integer(1), *oscillating}:

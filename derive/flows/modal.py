@@ -17,7 +17,7 @@ the flow.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -33,10 +33,9 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.resolvent import resolvent
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["TIME", "Flow", "Spectrum", "derive_flows"]
+__all__ = ["TIME", "Flow", "Mode", "Spectrum", "derive_flows"]
 
-# function of time, row block, column block (or "1" for the offset), matrix
-_Term = tuple[sp.Expr, str, str, sp.Matrix]
+_Term = tuple[sp.Expr, sp.Matrix]  # function of time, and its matrix N x (N + 1), offset last
 
 
 @dataclass(frozen=True)
@@ -88,6 +87,27 @@ class Flow:
         matrix, offset = self.field
         return matrix * state + offset
 
+    @property
+    def modes(self) -> tuple[Mode, ...] | None:
+        """Modes; None if one of the functions is no power of time, cosine or sine."""
+        powers = [f for f in self.basis if f.is_polynomial(TIME)]
+        waves = [f for f in self.basis if isinstance(f, sp.cos | sp.sin)]
+        if len(powers) + len(waves) < len(self.basis):
+            return None
+        degree = max((int(sp.degree(f, TIME)) for f in powers), default=-1)
+        found = [Mode(sp.Integer(0), tuple(TIME**k for k in range(degree + 1)))] if powers else []
+        for angle in dict.fromkeys(f.args[0] for f in waves):
+            found.append(Mode(angle / TIME, (sp.cos(angle), sp.sin(angle))))
+        return tuple(found)
+
+    @property
+    def frequencies(self) -> tuple[sp.Expr, ...] | None:
+        """Frequencies of a sum of a line, sines and cosines; None for another flow."""
+        modes = self.modes
+        if modes is None or any(mode.length > 2 for mode in modes):
+            return None
+        return tuple(mode.frequency for mode in modes if mode.oscillates)
+
     def along(self, row: sp.Matrix, constant: sp.Expr, state: sp.Matrix) -> tuple[sp.Expr, ...]:
         """Coefficient of each basis function in ``row y(t) + constant``, y(0) being `state`."""
         coefficients = [
@@ -96,6 +116,24 @@ class Flow:
         ]
         coefficients[self.basis.index(sp.Integer(1))] += constant
         return tuple(coefficients)
+
+
+@dataclass(frozen=True)
+class Mode:
+    """Functions of time that share one exponent: powers of time, or a cosine and a sine."""
+
+    frequency: sp.Expr  # imaginary part of the exponent; zero if the mode does not oscillate
+    terms: tuple[sp.Expr, ...]
+
+    @property
+    def oscillates(self) -> bool:
+        """Whether the exponent has an imaginary part."""
+        return bool(self.frequency != 0)
+
+    @property
+    def length(self) -> int:
+        """Number of powers of time."""
+        return len(self.terms) // (2 if self.oscillates else 1)
 
 
 class _Names:
@@ -147,57 +185,42 @@ def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
 
 def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
     dynamics = configuration.dynamics
-    if not isinstance(dynamics, SecondOrder) or not dynamics.damping.is_zero_matrix:
-        return _general_flow(configuration, system, names)
-    size = dynamics.mass.rows
-    held = sorted(dynamics.held_at(system.states))
-    free = [i for i in range(size) if i not in held]
-    inverse = dynamics.mass.extract(free, free).inv()
-    stiffness = (inverse * dynamics.stiffness.extract(free, free)).applyfunc(sp.cancel)
-    coupling = (inverse * dynamics.stiffness.extract(free, held)).applyfunc(sp.cancel)
-    load = (inverse * dynamics.load.extract(free, [0])).applyfunc(sp.cancel)
-    terms = _held_terms(len(held))
-    if free:
-        modes = _positive_modes(stiffness, system.parameters, names)
-        if modes is None:
-            return _general_flow(configuration, system, names)
-        terms += _oscillating_terms(stiffness, coupling, load, modes)
-    matrices, offsets = _assemble(terms, size, free, held)
+    field = dynamics.field(system.states)
+    terms = None
+    if isinstance(dynamics, SecondOrder) and dynamics.damping.is_zero_matrix:
+        terms = _undamped_terms(dynamics, system, names)
+    if terms is None:
+        try:
+            terms = _general_terms(field, system, names)
+        except DerivationError as problem:
+            raise DerivationError(f"configuration {configuration.name!r}: {problem}") from None
+    size = len(system.states)
+    found: dict[sp.Expr, sp.Matrix] = {sp.Integer(1): sp.zeros(size, size + 1)}
+    for value, matrix in terms:
+        # a multiple of a power of time joins the others of that power
+        scale, function = value.as_independent(TIME, as_Add=False)
+        found[function] = found.get(function, sp.zeros(size, size + 1)) + scale * matrix
+    kept = {f: sp.ImmutableMatrix(m) for f, m in found.items() if f == 1 or not m.is_zero_matrix}
     return Flow(
         configuration.name,
-        tuple(matrices),
-        tuple(sp.ImmutableMatrix(m) for m in matrices.values()),
-        tuple(sp.ImmutableMatrix(o) for o in offsets.values()),
-        dynamics.field(system.states),
+        tuple(kept),
+        tuple(matrix[:, :size] for matrix in kept.values()),
+        tuple(matrix[:, size] for matrix in kept.values()),
+        field,
     )
 
 
-def _general_flow(configuration: Configuration, system: System, names: _Names) -> Flow:
-    """Flow of any linear motion, from the resolvent of its field."""
-    matrix, offset = configuration.dynamics.field(system.states)
-    try:
-        fractions = resolvent(matrix, offset, system.parameters, names.symbol, names.resolvents)
-    except DerivationError as problem:
-        raise DerivationError(f"configuration {configuration.name!r}: {problem}") from None
-    size = matrix.rows
-    one = sp.Integer(1)
-    found: dict[sp.Expr, sp.Matrix] = {one: sp.zeros(size, size + 1)}
-    for fraction in fractions:
-        factors = tuple(f.func(*map(names.coefficient, f)) for f in fraction.factors)
-        for k, numerator in enumerate(fraction.powers):
-            if numerator.is_zero_matrix:
-                continue
-            value = _function_of_time(k, factors, system.parameters, names)
-            # a multiple of a power of time joins the others of that power
-            scale, function = value.as_independent(TIME, as_Add=False)
-            found[function] = found.get(function, sp.zeros(size, size + 1)) + scale * numerator
-    return Flow(
-        configuration.name,
-        tuple(found),
-        tuple(sp.ImmutableMatrix(m[:, :size]) for m in found.values()),
-        tuple(sp.ImmutableMatrix(m[:, size]) for m in found.values()),
-        (matrix, offset),
-    )
+def _general_terms(
+    field: tuple[sp.Matrix, sp.Matrix], system: System, names: _Names
+) -> list[_Term]:
+    """Terms of the flow of any linear motion, from the resolvent of its field."""
+    terms = []
+    parameters = system.parameters
+    for (given, k), numerator in resolvent(*field, parameters, names.symbol, names.resolvents):
+        if not numerator.is_zero_matrix:
+            factors = tuple(f.func(*map(names.coefficient, f)) for f in given)
+            terms.append((_function_of_time(k, factors, parameters, names), numerator))
+    return terms
 
 
 def _function_of_time(
@@ -215,14 +238,49 @@ def _function_of_time(
     return ExponentialDifference(k, TIME, *factors)
 
 
-def _held_terms(size: int) -> list[_Term]:
-    """Terms of the flow of held coordinates, which move with the velocity that the state has."""
-    one, identity = sp.Integer(1), sp.eye(size)
-    return [
-        (one, "xh", "xh", identity),
-        (TIME, "xh", "vh", identity),
-        (one, "vh", "vh", identity),
+def _undamped_terms(dynamics: SecondOrder, system: System, names: _Names) -> list[_Term] | None:
+    """Terms of the flow of free and held coordinates where L is nonsingular; None elsewhere.
+
+    w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0, and what is held moves
+    with the velocity that the state has.
+    """
+    size = dynamics.mass.rows
+    held = sorted(dynamics.held_at(system.states))
+    free = [i for i in range(size) if i not in held]
+    one, zero, nothing = sp.eye(size), sp.zeros(size, size), sp.zeros(size, 1)
+    inverse = dynamics.mass.extract(free, free).inv()
+    stiffness, coupling, load = (
+        (inverse * part).applyfunc(sp.cancel)
+        for part in (
+            dynamics.stiffness.extract(free, free),
+            dynamics.stiffness.extract(free, held),
+            dynamics.load.extract(free, [0]),
+        )
+    )
+    modes = _positive_modes(stiffness, system.parameters, names)
+    if modes is None:
+        return None
+    quasi_static = stiffness.LUsolve(coupling).applyfunc(sp.cancel)
+    rest = stiffness.LUsolve(load).applyfunc(sp.cancel)
+    place = one[:, free]
+    moved, centre = one[:, held] - place * quasi_static, place * rest
+    deviation = one[free, :] + quasi_static * one[held, :]
+    carried = moved * one[held, :]
+    terms: list[_Term] = [
+        (sp.Integer(1), _rows((carried, zero, centre), (zero, carried, nothing))),
+        (TIME, _rows((zero, carried, nothing), (zero, zero, nothing))),
     ]
+    for omega, projector in modes:
+        near, slowly, quickly = (
+            (place * (m * deviation), place * (-m * rest))
+            for m in (projector, projector / omega, -omega * projector)
+        )
+        cosine, sine = sp.cos(omega * TIME), sp.sin(omega * TIME)
+        terms += [
+            (cosine, _rows((near[0], zero, near[1]), (zero, near[0], nothing))),
+            (sine, _rows((zero, slowly[0], nothing), (quickly[0], zero, quickly[1]))),
+        ]
+    return terms
 
 
 def _positive_modes(
@@ -230,6 +288,8 @@ def _positive_modes(
 ) -> list[tuple[sp.Expr, sp.Matrix]] | None:
     """Frequencies and projectors of L if its eigenvalues are provably positive and distinct."""
     size = stiffness.rows
+    if size == 0:
+        return []
     if size == 1:
         if not is_positive(stiffness[0], parameters):
             return None
@@ -254,66 +314,6 @@ def _positive_modes(
     return [(faster, projector), (slower, sp.eye(2) - projector)]
 
 
-def _oscillating_terms(
-    stiffness: sp.Matrix,
-    coupling: sp.Matrix,
-    load: sp.Matrix,
-    modes: list[tuple[sp.Expr, sp.Matrix]],
-) -> list[_Term]:
-    """Terms of the flow of free coordinates where L is nonsingular.
-
-    w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0.
-    """
-    quasi_static = (stiffness.LUsolve(coupling)).applyfunc(sp.cancel)
-    centre = (stiffness.LUsolve(load)).applyfunc(sp.cancel)
-    one = sp.Integer(1)
-    terms: list[_Term] = [
-        (one, "xf", "xh", -quasi_static),
-        (one, "xf", "1", centre),
-        (one, "vf", "vh", -quasi_static),
-        (TIME, "xf", "vh", -quasi_static),
-    ]
-    for omega, projector in modes:
-        cosine, sine = sp.cos(omega * TIME), sp.sin(omega * TIME)
-        for row, column, function, matrix in (
-            ("xf", "x", cosine, projector),
-            ("xf", "v", sine, projector / omega),
-            ("vf", "x", sine, -omega * projector),
-            ("vf", "v", cosine, projector),
-        ):
-            terms.append((function, row, f"{column}f", matrix))
-            terms.append((function, row, f"{column}h", matrix * quasi_static))
-            if column == "x":
-                terms.append((function, row, "1", -matrix * centre))
-    return terms
-
-
-def _assemble(
-    terms: list[_Term], size: int, free: list[int], held: list[int]
-) -> tuple[dict[sp.Expr, sp.Matrix], dict[sp.Expr, sp.Matrix]]:
-    """Matrices and offsets of the whole state by function of time, from their blocks."""
-    places = {
-        "xf": free,
-        "xh": held,
-        "vf": [size + i for i in free],
-        "vh": [size + i for i in held],
-    }
-    matrices: dict[sp.Expr, sp.Matrix] = {}
-    offsets: dict[sp.Expr, sp.Matrix] = {}
-    for function, row, column, block in terms:
-        # a multiple of a power of time joins the others of that power
-        scale, function = function.as_independent(TIME, as_Add=False)
-        matrix = matrices.setdefault(function, sp.zeros(2 * size, 2 * size))
-        offset = offsets.setdefault(function, sp.zeros(2 * size, 1))
-        for i, target in enumerate(places[row]):
-            for j in range(block.cols):
-                if column == "1":
-                    offset[target, 0] += scale * block[i, j]
-                else:
-                    matrix[target, places[column][j]] += scale * block[i, j]
-    kept = [
-        f
-        for f in matrices
-        if f == 1 or not (matrices[f].is_zero_matrix and offsets[f].is_zero_matrix)
-    ]
-    return {f: matrices[f] for f in kept}, {f: offsets[f] for f in kept}
+def _rows(positions: Sequence[sp.Matrix], velocities: Sequence[sp.Matrix]) -> sp.Matrix:
+    """A matrix N x (N + 1) from blocks by positions, by velocities and of the offset."""
+    return sp.Matrix.vstack(sp.Matrix.hstack(*positions), sp.Matrix.hstack(*velocities))

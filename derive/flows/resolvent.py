@@ -18,7 +18,6 @@ modes, where the eigenvalues of L are known to be distinct.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -27,7 +26,7 @@ from sympy.polys.matrices import DomainMatrix
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["MOST_ROOTS", "Fraction", "resolvent"]
+__all__ = ["MOST_ROOTS", "resolvent"]
 
 # A block whose characteristic polynomial does not factor further is written out up to here. Beyond,
 # doubles lose digits: of 100 periods of 3, 4 and 5 damped masses in a row the worst errors were
@@ -38,18 +37,10 @@ _NEAR = sp.Rational(1, 10**4)
 Naming = Callable[[str, sp.Expr], sp.Expr]
 
 
-@dataclass(frozen=True)
-class Fraction:
-    """A part of the resolvent: a polynomial matrix divided by characteristic factors."""
-
-    # monic polynomials in s by their coefficients, from the constant up, without the leading
-    factors: tuple[sp.Tuple, ...]
-    # N x (N + 1): coefficients of the numerator, from the constant up; last column: offset
-    powers: tuple[sp.Matrix, ...]
-
-
-# fractions of rectangular blocks, by their factors: coefficients of the numerators
-_Sum = dict[tuple[sp.Tuple, ...], list[DomainMatrix]]
+# rectangular blocks by their characteristic factors and the power of s; a factor is a monic
+# polynomial by its coefficients, from the constant up, without the leading one
+_Key = tuple[tuple[sp.Tuple, ...], int]
+_Sum = dict[_Key, DomainMatrix]
 
 
 def resolvent(
@@ -58,13 +49,14 @@ def resolvent(
     parameters: Sequence[Parameter],
     naming: Naming,
     known: dict[sp.ImmutableMatrix, _Sum],
-) -> tuple[Fraction, ...]:
+) -> list[tuple[_Key, sp.Matrix]]:
     """The resolvent of ``y' = matrix y + offset`` as a sum of fractions.
 
-    The domains of the `parameters` decide which eigenvalues are distinct. `naming` takes a
-    stem and an expression that needs a root, and gives a symbol for it. `known` has
-    resolvents of blocks of the system's other configurations, and grows. DerivationError
-    refuses a block with more than `MOST_ROOTS` roots and no modes.
+    Each is a key, the characteristic factors below and the power of s above, with a matrix
+    N x (N + 1), whose last column is the offset's. The domains of the `parameters` decide which
+    eigenvalues are distinct. `naming` takes a stem and an expression that needs a root, and gives
+    a symbol for it. `known` has resolvents of blocks of the system's other configurations, and
+    grows. DerivationError refuses a block with more than `MOST_ROOTS` roots and no modes.
     """
     size = matrix.rows
     augmented = sp.zeros(size + 1, size + 1)
@@ -76,7 +68,7 @@ def resolvent(
         if part not in known:
             known[part] = _local(part, parameters, naming)
         local.append(known[part])
-    found: dict[tuple[sp.Tuple, ...], list[sp.Matrix]] = {}
+    found: dict[_Key, sp.Matrix] = {}
     for first, source in enumerate(blocks):
         reached: dict[int, _Sum] = {first: local[first]}
         for later in range(first + 1, len(blocks)):
@@ -84,22 +76,19 @@ def resolvent(
             for before, fractions in reached.items():
                 link = augmented.extract(blocks[later], blocks[before])
                 if not link.is_zero_matrix:
-                    _add(arriving, _product({(): [_exact(link)]}, fractions))
+                    _add(arriving, _product({((), 0): _exact(link)}, fractions))
             if arriving:
                 reached[later] = _product(local[later], arriving)
         for target, fractions in reached.items():
-            for factors, powers in fractions.items():
-                rows = found.setdefault(factors, [])
-                for k, numerator in enumerate(powers):
-                    if len(rows) <= k:
-                        rows.append(sp.zeros(size + 1, size + 1))
-                    entries = numerator.to_Matrix().applyfunc(_shown)
-                    for i, row in enumerate(blocks[target]):
-                        for j, column in enumerate(source):
-                            rows[k][row, column] += entries[i, j]
-    return tuple(
-        Fraction(factors, tuple(m[:size, :] for m in powers)) for factors, powers in found.items()
-    )
+            for key, numerator in fractions.items():
+                whole = found.setdefault(key, sp.zeros(size + 1, size + 1))
+                entries = numerator.to_Matrix().applyfunc(_shown)
+                for i, row in enumerate(blocks[target]):
+                    for j, column in enumerate(source):
+                        whole[row, column] = entries[i, j]
+    order = {factors: place for place, (factors, _) in reversed([*enumerate(found)])}
+    keys = sorted(found, key=lambda key: (order[key[0]], key[1]))
+    return [(key, found[key][:size, :]) for key in keys]
 
 
 def _blocks(matrix: sp.Matrix) -> list[list[int]]:
@@ -154,37 +143,19 @@ def _shown(expression: sp.Expr) -> sp.Expr:
     return _tidy(found) if found is not expression else sp.factor_terms(found)
 
 
-def _joined(one: DomainMatrix, other: DomainMatrix) -> tuple[DomainMatrix, DomainMatrix]:
-    """Both matrices over one common field."""
-    first, second = one.unify(other)
-    return first, second
-
-
 def _add(total: _Sum, more: _Sum) -> None:
-    for factors, powers in more.items():
-        known = total.setdefault(factors, [])
-        for k, block in enumerate(powers):
-            if k < len(known):
-                one, other = _joined(known[k], block)
-                known[k] = one + other
-            else:
-                known.append(block)
+    for key, block in more.items():
+        one, other = total.get(key, block * 0).unify(block)
+        total[key] = one + other
 
 
 def _product(left: _Sum, right: _Sum) -> _Sum:
     total: _Sum = {}
-    for first, by in left.items():
-        for second, of in right.items():
+    for (first, i), a in left.items():
+        for (second, j), b in right.items():
             factors = tuple(sorted((*first, *second), key=sp.default_sort_key))
-            powers: dict[int, DomainMatrix] = {}
-            for i, a in enumerate(by):
-                for j, b in enumerate(of):
-                    one, other = _joined(a, b)
-                    product = one * other
-                    if i + j in powers:
-                        product = DomainMatrix.add(*_joined(powers[i + j], product))
-                    powers[i + j] = product
-            _add(total, {factors: [powers[k] for k in sorted(powers)]})
+            one, other = a.unify(b)
+            _add(total, {(factors, i + j): one * other})
     return total
 
 
@@ -199,18 +170,24 @@ def _local(block: sp.ImmutableMatrix, parameters: Sequence[Parameter], naming: N
             f"its characteristic polynomial has a part of {size} roots, which has neither"
             " modes nor a readable closed form"
         )
-    # Faddeev and LeVerrier: adj(s - K) = sum_k s^k N_k
+    # adj(s - K) = sum_k s^k N_k
     matrix = _exact(block)
     identity = DomainMatrix.eye(size, matrix.domain)
-    coefficients: list[Any] = []  # elements of the field
+    coefficients = _characteristic(matrix)
     numerators = [identity]
-    for k in range(1, size + 1):
-        product = matrix * numerators[0]
-        trace = sum((product[i, i].element for i in range(size)), matrix.domain.zero)
-        coefficients.insert(0, -trace / matrix.domain.convert(k))
-        if k < size:
-            numerators.insert(0, product + identity.scalarmul(coefficients[0]))
-    return {_factors([_shown(matrix.domain.to_sympy(c)) for c in coefficients]): numerators}
+    for coefficient in reversed(coefficients[1:]):
+        numerators.insert(0, matrix * numerators[0] + identity.scalarmul(coefficient))
+    factors = _factors([_shown(matrix.domain.to_sympy(c)) for c in coefficients])
+    return {(factors, k): numerator for k, numerator in enumerate(numerators)}
+
+
+def _characteristic(matrix: DomainMatrix) -> list[Any]:
+    """Coefficients of the characteristic polynomial, from the constant up, without the leading.
+
+    They are elements of the matrix's domain: of thirty masses a determinant of expressions has
+    no end.
+    """
+    return list(reversed(matrix.charpoly()[1:]))
 
 
 def _factors(coefficients: Sequence[sp.Expr]) -> tuple[sp.Tuple, ...]:
@@ -261,7 +238,8 @@ def _modes(block: sp.Matrix, parameters: Sequence[Parameter], naming: Naming) ->
                 zeroth[x, y], first[x, y] = rate * p, p
                 zeroth[x, w], zeroth[v, y] = p, -eigenvalue * p
                 first[v, w] = p
-        _add(total, {(sp.Tuple(eigenvalue, rate),): [_exact(zeroth), _exact(first)]})
+        factors = (sp.Tuple(eigenvalue, rate),)
+        _add(total, {(factors, 0): _exact(zeroth), (factors, 1): _exact(first)})
     return total
 
 
@@ -304,9 +282,7 @@ def _eigenvalues(
 ) -> list[sp.Expr] | None:
     """Real, distinct eigenvalues in radicals; None where they are not shown to be."""
     exact = _exact(matrix)
-    # in the domain of its entries: of thirty masses a determinant of expressions has no end
-    _, *descending = exact.charpoly()
-    coefficients = [_shown(exact.domain.to_sympy(c)) for c in reversed(descending)]
+    coefficients = [_shown(exact.domain.to_sympy(c)) for c in _characteristic(exact)]
     found: list[sp.Expr] = []
     for factor, multiplicity in _irreducible(coefficients):
         if multiplicity > 1 or len(factor) > 2:

@@ -11,7 +11,6 @@ from scipy.linalg import expm
 from nonsmooth.derive import Boundary, Configuration, Parameter, SecondOrder, System, Transition
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.flows.modal import TIME, derive_flows
-from nonsmooth.derive.flows.modes import modes_of
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
@@ -292,7 +291,7 @@ def test_two_masses_have_modes():
 
 def test_entire_functions_are_no_modes():
     found = entire()
-    assert modes_of(found.flows["free"]) is None
+    assert found.flows["free"].modes is None
     assert found.modes is None
     assert found.table()["modes"] is None
     assert [kernel.name for kernel in found.kernels()] == ["fields", "rows", "resets"]
