@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 0013eb2174516016 */
+ * SymPy 1.14.0, derivation acbfcccecda511ab */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1401,11 +1401,11 @@ static int add_all(PyObject *module)
         for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
             ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "26948aa7169362e0") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "8daa9dfa261d8c6c") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "795b651b261d23ea") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "9398124ac0939a59") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "10e857581e62d2f8") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "5e0449e5958d6d2d") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 10e857581e62d2f8 */
+ * SymPy 1.14.0, derivation 5e0449e5958d6d2d */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -27,8 +27,8 @@ static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
     const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t0 + 1.0/2.0);
     const double t3 = (1.0/(omega1));
     const double t4 = sqrt(1 - chi);
-    const double t5 = sqrt(chi);
-    const double t6 = sqrt(eta);
+    const double t5 = sqrt(eta);
+    const double t6 = sqrt(chi);
     const double t7 = t5*t6;
     const double t8 = t4*t7;
     const double omega2 = t3*t8;
@@ -51,33 +51,33 @@ static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
     if (!spectrum_derivatives)
         return;
     /* d/dchi of: spectrum */
-    const double t13 = 2*t1;
-    const double gap1_by_chi = t10*(-eta*t13 + 8*t0);
-    const double t14 = (1.0/2.0)*gap1_by_chi;
-    const double t15 = (1.0/2.0)*eta;
-    const double t16 = (1.0/2.0)*t3;
-    const double omega1_by_chi = t16*(t14 + t15);
-    const double t17 = (1.0/(t5));
-    const double t18 = t8/(omega1*omega1);
-    const double omega2_by_chi = -omega1_by_chi*t18 - t16*t7/t4 + (1.0/2.0)*t17*t3*t4*t6;
-    const double t19 = (1.0/(gap1*gap1));
-    const double t20 = t1*t19;
-    const double p1_by_chi = -t14*t20 - t15*t9;
-    const double t21 = chi*t19;
-    const double p2_by_chi = gap1_by_chi*t21 - t9;
-    const double t22 = t0*t19;
-    const double p3_by_chi = -eta*t9 + gap1_by_chi*t22;
-    const double omega3_by_chi = (1.0/2.0)*t17*t6;
+    const double t12 = 2*t1;
+    const double gap1_by_chi = t10*(-eta*t12 + 8*t0);
+    const double t13 = (1.0/2.0)*gap1_by_chi;
+    const double t14 = (1.0/2.0)*eta;
+    const double t15 = (1.0/2.0)*t3;
+    const double omega1_by_chi = t15*(t13 + t14);
+    const double t16 = (1.0/(t6));
+    const double t17 = t8/(omega1*omega1);
+    const double omega2_by_chi = -omega1_by_chi*t17 - t15*t7/t4 + (1.0/2.0)*t16*t3*t4*t5;
+    const double t18 = (1.0/(gap1*gap1));
+    const double t19 = t1*t18;
+    const double p1_by_chi = -t13*t19 - t14*t9;
+    const double t20 = chi*t18;
+    const double p2_by_chi = gap1_by_chi*t20 - t9;
+    const double t21 = t0*t18;
+    const double p3_by_chi = -eta*t9 + gap1_by_chi*t21;
+    const double omega3_by_chi = (1.0/2.0)*t16*t5;
     /* d/deta of: spectrum */
-    const double gap1_by_eta = t10*(-chi*t13 + t2);
-    const double t23 = (1.0/2.0)*gap1_by_eta;
-    const double omega1_by_eta = t16*((1.0/2.0)*chi + t23);
-    const double t24 = (1.0/(t6));
-    const double omega2_by_eta = -omega1_by_eta*t18 + (1.0/2.0)*t24*t3*t4*t5;
-    const double p1_by_eta = -1.0/2.0*t11 - t20*t23;
-    const double p2_by_eta = gap1_by_eta*t21;
-    const double p3_by_eta = gap1_by_eta*t22 - t11;
-    const double omega3_by_eta = (1.0/2.0)*t24*t5;
+    const double gap1_by_eta = t10*(-chi*t12 + t2);
+    const double t22 = (1.0/2.0)*gap1_by_eta;
+    const double omega1_by_eta = t15*((1.0/2.0)*chi + t22);
+    const double t23 = (1.0/(t5));
+    const double omega2_by_eta = -omega1_by_eta*t17 + (1.0/2.0)*t23*t3*t4*t6;
+    const double p1_by_eta = -1.0/2.0*t11 - t19*t22;
+    const double p2_by_eta = gap1_by_eta*t20;
+    const double p3_by_eta = gap1_by_eta*t21 - t11;
+    const double omega3_by_eta = (1.0/2.0)*t23*t6;
     if (spectrum_derivatives) {
         spectrum_derivatives[lane] = gap1_by_chi;
         spectrum_derivatives[1*lanes + lane] = gap1_by_eta;
@@ -103,7 +103,7 @@ void dry_friction_spectrum(
 }
 
 /* State after a time in slip-slip.
- * Operations: 138. Intermediate terms: 26. */
+ * Operations: 135. Intermediate terms: 24. */
 void dry_friction_flow_slip_slip(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
@@ -124,34 +124,32 @@ void dry_friction_flow_slip_slip(
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
-    const double t2 = (1.0/(omega1));
-    const double t3 = t1*t2;
-    const double t4 = p1 - 1;
-    const double t6 = omega2*t;
-    const double t7 = sin(t6);
-    const double t8 = t7/omega2;
-    const double t9 = cos(t0);
-    const double t10 = cos(t6);
-    const double t11 = p1*t9 - t10*t4;
-    const double t12 = -p2*t10 + p2*t9;
-    const double t13 = (1.0/((chi - 1)));
-    const double t14 = -us1 - us2;
-    const double t15 = t13*t14;
-    const double t16 = (1.0/(((chi*chi) - chi)));
-    const double t17 = -chi*us1 - us2;
-    const double t18 = t16*t17;
-    const double t19 = p2*t18;
-    const double t20 = p1*t15;
-    const double t21 = -p3*t10 + p3*t9;
-    const double t22 = p1*t10 - t4*t9;
-    const double t23 = p1*t18;
-    const double t24 = p3*t15;
-    const double t25 = omega2*t7;
-    const double t26 = omega1*t1;
-    state_after[0] = t10*(t15*t4 + t19) + t11*x1 + t12*x2 + t15 + t9*(-t19 - t20) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8);
-    state_after[1] = t10*(-t23 + t24) + t18 + t21*x1 + t22*x2 + t9*(t16*t17*t4 - t24) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4);
-    state_after[2] = t1*(omega1*t19 + omega1*t20) + t11*v1 + t12*v2 + t7*(-omega2*t13*t14*t4 - omega2*t19) + x1*(-p1*t26 + t25*t4) + x2*(omega2*p2*t7 - p2*t26);
-    state_after[3] = t1*(-omega1*t18*t4 + omega1*t24) + t21*v1 + t22*v2 + t7*(omega2*t23 - omega2*t24) + x1*(omega2*p3*t7 - p3*t26) + x2*(-p1*t25 + t26*t4);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = p1 - 1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 - t6*t7;
+    const double t11 = (1.0/((chi - 1)));
+    const double t12 = -us1 - us2;
+    const double t13 = t11*t12;
+    const double t14 = (1.0/(((chi*chi) - chi)));
+    const double t15 = -chi*us1 - us2;
+    const double t16 = t14*t15;
+    const double t17 = p2*t16;
+    const double t18 = p1*t13;
+    const double t19 = p1*t7 - t6*t8;
+    const double t20 = -p3*t7 + p3*t8;
+    const double t21 = p3*t13;
+    const double t22 = omega2*t4;
+    const double t23 = omega1*t1;
+    state_after[0] = t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6);
+    state_after[2] = t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23);
+    state_after[3] = t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6);
 }
 
 /* State after a time in slip-stick.
@@ -180,7 +178,7 @@ void dry_friction_flow_slip_stick(
 }
 
 /* State after a time in slip-overshoot.
- * Operations: 136. Intermediate terms: 26. */
+ * Operations: 133. Intermediate terms: 24. */
 void dry_friction_flow_slip_overshoot(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
@@ -201,34 +199,32 @@ void dry_friction_flow_slip_overshoot(
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
-    const double t2 = (1.0/(omega1));
-    const double t3 = t1*t2;
-    const double t4 = p1 - 1;
-    const double t6 = omega2*t;
-    const double t7 = sin(t6);
-    const double t8 = t7/omega2;
-    const double t9 = cos(t0);
-    const double t10 = cos(t6);
-    const double t11 = p1*t9 - t10*t4;
-    const double t12 = -p2*t10 + p2*t9;
-    const double t13 = (1.0/((chi - 1)));
-    const double t15 = -us1 + us2;
-    const double t16 = t13*t15;
-    const double t17 = (1.0/(((chi*chi) - chi)));
-    const double t18 = -chi*us1 + us2;
-    const double t19 = t17*t18;
-    const double t20 = p2*t19;
-    const double t21 = p1*t16;
-    const double t22 = -p3*t10 + p3*t9;
-    const double t23 = p1*t10 - t4*t9;
-    const double t24 = p1*t19;
-    const double t25 = p3*t16;
-    const double t26 = omega2*t7;
-    const double t27 = omega1*t1;
-    state_after[0] = t10*(t16*t4 + t20) + t11*x1 + t12*x2 + t16 + t9*(-t20 - t21) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8);
-    state_after[1] = t10*(-t24 + t25) + t19 + t22*x1 + t23*x2 + t9*(t17*t18*t4 - t25) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4);
-    state_after[2] = t1*(omega1*t20 + omega1*t21) + t11*v1 + t12*v2 + t7*(-omega2*t13*t15*t4 - omega2*t20) + x1*(-p1*t27 + t26*t4) + x2*(omega2*p2*t7 - p2*t27);
-    state_after[3] = t1*(-omega1*t19*t4 + omega1*t25) + t22*v1 + t23*v2 + t7*(omega2*t24 - omega2*t25) + x1*(omega2*p3*t7 - p3*t27) + x2*(-p1*t26 + t27*t4);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = p1 - 1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 - t6*t7;
+    const double t11 = (1.0/((chi - 1)));
+    const double t12 = -us1 + us2;
+    const double t13 = t11*t12;
+    const double t14 = (1.0/(((chi*chi) - chi)));
+    const double t15 = -chi*us1 + us2;
+    const double t16 = t14*t15;
+    const double t17 = p2*t16;
+    const double t18 = p1*t13;
+    const double t19 = p1*t7 - t6*t8;
+    const double t20 = -p3*t7 + p3*t8;
+    const double t21 = p3*t13;
+    const double t22 = omega2*t4;
+    const double t23 = omega1*t1;
+    state_after[0] = t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6);
+    state_after[2] = t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23);
+    state_after[3] = t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6);
 }
 
 /* State after a time in stick-slip.
@@ -307,7 +303,7 @@ void dry_friction_flow_stick_overshoot(
 }
 
 /* State after a time in overshoot-slip.
- * Operations: 136. Intermediate terms: 26. */
+ * Operations: 133. Intermediate terms: 24. */
 void dry_friction_flow_overshoot_slip(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
@@ -328,34 +324,32 @@ void dry_friction_flow_overshoot_slip(
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
-    const double t2 = (1.0/(omega1));
-    const double t3 = t1*t2;
-    const double t4 = p1 - 1;
-    const double t6 = omega2*t;
-    const double t7 = sin(t6);
-    const double t8 = t7/omega2;
-    const double t9 = cos(t0);
-    const double t10 = cos(t6);
-    const double t11 = p1*t9 - t10*t4;
-    const double t12 = -p2*t10 + p2*t9;
-    const double t13 = (1.0/((chi - 1)));
-    const double t15 = us1 - us2;
-    const double t16 = t13*t15;
-    const double t17 = (1.0/(((chi*chi) - chi)));
-    const double t18 = chi*us1 - us2;
-    const double t19 = t17*t18;
-    const double t20 = p2*t19;
-    const double t21 = p1*t16;
-    const double t22 = -p3*t10 + p3*t9;
-    const double t23 = p1*t10 - t4*t9;
-    const double t24 = p1*t19;
-    const double t25 = p3*t16;
-    const double t26 = omega2*t7;
-    const double t27 = omega1*t1;
-    state_after[0] = t10*(t16*t4 + t20) + t11*x1 + t12*x2 + t16 + t9*(-t20 - t21) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8);
-    state_after[1] = t10*(-t24 + t25) + t19 + t22*x1 + t23*x2 + t9*(t17*t18*t4 - t25) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4);
-    state_after[2] = t1*(omega1*t20 + omega1*t21) + t11*v1 + t12*v2 + t7*(-omega2*t13*t15*t4 - omega2*t20) + x1*(-p1*t27 + t26*t4) + x2*(omega2*p2*t7 - p2*t27);
-    state_after[3] = t1*(-omega1*t19*t4 + omega1*t25) + t22*v1 + t23*v2 + t7*(omega2*t24 - omega2*t25) + x1*(omega2*p3*t7 - p3*t27) + x2*(-p1*t26 + t27*t4);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = p1 - 1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 - t6*t7;
+    const double t11 = (1.0/((chi - 1)));
+    const double t12 = us1 - us2;
+    const double t13 = t11*t12;
+    const double t14 = (1.0/(((chi*chi) - chi)));
+    const double t15 = chi*us1 - us2;
+    const double t16 = t14*t15;
+    const double t17 = p2*t16;
+    const double t18 = p1*t13;
+    const double t19 = p1*t7 - t6*t8;
+    const double t20 = -p3*t7 + p3*t8;
+    const double t21 = p3*t13;
+    const double t22 = omega2*t4;
+    const double t23 = omega1*t1;
+    state_after[0] = t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6);
+    state_after[2] = t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23);
+    state_after[3] = t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6);
 }
 
 /* State after a time in overshoot-stick.
@@ -384,7 +378,7 @@ void dry_friction_flow_overshoot_stick(
 }
 
 /* State after a time in overshoot-overshoot.
- * Operations: 136. Intermediate terms: 26. */
+ * Operations: 133. Intermediate terms: 24. */
 void dry_friction_flow_overshoot_overshoot(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
@@ -405,34 +399,32 @@ void dry_friction_flow_overshoot_overshoot(
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
-    const double t2 = (1.0/(omega1));
-    const double t3 = t1*t2;
-    const double t4 = p1 - 1;
-    const double t6 = omega2*t;
-    const double t7 = sin(t6);
-    const double t8 = t7/omega2;
-    const double t9 = cos(t0);
-    const double t10 = cos(t6);
-    const double t11 = p1*t9 - t10*t4;
-    const double t12 = -p2*t10 + p2*t9;
-    const double t13 = (1.0/((chi - 1)));
-    const double t14 = us1 + us2;
-    const double t15 = t13*t14;
-    const double t16 = (1.0/(((chi*chi) - chi)));
-    const double t17 = chi*us1 + us2;
-    const double t18 = t16*t17;
-    const double t19 = p2*t18;
-    const double t20 = p1*t15;
-    const double t21 = -p3*t10 + p3*t9;
-    const double t22 = p1*t10 - t4*t9;
-    const double t23 = p1*t18;
-    const double t24 = p3*t15;
-    const double t25 = omega2*t7;
-    const double t26 = omega1*t1;
-    state_after[0] = t10*(t15*t4 + t19) + t11*x1 + t12*x2 + t15 + t9*(-t19 - t20) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8);
-    state_after[1] = t10*(-t23 + t24) + t18 + t21*x1 + t22*x2 + t9*(t16*t17*t4 - t24) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4);
-    state_after[2] = t1*(omega1*t19 + omega1*t20) + t11*v1 + t12*v2 + t7*(-omega2*t13*t14*t4 - omega2*t19) + x1*(-p1*t26 + t25*t4) + x2*(omega2*p2*t7 - p2*t26);
-    state_after[3] = t1*(-omega1*t18*t4 + omega1*t24) + t21*v1 + t22*v2 + t7*(omega2*t23 - omega2*t24) + x1*(omega2*p3*t7 - p3*t26) + x2*(-p1*t25 + t26*t4);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = p1 - 1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 - t6*t7;
+    const double t11 = (1.0/((chi - 1)));
+    const double t12 = us1 + us2;
+    const double t13 = t11*t12;
+    const double t14 = (1.0/(((chi*chi) - chi)));
+    const double t15 = chi*us1 + us2;
+    const double t16 = t14*t15;
+    const double t17 = p2*t16;
+    const double t18 = p1*t13;
+    const double t19 = p1*t7 - t6*t8;
+    const double t20 = -p3*t7 + p3*t8;
+    const double t21 = p3*t13;
+    const double t22 = omega2*t4;
+    const double t23 = omega1*t1;
+    state_after[0] = t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6);
+    state_after[2] = t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23);
+    state_after[3] = t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6);
 }
 
 /* Vector fields of the configurations, one below the other, offsets last.
@@ -446,7 +438,7 @@ void dry_friction_fields(
     const double us2 = parameters[5];
     /* fields */
     const double t0 = chi*eta;
-    const double t2 = eta*us2;
+    const double t1 = eta*us2;
     static const unsigned char nonsmooth_fields_places[] = {
         0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 4, 5, 6, 0, 0, 7, 0, 0, 1, 0, 0,
         0, 0, 0, 1, 0, 2, 3, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0,
@@ -465,8 +457,8 @@ void dry_friction_fields(
     nonsmooth_fields_values[4] = us1;
     nonsmooth_fields_values[5] = t0;
     nonsmooth_fields_values[6] = -t0;
-    nonsmooth_fields_values[7] = t2;
-    nonsmooth_fields_values[8] = -t2;
+    nonsmooth_fields_values[7] = t1;
+    nonsmooth_fields_values[8] = -t1;
     nonsmooth_fields_values[9] = -us1;
     for (int i = 0; i < 180; ++i)
         fields[i] = nonsmooth_fields_values[nonsmooth_fields_places[i]];
@@ -528,7 +520,7 @@ void dry_friction_resets(
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
- * Operations: 231. Intermediate terms: 45. */
+ * Operations: 238. Intermediate terms: 45. */
 void dry_friction_modes(
     const double parameters[7], const double spectrum[7], double *exponents, double *coefficients)
 {
@@ -560,49 +552,49 @@ void dry_friction_modes(
     /* coefficients */
     const double t0 = (1.0/((chi - 1)));
     const double t1 = us1 + us2;
-    const double t3 = -t0*t1;
-    const double t5 = (1.0/(((chi*chi) - chi)));
-    const double t6 = chi*us1;
-    const double t7 = t6 + us2;
-    const double t9 = -t5*t7;
-    const double t10 = p2*t9;
-    const double t11 = p1 - 1;
-    const double t13 = p3*t3;
-    const double t14 = (1.0/(omega1));
-    const double t15 = p1*t14;
-    const double t16 = p2*t14;
-    const double t17 = p3*t14;
-    const double t18 = -t11*t14;
-    const double t19 = omega1*p1;
-    const double t21 = omega1*p2;
-    const double t23 = omega1*p3;
-    const double t25 = -omega1*t11;
-    const double t29 = (1.0/(omega2));
-    const double t30 = -t11*t29;
-    const double t31 = -p2*t29;
-    const double t32 = -p3*t29;
-    const double t33 = p1*t29;
-    const double t34 = omega2*t11;
-    const double t35 = omega2*p2;
-    const double t36 = omega2*p3;
-    const double t37 = omega2*p1;
-    const double t41 = us1 - us2;
-    const double t43 = -t0*t41;
-    const double t44 = t6 - us2;
-    const double t46 = -t44*t5;
-    const double t47 = p2*t46;
-    const double t48 = p3*t43;
-    const double t49 = us2/chi;
-    const double t51 = (1.0/(omega3));
-    const double t54 = omega3*t49;
-    const double t55 = t0*t41;
-    const double t56 = t44*t5;
-    const double t57 = p2*t56;
-    const double t58 = p3*t55;
-    const double t59 = t0*t1;
-    const double t60 = t5*t7;
-    const double t61 = p2*t60;
-    const double t62 = p3*t59;
+    const double t2 = -t0*t1;
+    const double t3 = (1.0/(((chi*chi) - chi)));
+    const double t4 = chi*us1;
+    const double t5 = t4 + us2;
+    const double t6 = -t3*t5;
+    const double t7 = p2*t6;
+    const double t8 = p1 - 1;
+    const double t9 = p3*t2;
+    const double t10 = (1.0/(omega1));
+    const double t11 = p1*t10;
+    const double t12 = p2*t10;
+    const double t13 = p3*t10;
+    const double t14 = -t10*t8;
+    const double t15 = omega1*p1;
+    const double t16 = omega1*p2;
+    const double t17 = omega1*p3;
+    const double t18 = -omega1*t8;
+    const double t19 = (1.0/(omega2));
+    const double t20 = -t19*t8;
+    const double t21 = -p2*t19;
+    const double t22 = -p3*t19;
+    const double t23 = p1*t19;
+    const double t24 = omega2*t8;
+    const double t25 = omega2*p2;
+    const double t26 = omega2*p3;
+    const double t27 = -omega2*p1;
+    const double t28 = -us1 + us2;
+    const double t29 = t0*t28;
+    const double t30 = -t4 + us2;
+    const double t31 = t3*t30;
+    const double t32 = p2*t31;
+    const double t33 = p3*t29;
+    const double t34 = us2/chi;
+    const double t35 = (1.0/(omega3));
+    const double t36 = omega3*t34;
+    const double t37 = -t0*t28;
+    const double t38 = -t3*t30;
+    const double t39 = p2*t38;
+    const double t40 = p3*t37;
+    const double t41 = t0*t1;
+    const double t42 = t3*t5;
+    const double t43 = p2*t42;
+    const double t44 = p3*t41;
     if (coefficients) {
         static const unsigned char nonsmooth_coefficients_places[] = {
             0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4, 0, 0, 5,
@@ -639,89 +631,89 @@ void dry_friction_modes(
         };
         double nonsmooth_coefficients_values[77];
         nonsmooth_coefficients_values[0] = 0;
-        nonsmooth_coefficients_values[1] = t3;
-        nonsmooth_coefficients_values[2] = t9;
+        nonsmooth_coefficients_values[1] = t2;
+        nonsmooth_coefficients_values[2] = t6;
         nonsmooth_coefficients_values[3] = p1;
         nonsmooth_coefficients_values[4] = p2;
-        nonsmooth_coefficients_values[5] = -p1*t3 - t10;
+        nonsmooth_coefficients_values[5] = -p1*t2 - t7;
         nonsmooth_coefficients_values[6] = p3;
-        nonsmooth_coefficients_values[7] = -t11;
-        nonsmooth_coefficients_values[8] = -t11*t5*t7 - t13;
-        nonsmooth_coefficients_values[9] = t15;
-        nonsmooth_coefficients_values[10] = t16;
-        nonsmooth_coefficients_values[11] = t17;
-        nonsmooth_coefficients_values[12] = t18;
-        nonsmooth_coefficients_values[13] = -t19;
-        nonsmooth_coefficients_values[14] = -t21;
-        nonsmooth_coefficients_values[15] = t19*t3 + t21*t9;
-        nonsmooth_coefficients_values[16] = -t23;
-        nonsmooth_coefficients_values[17] = -t25;
-        nonsmooth_coefficients_values[18] = t23*t3 + t25*t9;
+        nonsmooth_coefficients_values[7] = -t8;
+        nonsmooth_coefficients_values[8] = -t3*t5*t8 - t9;
+        nonsmooth_coefficients_values[9] = t11;
+        nonsmooth_coefficients_values[10] = t12;
+        nonsmooth_coefficients_values[11] = t13;
+        nonsmooth_coefficients_values[12] = t14;
+        nonsmooth_coefficients_values[13] = -t15;
+        nonsmooth_coefficients_values[14] = -t16;
+        nonsmooth_coefficients_values[15] = t15*t2 + t16*t6;
+        nonsmooth_coefficients_values[16] = -t17;
+        nonsmooth_coefficients_values[17] = -t18;
+        nonsmooth_coefficients_values[18] = t17*t2 + t18*t6;
         nonsmooth_coefficients_values[19] = -p2;
-        nonsmooth_coefficients_values[20] = t10 + t11*t3;
+        nonsmooth_coefficients_values[20] = t2*t8 + t7;
         nonsmooth_coefficients_values[21] = -p3;
-        nonsmooth_coefficients_values[22] = -p1*t9 + t13;
-        nonsmooth_coefficients_values[23] = t30;
-        nonsmooth_coefficients_values[24] = t31;
-        nonsmooth_coefficients_values[25] = t32;
-        nonsmooth_coefficients_values[26] = t33;
-        nonsmooth_coefficients_values[27] = t34;
-        nonsmooth_coefficients_values[28] = t35;
-        nonsmooth_coefficients_values[29] = omega2*t0*t1*t11 - t35*t9;
-        nonsmooth_coefficients_values[30] = t36;
-        nonsmooth_coefficients_values[31] = -t37;
-        nonsmooth_coefficients_values[32] = -t3*t36 + t37*t9;
+        nonsmooth_coefficients_values[22] = -p1*t6 + t9;
+        nonsmooth_coefficients_values[23] = t20;
+        nonsmooth_coefficients_values[24] = t21;
+        nonsmooth_coefficients_values[25] = t22;
+        nonsmooth_coefficients_values[26] = t23;
+        nonsmooth_coefficients_values[27] = t24;
+        nonsmooth_coefficients_values[28] = t25;
+        nonsmooth_coefficients_values[29] = omega2*t0*t1*t8 - t25*t6;
+        nonsmooth_coefficients_values[30] = t26;
+        nonsmooth_coefficients_values[31] = t27;
+        nonsmooth_coefficients_values[32] = -omega2*p1*t3*t5 - t2*t26;
         nonsmooth_coefficients_values[33] = chi;
         nonsmooth_coefficients_values[34] = us1;
         nonsmooth_coefficients_values[35] = 1;
         nonsmooth_coefficients_values[36] = -chi;
         nonsmooth_coefficients_values[37] = -us1;
         nonsmooth_coefficients_values[38] = -1;
-        nonsmooth_coefficients_values[39] = t43;
-        nonsmooth_coefficients_values[40] = t46;
-        nonsmooth_coefficients_values[41] = -p1*t43 - t47;
-        nonsmooth_coefficients_values[42] = -t11*t44*t5 - t48;
-        nonsmooth_coefficients_values[43] = t19*t43 + t21*t46;
-        nonsmooth_coefficients_values[44] = t23*t43 + t25*t46;
-        nonsmooth_coefficients_values[45] = t11*t43 + t47;
-        nonsmooth_coefficients_values[46] = -p1*t46 + t48;
-        nonsmooth_coefficients_values[47] = omega2*t0*t11*t41 - t35*t46;
-        nonsmooth_coefficients_values[48] = -t36*t43 + t37*t46;
-        nonsmooth_coefficients_values[49] = t49;
-        nonsmooth_coefficients_values[50] = -t49;
-        nonsmooth_coefficients_values[51] = -t51;
-        nonsmooth_coefficients_values[52] = t51;
+        nonsmooth_coefficients_values[39] = t29;
+        nonsmooth_coefficients_values[40] = t31;
+        nonsmooth_coefficients_values[41] = -p1*t29 - t32;
+        nonsmooth_coefficients_values[42] = t3*t30*t8 - t33;
+        nonsmooth_coefficients_values[43] = t15*t29 + t16*t31;
+        nonsmooth_coefficients_values[44] = t17*t29 + t18*t31;
+        nonsmooth_coefficients_values[45] = t29*t8 + t32;
+        nonsmooth_coefficients_values[46] = -p1*t31 + t33;
+        nonsmooth_coefficients_values[47] = -omega2*t0*t28*t8 - t25*t31;
+        nonsmooth_coefficients_values[48] = omega2*p1*t3*t30 - t26*t29;
+        nonsmooth_coefficients_values[49] = t34;
+        nonsmooth_coefficients_values[50] = -t34;
+        nonsmooth_coefficients_values[51] = -t35;
+        nonsmooth_coefficients_values[52] = t35;
         nonsmooth_coefficients_values[53] = omega3;
         nonsmooth_coefficients_values[54] = -omega3;
-        nonsmooth_coefficients_values[55] = t54;
-        nonsmooth_coefficients_values[56] = -t54;
-        nonsmooth_coefficients_values[57] = t55;
-        nonsmooth_coefficients_values[58] = t56;
-        nonsmooth_coefficients_values[59] = -p1*t55 - t57;
-        nonsmooth_coefficients_values[60] = t11*t44*t5 - t58;
-        nonsmooth_coefficients_values[61] = t19*t55 + t21*t56;
-        nonsmooth_coefficients_values[62] = t23*t55 + t25*t56;
-        nonsmooth_coefficients_values[63] = t11*t55 + t57;
-        nonsmooth_coefficients_values[64] = -p1*t56 + t58;
-        nonsmooth_coefficients_values[65] = -omega2*t0*t11*t41 - t35*t56;
-        nonsmooth_coefficients_values[66] = -t36*t55 + t37*t56;
-        nonsmooth_coefficients_values[67] = t59;
-        nonsmooth_coefficients_values[68] = t60;
-        nonsmooth_coefficients_values[69] = -p1*t59 - t61;
-        nonsmooth_coefficients_values[70] = t11*t5*t7 - t62;
-        nonsmooth_coefficients_values[71] = t19*t59 + t21*t60;
-        nonsmooth_coefficients_values[72] = t23*t59 + t25*t60;
-        nonsmooth_coefficients_values[73] = t11*t59 + t61;
-        nonsmooth_coefficients_values[74] = -p1*t60 + t62;
-        nonsmooth_coefficients_values[75] = -omega2*t0*t1*t11 - t35*t60;
-        nonsmooth_coefficients_values[76] = -t36*t59 + t37*t60;
+        nonsmooth_coefficients_values[55] = t36;
+        nonsmooth_coefficients_values[56] = -t36;
+        nonsmooth_coefficients_values[57] = t37;
+        nonsmooth_coefficients_values[58] = t38;
+        nonsmooth_coefficients_values[59] = -p1*t37 - t39;
+        nonsmooth_coefficients_values[60] = -t3*t30*t8 - t40;
+        nonsmooth_coefficients_values[61] = t15*t37 + t16*t38;
+        nonsmooth_coefficients_values[62] = t17*t37 + t18*t38;
+        nonsmooth_coefficients_values[63] = t37*t8 + t39;
+        nonsmooth_coefficients_values[64] = -p1*t38 + t40;
+        nonsmooth_coefficients_values[65] = omega2*t0*t28*t8 - t25*t38;
+        nonsmooth_coefficients_values[66] = -omega2*p1*t3*t30 - t26*t37;
+        nonsmooth_coefficients_values[67] = t41;
+        nonsmooth_coefficients_values[68] = t42;
+        nonsmooth_coefficients_values[69] = -p1*t41 - t43;
+        nonsmooth_coefficients_values[70] = t3*t5*t8 - t44;
+        nonsmooth_coefficients_values[71] = t15*t41 + t16*t42;
+        nonsmooth_coefficients_values[72] = t17*t41 + t18*t42;
+        nonsmooth_coefficients_values[73] = t41*t8 + t43;
+        nonsmooth_coefficients_values[74] = -p1*t42 + t44;
+        nonsmooth_coefficients_values[75] = -omega2*t0*t1*t8 - t25*t42;
+        nonsmooth_coefficients_values[76] = omega2*p1*t3*t5 - t26*t41;
         for (int i = 0; i < 760; ++i)
             coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
     }
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Operations: 240. Intermediate terms: 65. */
+ * Operations: 235. Intermediate terms: 63. */
 static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
@@ -747,8 +739,8 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
     const double cos_omega1_half_tau = wave_0.cosine;
     const double sin_omega1_half_tau = wave_0.sine;
-    const double t3 = half_tau*omega2;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double t1 = half_tau*omega2;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
     const double cos_omega2_half_tau = wave_1.cosine;
     const double sin_omega2_half_tau = wave_1.sine;
     /* half of tau1 */
@@ -758,65 +750,63 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
     const double cos_half_tau1 = wave_2.cosine;
     const double sin_half_tau1 = wave_2.sine;
     /* residual */
-    const double t14 = p1*z10 + p2*z20;
-    const double t16 = -t14 + z10;
-    const double t17 = V*p2 + p1*v10;
-    const double t18 = (1.0/(omega1));
-    const double t19 = sin_omega1_half_tau*t18;
-    const double t21 = t17 - v10;
-    const double t22 = (1.0/(omega2));
-    const double t23 = sin_omega2_half_tau*t22;
-    const double t24 = p3*z10;
-    const double t25 = p1*z20;
-    const double t26 = t24 - t25 + z20;
-    const double t27 = -t24 + t25;
-    const double t28 = p3*v10;
-    const double t29 = V*p1 - t28;
-    const double t30 = V*p1 - V - t28;
-    const double t31 = chi*z20;
-    const double t32 = t31 - z10;
-    const double t33 = V*chi;
-    const double t34 = -t33 + v10;
-    const double t37 = V*half_tau1 - z20;
+    const double t2 = p1*z10 + p2*z20;
+    const double t3 = -t2 + z10;
+    const double t4 = V*p2 + p1*v10;
+    const double t5 = (1.0/(omega1));
+    const double t6 = sin_omega1_half_tau*t5;
+    const double t7 = t4 - v10;
+    const double t8 = (1.0/(omega2));
+    const double t9 = sin_omega2_half_tau*t8;
+    const double t10 = -p1*z20 + p3*z10;
+    const double t11 = t10 + z20;
+    const double t12 = p3*v10;
+    const double t13 = V*p1 - t12;
+    const double t14 = V*p1 - V - t12;
+    const double t15 = chi*z20;
+    const double t16 = t15 - z10;
+    const double t17 = V*chi;
+    const double t18 = -t17 + v10;
+    const double t19 = V*half_tau1 - z20;
     if (residual) {
-        residual[lane] = cos_omega1_half_tau*t14 + cos_omega2_half_tau*t16 + t17*t19 - t21*t23;
-        residual[1*lanes + lane] = cos_omega1_half_tau*t26 + cos_omega2_half_tau*t27 - t19*t30 + t23*t29;
-        residual[2*lanes + lane] = cos_half_tau1*t32 + half_tau1*t33 + sin_half_tau1*t34 - t31;
-        residual[3*lanes + lane] = t37;
-        residual[4*lanes + lane] = -chi*z10 - e2 + t31;
+        residual[lane] = cos_omega1_half_tau*t2 + cos_omega2_half_tau*t3 + t4*t6 - t7*t9;
+        residual[1*lanes + lane] = cos_omega1_half_tau*t11 - cos_omega2_half_tau*t10 + t13*t9 - t14*t6;
+        residual[2*lanes + lane] = cos_half_tau1*t16 + half_tau1*t17 + sin_half_tau1*t18 - t15;
+        residual[3*lanes + lane] = t19;
+        residual[4*lanes + lane] = -chi*z10 - e2 + t15;
     }
     if (!jacobian && !parameter_jacobian)
         return;
     /* d/dtau of: functions of half_tau in slip-slip */
-    const double t8 = (1.0/2.0)*omega1;
-    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t8;
-    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t8;
-    const double t9 = (1.0/2.0)*omega2;
-    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t9;
-    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t9;
+    const double t20 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t20;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t20;
+    const double t21 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t21;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t21;
     /* d/dtau1 of: functions of half_tau1 in slip-stick */
     const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
     const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
     /* jacobian */
-    const double t38 = p1 - 1;
-    const double t40 = sin_omega1_half_tau_by_tau*t18;
-    const double t41 = sin_omega2_half_tau_by_tau*t22;
+    const double t22 = p1 - 1;
+    const double t23 = sin_omega1_half_tau_by_tau*t5;
+    const double t24 = sin_omega2_half_tau_by_tau*t8;
     if (jacobian) {
-        jacobian[lane] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t38;
+        jacobian[lane] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t22;
         jacobian[1*lanes + lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-        jacobian[2*lanes + lane] = p1*sin_omega1_half_tau*t18 - t23*t38;
-        jacobian[3*lanes + lane] = cos_omega1_half_tau_by_tau*t14 + cos_omega2_half_tau_by_tau*t16 + t17*t40 - t21*t41;
+        jacobian[2*lanes + lane] = p1*t6 - t22*t9;
+        jacobian[3*lanes + lane] = cos_omega1_half_tau_by_tau*t2 + cos_omega2_half_tau_by_tau*t3 + t23*t4 - t24*t7;
         jacobian[4*lanes + lane] = 0;
         jacobian[5*lanes + lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
-        jacobian[6*lanes + lane] = -cos_omega1_half_tau*t38 + cos_omega2_half_tau*p1;
-        jacobian[7*lanes + lane] = p3*sin_omega1_half_tau*t18 - p3*t23;
-        jacobian[8*lanes + lane] = cos_omega1_half_tau_by_tau*t26 + cos_omega2_half_tau_by_tau*t27 + t29*t41 - t30*t40;
+        jacobian[6*lanes + lane] = -cos_omega1_half_tau*t22 + cos_omega2_half_tau*p1;
+        jacobian[7*lanes + lane] = p3*t6 - p3*t9;
+        jacobian[8*lanes + lane] = cos_omega1_half_tau_by_tau*t11 - cos_omega2_half_tau_by_tau*t10 + t13*t24 - t14*t23;
         jacobian[9*lanes + lane] = 0;
         jacobian[10*lanes + lane] = -cos_half_tau1;
         jacobian[11*lanes + lane] = chi*cos_half_tau1 - chi;
         jacobian[12*lanes + lane] = sin_half_tau1;
         jacobian[13*lanes + lane] = 0;
-        jacobian[14*lanes + lane] = cos_half_tau1_by_tau1*t32 + sin_half_tau1_by_tau1*t34 + (1.0/2.0)*t33;
+        jacobian[14*lanes + lane] = cos_half_tau1_by_tau1*t16 + sin_half_tau1_by_tau1*t18 + (1.0/2.0)*t17;
         jacobian[15*lanes + lane] = 0;
         jacobian[16*lanes + lane] = -1;
         jacobian[17*lanes + lane] = 0;
@@ -841,42 +831,42 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
     const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
     const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
     /* d/dchi of: functions of half_tau in slip-slip */
-    const double t10 = half_tau*omega1_by_chi;
-    const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t10;
-    const double sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t10;
-    const double t11 = half_tau*omega2_by_chi;
-    const double cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t11;
-    const double sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t11;
+    const double t25 = half_tau*omega1_by_chi;
+    const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t25;
+    const double sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t25;
+    const double t26 = half_tau*omega2_by_chi;
+    const double cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t26;
+    const double sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t26;
     /* d/deta of: functions of half_tau in slip-slip */
-    const double t12 = half_tau*omega1_by_eta;
-    const double cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t12;
-    const double sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t12;
-    const double t13 = half_tau*omega2_by_eta;
-    const double cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t13;
-    const double sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t13;
+    const double t27 = half_tau*omega1_by_eta;
+    const double cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t27;
+    const double sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t27;
+    const double t28 = half_tau*omega2_by_eta;
+    const double cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t28;
+    const double sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t28;
     /* parameter_jacobian */
-    const double t43 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 + t19*v10 - t23*v10;
-    const double t44 = -V*sin_omega1_half_tau*t18 + V*t23 - cos_omega1_half_tau*z20 + cos_omega2_half_tau*z20;
-    const double t46 = t17*t18;
-    const double t47 = t21*t22;
-    const double t48 = sin_omega2_half_tau/(omega2*omega2);
-    const double t49 = t21*t48;
-    const double t50 = sin_omega1_half_tau/(omega1*omega1);
-    const double t51 = t17*t50;
-    const double t52 = t22*t29;
-    const double t53 = t18*t30;
-    const double t54 = t30*t50;
-    const double t55 = t29*t48;
+    const double t29 = V*t6 - V*t9 + cos_omega1_half_tau*z20 - cos_omega2_half_tau*z20;
+    const double t30 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 + t6*v10 - t9*v10;
+    const double t31 = t4*t5;
+    const double t32 = t7*t8;
+    const double t33 = sin_omega2_half_tau/(omega2*omega2);
+    const double t34 = t33*t7;
+    const double t35 = sin_omega1_half_tau/(omega1*omega1);
+    const double t36 = t35*t4;
+    const double t37 = t13*t8;
+    const double t38 = t14*t5;
+    const double t39 = t14*t35;
+    const double t40 = t13*t33;
     if (parameter_jacobian) {
-        parameter_jacobian[lane] = cos_omega1_half_tau_by_chi*t14 + cos_omega2_half_tau_by_chi*t16 - omega1_by_chi*t51 + omega2_by_chi*t49 + p1_by_chi*t43 - p2_by_chi*t44 + sin_omega1_half_tau_by_chi*t46 - sin_omega2_half_tau_by_chi*t47;
-        parameter_jacobian[1*lanes + lane] = cos_omega1_half_tau_by_eta*t14 + cos_omega2_half_tau_by_eta*t16 - omega1_by_eta*t51 + omega2_by_eta*t49 + p1_by_eta*t43 - p2_by_eta*t44 + sin_omega1_half_tau_by_eta*t46 - sin_omega2_half_tau_by_eta*t47;
-        parameter_jacobian[2*lanes + lane] = p2*sin_omega1_half_tau*t18 - p2*t23;
+        parameter_jacobian[lane] = cos_omega1_half_tau_by_chi*t2 + cos_omega2_half_tau_by_chi*t3 - omega1_by_chi*t36 + omega2_by_chi*t34 + p1_by_chi*t30 + p2_by_chi*t29 + sin_omega1_half_tau_by_chi*t31 - sin_omega2_half_tau_by_chi*t32;
+        parameter_jacobian[1*lanes + lane] = cos_omega1_half_tau_by_eta*t2 + cos_omega2_half_tau_by_eta*t3 - omega1_by_eta*t36 + omega2_by_eta*t34 + p1_by_eta*t30 + p2_by_eta*t29 + sin_omega1_half_tau_by_eta*t31 - sin_omega2_half_tau_by_eta*t32;
+        parameter_jacobian[2*lanes + lane] = p2*t6 - p2*t9;
         parameter_jacobian[3*lanes + lane] = 0;
-        parameter_jacobian[4*lanes + lane] = cos_omega1_half_tau_by_chi*t26 + cos_omega2_half_tau_by_chi*t27 + omega1_by_chi*t54 - omega2_by_chi*t55 + p1_by_chi*t44 + p3_by_chi*t43 - sin_omega1_half_tau_by_chi*t53 + sin_omega2_half_tau_by_chi*t52;
-        parameter_jacobian[5*lanes + lane] = cos_omega1_half_tau_by_eta*t26 + cos_omega2_half_tau_by_eta*t27 + omega1_by_eta*t54 - omega2_by_eta*t55 + p1_by_eta*t44 + p3_by_eta*t43 - sin_omega1_half_tau_by_eta*t53 + sin_omega2_half_tau_by_eta*t52;
-        parameter_jacobian[6*lanes + lane] = p1*t23 - t19*t38;
+        parameter_jacobian[4*lanes + lane] = cos_omega1_half_tau_by_chi*t11 - cos_omega2_half_tau_by_chi*t10 + omega1_by_chi*t39 - omega2_by_chi*t40 - p1_by_chi*t29 + p3_by_chi*t30 - sin_omega1_half_tau_by_chi*t38 + sin_omega2_half_tau_by_chi*t37;
+        parameter_jacobian[5*lanes + lane] = cos_omega1_half_tau_by_eta*t11 - cos_omega2_half_tau_by_eta*t10 + omega1_by_eta*t39 - omega2_by_eta*t40 - p1_by_eta*t29 + p3_by_eta*t30 - sin_omega1_half_tau_by_eta*t38 + sin_omega2_half_tau_by_eta*t37;
+        parameter_jacobian[6*lanes + lane] = p1*t9 - t22*t6;
         parameter_jacobian[7*lanes + lane] = 0;
-        parameter_jacobian[8*lanes + lane] = -V*sin_half_tau1 + cos_half_tau1*z20 + t37;
+        parameter_jacobian[8*lanes + lane] = -V*sin_half_tau1 + cos_half_tau1*z20 + t19;
         parameter_jacobian[9*lanes + lane] = 0;
         parameter_jacobian[10*lanes + lane] = chi*half_tau1 - chi*sin_half_tau1;
         parameter_jacobian[11*lanes + lane] = 0;
@@ -902,7 +892,7 @@ void dry_friction_symmetric_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 672. Intermediate terms: 150. */
+ * Operations: 667. Intermediate terms: 154. */
 static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -925,97 +915,97 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
     const double cos_omega1_tau = wave_0.cosine;
     const double sin_omega1_tau = wave_0.sine;
-    const double t3 = omega2*tau;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double t1 = omega2*tau;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
     const double cos_omega2_tau = wave_1.cosine;
     const double sin_omega2_tau = wave_1.sine;
     /* slip-slip for tau, until second-reaches-belt */
-    const double t6 = (1.0/(omega1));
-    const double t7 = p1*sin_omega1_tau;
-    const double t8 = (1.0/(omega2));
-    const double t9 = p1 - 1;
-    const double t11 = -sin_omega2_tau*t9;
-    const double t12 = t11*t8 + t6*t7;
-    const double t13 = cos_omega1_tau*p1 - cos_omega2_tau*t9;
-    const double t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t15 = p2*sin_omega2_tau;
-    const double t16 = p2*sin_omega1_tau*t6 - t15*t8;
-    const double z1_1 = V*t16 + t12*v10 + t13*z10 + t14*z20;
-    const double t17 = p3*sin_omega2_tau;
-    const double t18 = p3*sin_omega1_tau*t6 - t17*t8;
-    const double t19 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double t20 = -cos_omega1_tau*t9 + cos_omega2_tau*p1;
-    const double t21 = p1*sin_omega2_tau;
-    const double t22 = -sin_omega1_tau*t9;
-    const double t23 = t21*t8 + t22*t6;
-    const double z2_1 = V*t23 + t18*v10 + t19*z10 + t20*z20;
-    const double t24 = -omega2*t9;
-    const double t25 = omega1*p1;
-    const double t26 = sin_omega1_tau*t25 + sin_omega2_tau*t24;
-    const double t28 = omega1*p2;
-    const double t29 = -omega2*p2*sin_omega2_tau + sin_omega1_tau*t28;
-    const double v1_1 = V*t14 + t13*v10 - t26*z10 - t29*z20;
-    const double t31 = omega1*p3;
-    const double t32 = -omega2*p3*sin_omega2_tau + sin_omega1_tau*t31;
-    const double t34 = omega2*p1;
-    const double t35 = -omega1*t9;
-    const double t36 = sin_omega1_tau*t35 + sin_omega2_tau*t34;
-    const double v2_1 = V*t20 + t19*v10 - t32*z10 - t36*z20;
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_tau*t2;
+    const double t4 = p1 - 1;
+    const double t5 = (1.0/(omega2));
+    const double t6 = sin_omega2_tau*t5;
+    const double t7 = p1*t3 - t4*t6;
+    const double t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t9 = cos_omega1_tau*p1 - cos_omega2_tau*t4;
+    const double t10 = p2*t3 - p2*t6;
+    const double z1_1 = V*t10 + t7*v10 + t8*z20 + t9*z10;
+    const double t11 = p3*t3 - p3*t6;
+    const double t12 = -cos_omega1_tau*t4 + cos_omega2_tau*p1;
+    const double t13 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t14 = p1*t6 - t3*t4;
+    const double z2_1 = V*t14 + t11*v10 + t12*z20 + t13*z10;
+    const double t15 = omega2*p2;
+    const double t16 = omega1*p2;
+    const double t17 = sin_omega1_tau*t16;
+    const double t18 = sin_omega2_tau*t15 - t17;
+    const double t19 = omega1*p1;
+    const double t20 = -omega2*t4;
+    const double t21 = sin_omega1_tau*t19 + sin_omega2_tau*t20;
+    const double v1_1 = V*t8 + t18*z20 - t21*z10 + t9*v10;
+    const double t22 = omega2*p1;
+    const double t23 = -omega1*t4;
+    const double t24 = sin_omega1_tau*t23 + sin_omega2_tau*t22;
+    const double t25 = omega2*p3;
+    const double t26 = omega1*p3;
+    const double t27 = sin_omega1_tau*t26;
+    const double t28 = sin_omega2_tau*t25 - t27;
+    const double v2_1 = V*t12 + t13*v10 - t24*z20 + t28*z10;
     /* functions of tau1 in slip-stick */
     const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, tau1);
     const double cos_tau1 = wave_2.cosine;
     const double sin_tau1 = wave_2.sine;
     /* slip-stick for tau1, until second-breaks-forward */
-    const double t40 = -chi*cos_tau1 + chi;
-    const double t41 = chi*sin_tau1;
-    const double t42 = chi*tau1 - t41;
-    const double z1_2 = V*t42 + cos_tau1*z1_1 + sin_tau1*v1_1 + t40*z2_1;
+    const double t29 = -chi*cos_tau1 + chi;
+    const double t30 = chi*sin_tau1;
+    const double t31 = chi*tau1 - t30;
+    const double z1_2 = V*t31 + cos_tau1*z1_1 + sin_tau1*v1_1 + t29*z2_1;
     const double z2_2 = V*tau1 + z2_1;
-    const double v1_2 = V*t40 + cos_tau1*v1_1 - sin_tau1*z1_1 + t41*z2_1;
+    const double v1_2 = V*t29 + cos_tau1*v1_1 - sin_tau1*z1_1 + t30*z2_1;
     /* Phi along tau */
-    const double carried_z1_1_by_z20 = t13 + t14;
-    const double carried_z1_1_by_v10 = t12;
-    const double carried_z2_1_by_z20 = t19 + t20;
-    const double carried_z2_1_by_v10 = t18;
-    const double carried_v1_1_by_z20 = -t26 - t29;
-    const double carried_v1_1_by_v10 = t13;
-    const double carried_v2_1_by_z20 = -t32 - t36;
-    const double carried_v2_1_by_v10 = t19;
+    const double carried_z1_1_by_z20 = t8 + t9;
+    const double carried_z1_1_by_v10 = t7;
+    const double carried_z2_1_by_z20 = t12 + t13;
+    const double carried_z2_1_by_v10 = t11;
+    const double carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t17 - t21;
+    const double carried_v1_1_by_v10 = t9;
+    const double carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t24 - t27;
+    const double carried_v2_1_by_v10 = t13;
     /* rate of the exit boundary after tau */
-    const double t43 = eta*z1_1;
-    const double t44 = chi*z2_1;
-    const double rate_1 = chi*t43 - eta*t44;
+    const double t32 = eta*z1_1;
+    const double t33 = chi*z2_1;
+    const double rate_1 = chi*t32 - eta*t33;
     /* derivatives of the time to the boundary after tau */
-    const double t45 = (1.0/(rate_1));
-    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t45;
-    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t45;
+    const double t34 = (1.0/(rate_1));
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t34;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t34;
     /* perturbation on the boundary after tau */
     const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
     const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
     const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
     const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-    const double t46 = t44 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t46;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t46;
+    const double t35 = t33 - z1_1;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t35;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t35;
     /* Phi along tau1 */
-    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t40*z2_1_on_boundary_by_z20;
-    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t40*z2_1_on_boundary_by_v10;
-    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t41*z2_1_on_boundary_by_v10;
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t29*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t29*z2_1_on_boundary_by_v10;
+    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t30*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
-    const double t47 = V*chi;
-    const double rate_2 = -chi*v1_2 + t47;
+    const double t36 = V*chi;
+    const double rate_2 = -chi*v1_2 + t36;
     /* derivatives of the time to the boundary after tau1 */
-    const double t48 = (1.0/(rate_2));
-    const double t49 = chi*z2_1_on_boundary_by_z20;
-    const double t50 = carried_z1_2_by_z20*chi - t49;
-    const double delay_tau1_by_z20 = t48*t50;
-    const double t51 = chi*z2_1_on_boundary_by_v10;
-    const double t52 = carried_z1_2_by_v10*chi - t51;
-    const double delay_tau1_by_v10 = t48*t52;
+    const double t37 = (1.0/(rate_2));
+    const double t38 = chi*z2_1_on_boundary_by_z20;
+    const double t39 = carried_z1_2_by_z20*chi - t38;
+    const double delay_tau1_by_z20 = t37*t39;
+    const double t40 = chi*z2_1_on_boundary_by_v10;
+    const double t41 = carried_z1_2_by_v10*chi - t40;
+    const double delay_tau1_by_v10 = t37*t41;
     /* perturbation on the boundary after tau1 */
     const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
-    const double t53 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t53;
+    const double t42 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t42;
     if (trace) {
         trace[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
     }
@@ -1032,95 +1022,99 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
     const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
     /* back through: derivatives of the time to the boundary after tau1 */
-    const double slope_by_delay_tau1_by_v10 = t53;
+    const double slope_by_delay_tau1_by_v10 = t42;
     /* back through: rate of the exit boundary after tau1 */
-    const double t54 = (1.0/(rate_2*rate_2));
-    const double slope_by_rate_2 = -V*t50*t54 - slope_by_delay_tau1_by_v10*t52*t54;
+    const double t43 = (1.0/(rate_2*rate_2));
+    const double slope_by_rate_2 = -V*t39*t43 - slope_by_delay_tau1_by_v10*t41*t43;
     /* back through: Phi along tau1 */
-    const double t55 = slope_by_delay_tau1_by_v10*t48;
-    const double slope_by_carried_z1_2_by_v10 = chi*t55;
-    const double slope_by_carried_z1_2_by_z20 = t47*t48;
+    const double t44 = slope_by_delay_tau1_by_v10*t37;
+    const double slope_by_carried_z1_2_by_v10 = chi*t44;
+    const double slope_by_carried_z1_2_by_z20 = t36*t37;
     /* back through: perturbation on the boundary after tau */
     const double slope_by_v1_1_on_boundary_by_v10 = cos_tau1 + sin_tau1*slope_by_carried_z1_2_by_v10;
     const double slope_by_v1_1_on_boundary_by_z20 = sin_tau1*slope_by_carried_z1_2_by_z20;
-    const double slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t40 - slope_by_carried_z1_2_by_v10 + t41;
-    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t40 - slope_by_carried_z1_2_by_z20 + 1;
+    const double slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t29 - slope_by_carried_z1_2_by_v10 + t30;
+    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t29 - slope_by_carried_z1_2_by_z20 + 1;
     const double slope_by_z1_1_on_boundary_by_v10 = cos_tau1*slope_by_carried_z1_2_by_v10 - sin_tau1;
     const double slope_by_z1_1_on_boundary_by_z20 = cos_tau1*slope_by_carried_z1_2_by_z20;
     /* back through: derivatives of the time to the boundary after tau */
-    const double slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t46 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1;
-    const double slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t46 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1;
+    const double slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t35 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1;
+    const double slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t35 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1;
     /* back through: rate of the exit boundary after tau */
-    const double t58 = (1.0/(rate_1*rate_1));
-    const double slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t58 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t58;
+    const double t45 = (1.0/(rate_1*rate_1));
+    const double slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t45 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t45;
     /* back through: Phi along tau */
-    const double slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t45;
-    const double slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t45;
+    const double slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t34;
+    const double slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t34;
     /* back through: slip-stick for tau1, until second-breaks-forward */
-    const double t59 = chi*slope_by_rate_2;
-    const double slope_by_v1_2 = -t59;
+    const double t46 = chi*slope_by_rate_2;
+    const double slope_by_v1_2 = -t46;
     const double slope_by_z2_2 = chi*delay_tau1_by_v10;
     const double slope_by_z1_2 = -delay_tau1_by_v10;
     /* back through: functions of tau1 in slip-stick */
-    const double t60 = -t47 + v1_1;
-    const double t61 = t51 - z1_1_on_boundary_by_v10;
-    const double slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t46 + slope_by_z1_2*t60 + t61;
-    const double slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t61 + slope_by_carried_z1_2_by_z20*(-t49 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t60 - slope_by_z1_2*t46 + v1_1_on_boundary_by_v10;
+    const double t47 = -t36 + v1_1;
+    const double t48 = t40 - z1_1_on_boundary_by_v10;
+    const double slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t35 + slope_by_z1_2*t47 + t48;
+    const double slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t48 + slope_by_carried_z1_2_by_z20*(-t38 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t47 - slope_by_z1_2*t35 + v1_1_on_boundary_by_v10;
     /* back through: slip-slip for tau, until second-reaches-belt */
     const double slope_by_v2_1 = delay_tau_by_v10*slope_by_z2_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z2_1_on_boundary_by_z20;
     const double slope_by_v1_1 = cos_tau1*slope_by_v1_2 + delay_tau_by_v10*slope_by_z1_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z1_1_on_boundary_by_z20 + sin_tau1*slope_by_z1_2;
-    const double t62 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10;
-    const double t63 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20;
-    const double t64 = -chi*eta*slope_by_rate_1;
-    const double slope_by_z2_1 = chi*t62 + chi*t63 + slope_by_v1_2*t41 + slope_by_z1_2*t40 + slope_by_z2_2 + t64;
-    const double slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t62 - t63 - t64;
+    const double t49 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20;
+    const double t50 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10;
+    const double t51 = -chi*eta*slope_by_rate_1;
+    const double slope_by_z2_1 = chi*t49 + chi*t50 + slope_by_v1_2*t30 + slope_by_z1_2*t29 + slope_by_z2_2 + t51;
+    const double slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t49 - t50 - t51;
     /* back through: functions of tau in slip-slip */
-    const double t65 = omega2*p2;
-    const double t66 = V*p2;
-    const double t67 = V*p1;
-    const double t68 = p3*v10;
-    const double t69 = p3*slope_by_z2_1_on_boundary_by_v10;
-    const double slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(omega2*p3 - t34) + slope_by_v1_1*(-t24*z10 + t65*z20) + slope_by_v1_1_on_boundary_by_z20*(-t24 + t65) + slope_by_v2_1*(omega2*p3*z10 - t34*z20) + slope_by_z1_1*(-t66*t8 - t8*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t8*t9 + slope_by_z2_1*(t67*t8 - t68*t8) - t69*t8;
-    const double t70 = p2*z20;
-    const double t71 = p1*z20;
-    const double t72 = p3*z10;
-    const double t73 = p3*slope_by_carried_v2_1_by_v10;
-    const double slope_by_cos_omega2_tau = slope_by_v1_1*(-t66 - t9*v10) - slope_by_v1_1_on_boundary_by_v10*t9 + slope_by_v2_1*(t67 - t68) + slope_by_z1_1*(-t70 - t9*z10) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t9) + slope_by_z2_1*(t71 - t72) + slope_by_z2_1_on_boundary_by_z20*(p1 - p3) - t73;
-    const double t74 = p1*v10;
-    const double t75 = -V*t9;
-    const double slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t6 + slope_by_carried_v2_1_by_z20*(-t31 - t35) + slope_by_v1_1*(-omega1*t70 - t25*z10) + slope_by_v1_1_on_boundary_by_z20*(-t25 - t28) + slope_by_v2_1*(-omega1*t72 - t35*z20) + slope_by_z1_1*(t6*t66 + t6*t74) + slope_by_z2_1*(t6*t68 + t6*t75) + t6*t69;
-    const double t76 = p1*z10;
-    const double t77 = -t9*z20;
-    const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t66 + t74) + slope_by_v2_1*(t68 + t75) + slope_by_z1_1*(t70 + t76) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t72 + t77) + slope_by_z2_1_on_boundary_by_z20*(-p1 + p3 + 1) + t73;
+    const double t52 = V*p1;
+    const double t53 = p3*v10;
+    const double t54 = V*p2;
+    const double t55 = p3*slope_by_z2_1_on_boundary_by_v10;
+    const double slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(-t22 + t25) + slope_by_v1_1*(t15*z20 - t20*z10) + slope_by_v1_1_on_boundary_by_z20*(t15 - t20) + slope_by_v2_1*(-t22*z20 + t25*z10) + slope_by_z1_1*(-t4*t5*v10 - t5*t54) - slope_by_z1_1_on_boundary_by_v10*t4*t5 + slope_by_z2_1*(t5*t52 - t5*t53) - t5*t55;
+    const double t56 = -p1 + p3;
+    const double t57 = p3*z10;
+    const double t58 = p2*z20;
+    const double t59 = p3*slope_by_carried_v2_1_by_v10;
+    const double slope_by_cos_omega2_tau = slope_by_v1_1*(-t4*v10 - t54) - slope_by_v1_1_on_boundary_by_v10*t4 + slope_by_v2_1*(t52 - t53) + slope_by_z1_1*(-t4*z10 - t58) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t4) + slope_by_z2_1*(p1*z20 - t57) - slope_by_z2_1_on_boundary_by_z20*t56 - t59;
+    const double t60 = -V*t4;
+    const double t61 = p1*v10;
+    const double slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t2 + slope_by_carried_v2_1_by_z20*(-t23 - t26) + slope_by_v1_1*(-omega1*t58 - t19*z10) + slope_by_v1_1_on_boundary_by_z20*(-t16 - t19) + slope_by_v2_1*(-omega1*t57 - t23*z20) + slope_by_z1_1*(t2*t54 + t2*t61) + slope_by_z2_1*(t2*t53 + t2*t60) + t2*t55;
+    const double t62 = -t4*z20;
+    const double t63 = p1*z10;
+    const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t54 + t61) + slope_by_v2_1*(t53 + t60) + slope_by_z1_1*(t58 + t63) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t57 + t62) + slope_by_z2_1_on_boundary_by_z20*(t56 + 1) + t59;
     /* trace_gradient */
-    const double t78 = sin_omega2_tau*slope_by_cos_omega2_tau;
-    const double t79 = sin_omega1_tau*slope_by_cos_omega1_tau;
-    const double t80 = p3*sin_omega1_tau;
-    const double t81 = (1.0/(omega1*omega1));
-    const double t82 = sin_omega1_tau*t81;
-    const double t83 = cos_omega1_tau*slope_by_sin_omega1_tau*tau + slope_by_carried_v2_1_by_z20*(-t22 - t80) + slope_by_v1_1*(-sin_omega1_tau*t70 - sin_omega1_tau*t76) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t7) + slope_by_v2_1*(-sin_omega1_tau*t72 - sin_omega1_tau*t77) + slope_by_z1_1*(-t66*t82 - t74*t82) - slope_by_z1_1_on_boundary_by_v10*t7*t81 + slope_by_z2_1*(-t68*t82 - t75*t82) - slope_by_z2_1_on_boundary_by_v10*t80*t81 - t79*tau;
-    const double t84 = (1.0/(omega2*omega2));
-    const double t85 = sin_omega2_tau*t84;
-    const double t86 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + slope_by_carried_v2_1_by_z20*(p3*sin_omega2_tau - t21) + slope_by_v1_1*(sin_omega2_tau*t70 + sin_omega2_tau*t9*z10) + slope_by_v1_1_on_boundary_by_z20*(-t11 + t15) + slope_by_v2_1*(p3*sin_omega2_tau*z10 - sin_omega2_tau*t71) + slope_by_z1_1*(t66*t85 + t85*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t11*t84 + slope_by_z2_1*(p3*sin_omega2_tau*t84*v10 - t67*t85) + slope_by_z2_1_on_boundary_by_v10*t17*t84 - t78*tau;
-    const double t87 = omega1*sin_omega1_tau - omega2*sin_omega2_tau;
-    const double t88 = cos_omega1_tau - cos_omega2_tau;
-    const double t90 = -t87*z10 + t88*v10;
-    const double t92 = -sin_omega1_tau*t6 + sin_omega2_tau*t8;
-    const double t94 = t88*z10 - t92*v10;
-    const double t95 = -slope_by_v1_1_on_boundary_by_z20*t87 + slope_by_z1_1_on_boundary_by_z20*t88;
-    const double t96 = slope_by_carried_v2_1_by_z20*t87 + slope_by_v1_1*t90 + slope_by_v1_1_on_boundary_by_v10*t88 + slope_by_v2_1*(-V*t88 + t87*z20) + slope_by_z1_1*t94 - slope_by_z1_1_on_boundary_by_v10*t92 + slope_by_z2_1*(V*t92 - t88*z20) - slope_by_z2_1_on_boundary_by_z20*t88 + t95;
-    const double t97 = slope_by_v1_1*(V*t88 - t87*z20) + slope_by_z1_1*(-V*t92 + t88*z20) + t95;
-    const double t98 = slope_by_carried_v2_1_by_v10*t88 - slope_by_carried_v2_1_by_z20*t87 + slope_by_v2_1*t90 + slope_by_z2_1*t94 - slope_by_z2_1_on_boundary_by_v10*t92 + slope_by_z2_1_on_boundary_by_z20*t88;
-    const double t99 = 1 - cos_tau1;
+    const double t64 = cos_omega2_tau*slope_by_sin_omega2_tau;
+    const double t65 = cos_omega1_tau*slope_by_sin_omega1_tau;
+    const double t66 = sin_omega2_tau*slope_by_cos_omega2_tau;
+    const double t67 = sin_omega1_tau*slope_by_cos_omega1_tau;
+    const double t68 = t3 - t6;
+    const double t69 = cos_omega1_tau - cos_omega2_tau;
+    const double t70 = -omega1*sin_omega1_tau + omega2*sin_omega2_tau;
+    const double t71 = t69*v10 + t70*z10;
+    const double t72 = t68*v10 + t69*z10;
+    const double t73 = slope_by_carried_v2_1_by_v10*t69 + slope_by_carried_v2_1_by_z20*t70 + slope_by_v2_1*t71 + slope_by_z2_1*t72 + slope_by_z2_1_on_boundary_by_v10*t68 + slope_by_z2_1_on_boundary_by_z20*t69;
+    const double t74 = slope_by_v1_1_on_boundary_by_z20*t70 + slope_by_z1_1_on_boundary_by_z20*t69;
+    const double t75 = slope_by_v1_1*(V*t69 + t70*z20) + slope_by_z1_1*(V*t68 + t69*z20) + t74;
+    const double t76 = -slope_by_carried_v2_1_by_z20*t70 + slope_by_v1_1*t71 + slope_by_v1_1_on_boundary_by_v10*t69 + slope_by_v2_1*(-V*t69 - t70*z20) + slope_by_z1_1*t72 + slope_by_z1_1_on_boundary_by_v10*t68 + slope_by_z2_1*(-V*t68 - t69*z20) - slope_by_z2_1_on_boundary_by_z20*t69 + t74;
+    const double t77 = -sin_omega2_tau*t4;
+    const double t78 = p3*sin_omega2_tau;
+    const double t79 = (1.0/(omega2*omega2));
+    const double t80 = sin_omega2_tau*t79;
+    const double t81 = slope_by_carried_v2_1_by_z20*(-p1*sin_omega2_tau + t78) + slope_by_v1_1*(sin_omega2_tau*t4*z10 + sin_omega2_tau*t58) + slope_by_v1_1_on_boundary_by_z20*(p2*sin_omega2_tau - t77) + slope_by_v2_1*(-p1*sin_omega2_tau*z20 + sin_omega2_tau*t57) + slope_by_z1_1*(t4*t80*v10 + t54*t80) - slope_by_z1_1_on_boundary_by_v10*t77*t79 + slope_by_z2_1*(p3*sin_omega2_tau*t79*v10 - t52*t80) + slope_by_z2_1_on_boundary_by_v10*t78*t79 + t64*tau - t66*tau;
+    const double t82 = p1*sin_omega1_tau;
+    const double t83 = p3*sin_omega1_tau;
+    const double t84 = (1.0/(omega1*omega1));
+    const double t85 = sin_omega1_tau*t84;
+    const double t86 = slope_by_carried_v2_1_by_z20*(sin_omega1_tau*t4 - t83) + slope_by_v1_1*(-sin_omega1_tau*t58 - sin_omega1_tau*t63) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t82) + slope_by_v2_1*(-sin_omega1_tau*t57 - sin_omega1_tau*t62) + slope_by_z1_1*(-t54*t85 - t61*t85) - slope_by_z1_1_on_boundary_by_v10*t82*t84 + slope_by_z2_1*(-t53*t85 - t60*t85) - slope_by_z2_1_on_boundary_by_v10*t83*t84 + t65*tau - t67*tau;
+    const double t87 = 1 - cos_tau1;
     if (trace_gradient) {
-        trace_gradient[lane] = -slope_by_v1_1*t26 - slope_by_v2_1*t32 + slope_by_z1_1*t13 + slope_by_z2_1*t19;
-        trace_gradient[1*lanes + lane] = -slope_by_v1_1*t29 - slope_by_v2_1*t36 + slope_by_z1_1*t14 + slope_by_z2_1*t20;
-        trace_gradient[2*lanes + lane] = slope_by_v1_1*t13 + slope_by_v2_1*t19 + slope_by_z1_1*t12 + slope_by_z2_1*t18;
-        trace_gradient[3*lanes + lane] = cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t79 - omega2*t78;
-        trace_gradient[4*lanes + lane] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t47;
-        trace_gradient[5*lanes + lane] = V*t48*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t83 + omega2_by_chi*t86 + p1_by_chi*t96 + p2_by_chi*t97 + p3_by_chi*t98 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t99*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t99*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t43) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t99 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t99*z2_1) + t55*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t62*z2_1 + t63*z2_1;
-        trace_gradient[6*lanes + lane] = omega1_by_eta*t83 + omega2_by_eta*t86 + p1_by_eta*t96 + p2_by_eta*t97 + p3_by_eta*t98 + slope_by_rate_1*(chi*z1_1 - t44);
-        trace_gradient[7*lanes + lane] = delay_tau1_by_z20 + slope_by_v1_1*t14 + slope_by_v1_2*t40 + slope_by_v2_1*t20 + slope_by_z1_1*t16 + slope_by_z1_2*t42 + slope_by_z2_1*t23 + slope_by_z2_2*tau1 + t59;
+        trace_gradient[lane] = -slope_by_v1_1*t21 + slope_by_v2_1*t28 + slope_by_z1_1*t9 + slope_by_z2_1*t13;
+        trace_gradient[1*lanes + lane] = slope_by_v1_1*t18 - slope_by_v2_1*t24 + slope_by_z1_1*t8 + slope_by_z2_1*t12;
+        trace_gradient[2*lanes + lane] = slope_by_v1_1*t9 + slope_by_v2_1*t13 + slope_by_z1_1*t7 + slope_by_z2_1*t11;
+        trace_gradient[3*lanes + lane] = omega1*t65 - omega1*t67 + omega2*t64 - omega2*t66;
+        trace_gradient[4*lanes + lane] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t36;
+        trace_gradient[5*lanes + lane] = V*t37*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t86 + omega2_by_chi*t81 + p1_by_chi*t76 + p2_by_chi*t75 + p3_by_chi*t73 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t87*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t87*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t32) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t87 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t87*z2_1) + t44*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t49*z2_1 + t50*z2_1;
+        trace_gradient[6*lanes + lane] = omega1_by_eta*t86 + omega2_by_eta*t81 + p1_by_eta*t76 + p2_by_eta*t75 + p3_by_eta*t73 + slope_by_rate_1*(chi*z1_1 - t33);
+        trace_gradient[7*lanes + lane] = delay_tau1_by_z20 + slope_by_v1_1*t8 + slope_by_v1_2*t29 + slope_by_v2_1*t12 + slope_by_z1_1*t10 + slope_by_z1_2*t31 + slope_by_z2_1*t14 + slope_by_z2_2*tau1 + t46;
         trace_gradient[8*lanes + lane] = 0;
     }
 }
@@ -1135,7 +1129,7 @@ void dry_friction_symmetric_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Operations: 141. Intermediate terms: 36. */
+ * Operations: 136. Intermediate terms: 37. */
 NONSMOOTH_UNMERGED
 void dry_friction_symmetric_passage(
     const double parameters[4], const double spectrum[7], const double unknowns[5], double *states,
@@ -1162,16 +1156,16 @@ void dry_friction_symmetric_passage(
     const double cos_omega2_tau = cos(t1);
     const double sin_omega2_tau = sin(t1);
     /* slip-slip for tau, until second-reaches-belt */
-    const double t2 = (1.0/(omega1));
-    const double t3 = sin_omega1_tau*t2;
-    const double t4 = 1 - p1;
-    const double t5 = sin_omega2_tau/omega2;
-    const double t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
-    const double t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5);
-    const double z2_1 = V*(p1*t5 + t3*t4) + v10*(p3*sin_omega1_tau*t2 - p3*t5) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t4 + cos_omega2_tau*p1);
+    const double t2 = sin_omega1_tau/omega1;
+    const double t3 = 1 - p1;
+    const double t4 = sin_omega2_tau/omega2;
+    const double t5 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t6 = cos_omega1_tau*p1 + cos_omega2_tau*t3;
+    const double z1_1 = V*(p2*t2 - p2*t4) + t5*z20 + t6*z10 + v10*(p1*t2 + t3*t4);
+    const double z2_1 = V*(p1*t4 + t2*t3) + v10*(p3*t2 - p3*t4) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t3 + cos_omega2_tau*p1);
+    const double t7 = omega2*sin_omega2_tau;
     const double t8 = omega1*sin_omega1_tau;
-    const double v1_1 = V*t7 + t6*v10 + z10*(-omega2*sin_omega2_tau*t4 - p1*t8) + z20*(omega2*p2*sin_omega2_tau - p2*t8);
+    const double v1_1 = V*t5 + t6*v10 + z10*(-p1*t8 - t3*t7) + z20*(p2*t7 - p2*t8);
     /* functions of tau1 in slip-stick */
     const double cos_tau1 = cos(tau1);
     const double sin_tau1 = sin(tau1);
@@ -1198,9 +1192,10 @@ void dry_friction_symmetric_passage(
     if (!coefficients && !frequencies)
         return;
     /* coefficients */
-    const double t12 = V*p2;
+    const double t11 = V*p2;
+    const double t12 = p2*z20;
     const double t13 = omega1*z10;
-    const double t14 = p2*z20;
+    const double t14 = omega2*z10;
     const double t15 = p3*v10;
     const double t16 = V*chi;
     const double t17 = -t16 + v1_1;
@@ -1214,16 +1209,16 @@ void dry_friction_symmetric_passage(
     if (coefficients) {
         coefficients[0] = -V;
         coefficients[1] = 0;
-        coefficients[2] = p1*v10 + t12;
-        coefficients[3] = -t12 + t4*v10;
-        coefficients[4] = -omega1*t14 - p1*t13;
-        coefficients[5] = omega2*t14 - omega2*t4*z10;
+        coefficients[2] = p1*v10 + t11;
+        coefficients[3] = -t11 + t3*v10;
+        coefficients[4] = -omega1*t12 - p1*t13;
+        coefficients[5] = omega2*t12 - t14*t3;
         coefficients[6] = -V;
         coefficients[7] = 0;
-        coefficients[8] = V*t4 + t15;
+        coefficients[8] = V*t3 + t15;
         coefficients[9] = V*p1 - t15;
-        coefficients[10] = -omega1*t4*z20 - p3*t13;
-        coefficients[11] = -omega2*p1*z20 + omega2*p3*z10;
+        coefficients[10] = -omega1*t3*z20 - p3*t13;
+        coefficients[11] = -omega2*p1*z20 + p3*t14;
         coefficients[12] = -V + t16;
         coefficients[13] = 0;
         coefficients[14] = t17;
@@ -1247,7 +1242,7 @@ void dry_friction_symmetric_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 285. Intermediate terms: 123. */
+ * Operations: 273. Intermediate terms: 123. */
 NONSMOOTH_UNMERGED
 void dry_friction_symmetric_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[5],
@@ -1274,80 +1269,81 @@ void dry_friction_symmetric_linearisation(
     const double cos_omega2_tau = cos(t1);
     const double sin_omega2_tau = sin(t1);
     /* slip-slip for tau, until second-reaches-belt */
-    const double t2 = (1.0/(omega1));
-    const double t3 = sin_omega1_tau*t2;
-    const double t4 = 1 - p1;
-    const double t5 = sin_omega2_tau/omega2;
-    const double t6 = p1*t3 + t4*t5;
-    const double t7 = cos_omega1_tau*p1 + cos_omega2_tau*t4;
-    const double t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t9 = p2*sin_omega1_tau*t2 - p2*t5;
-    const double z1_1 = V*t9 + t6*v10 + t7*z10 + t8*z20;
-    const double t10 = p3*sin_omega1_tau*t2 - p3*t5;
+    const double t2 = sin_omega1_tau/omega1;
+    const double t3 = 1 - p1;
+    const double t4 = sin_omega2_tau/omega2;
+    const double t5 = p1*t2 + t3*t4;
+    const double t6 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double t7 = cos_omega1_tau*p1 + cos_omega2_tau*t3;
+    const double t8 = p2*t2 - p2*t4;
+    const double z1_1 = V*t8 + t5*v10 + t6*z20 + t7*z10;
+    const double t9 = p3*t2 - p3*t4;
+    const double t10 = cos_omega1_tau*t3 + cos_omega2_tau*p1;
     const double t11 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double t12 = cos_omega1_tau*t4 + cos_omega2_tau*p1;
-    const double t13 = p1*t5 + t3*t4;
-    const double z2_1 = V*t13 + t10*v10 + t11*z10 + t12*z20;
-    const double t14 = omega2*sin_omega2_tau;
-    const double t15 = omega1*sin_omega1_tau;
-    const double t16 = p1*t15 + t14*t4;
-    const double t18 = -omega2*p2*sin_omega2_tau + p2*t15;
-    const double v1_1 = V*t8 - t16*z10 - t18*z20 + t7*v10;
-    const double t20 = -omega2*p3*sin_omega2_tau + p3*t15;
-    const double t22 = p1*t14 + t15*t4;
-    const double v2_1 = V*t12 + t11*v10 - t20*z10 - t22*z20;
+    const double t12 = p1*t4 + t2*t3;
+    const double z2_1 = V*t12 + t10*z20 + t11*z10 + t9*v10;
+    const double t13 = omega2*sin_omega2_tau;
+    const double t14 = omega1*sin_omega1_tau;
+    const double t15 = p2*t14;
+    const double t16 = p2*t13 - t15;
+    const double t17 = p1*t14 + t13*t3;
+    const double v1_1 = V*t6 + t16*z20 - t17*z10 + t7*v10;
+    const double t18 = p1*t13 + t14*t3;
+    const double t19 = p3*t14;
+    const double t20 = p3*t13 - t19;
+    const double v2_1 = V*t10 + t11*v10 - t18*z20 + t20*z10;
     /* functions of tau1 in slip-stick */
     const double cos_tau1 = cos(tau1);
     const double sin_tau1 = sin(tau1);
     /* slip-stick for tau1, until second-breaks-forward */
-    const double t24 = -chi*cos_tau1 + chi;
-    const double t25 = chi*sin_tau1;
-    const double z1_2 = V*(chi*tau1 - t25) + cos_tau1*z1_1 + sin_tau1*v1_1 + t24*z2_1;
+    const double t21 = -chi*cos_tau1 + chi;
+    const double t22 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t22) + cos_tau1*z1_1 + sin_tau1*v1_1 + t21*z2_1;
     const double z2_2 = V*tau1 + z2_1;
-    const double v1_2 = V*t24 + cos_tau1*v1_1 - sin_tau1*z1_1 + t25*z2_1;
+    const double v1_2 = V*t21 + cos_tau1*v1_1 - sin_tau1*z1_1 + t22*z2_1;
     /* Phi along tau */
-    const double carried_z1_1_by_z20 = t7 + t8;
-    const double carried_z1_1_by_v10 = t6;
-    const double carried_z2_1_by_z20 = t11 + t12;
-    const double carried_z2_1_by_v10 = t10;
-    const double carried_v1_1_by_z20 = -t16 - t18;
+    const double carried_z1_1_by_z20 = t6 + t7;
+    const double carried_z1_1_by_v10 = t5;
+    const double carried_z2_1_by_z20 = t10 + t11;
+    const double carried_z2_1_by_v10 = t9;
+    const double carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t15 - t17;
     const double carried_v1_1_by_v10 = t7;
-    const double carried_v2_1_by_z20 = -t20 - t22;
+    const double carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t18 - t19;
     const double carried_v2_1_by_v10 = t11;
     /* rate of the exit boundary after tau */
-    const double t26 = chi*eta;
-    const double t27 = chi*z2_1;
-    const double rate_1 = -eta*t27 + t26*z1_1;
+    const double t23 = chi*eta;
+    const double t24 = chi*z2_1;
+    const double rate_1 = -eta*t24 + t23*z1_1;
     /* derivatives of the time to the boundary after tau */
-    const double t29 = (1.0/(rate_1));
-    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t29;
-    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t29;
+    const double t25 = (1.0/(rate_1));
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t25;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t25;
     /* perturbation on the boundary after tau */
     const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
     const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
     const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
     const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-    const double t30 = t27 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t30;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t30;
+    const double t26 = t24 - z1_1;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t26;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t26;
     /* Phi along tau1 */
-    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t24*z2_1_on_boundary_by_z20;
-    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t24*z2_1_on_boundary_by_v10;
-    const double carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t25*z2_1_on_boundary_by_z20;
-    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t25*z2_1_on_boundary_by_v10;
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t21*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t21*z2_1_on_boundary_by_v10;
+    const double carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t22*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t22*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
     const double rate_2 = V*chi - chi*v1_2;
     /* derivatives of the time to the boundary after tau1 */
-    const double t32 = (1.0/(rate_2));
-    const double delay_tau1_by_z20 = t32*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
-    const double delay_tau1_by_v10 = t32*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    const double t27 = (1.0/(rate_2));
+    const double delay_tau1_by_z20 = t27*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau1_by_v10 = t27*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
     /* perturbation on the boundary after tau1 */
     const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
     const double z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10;
-    const double t33 = chi*z2_2;
-    const double t34 = t33 - z1_2;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t34;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t34;
+    const double t28 = chi*z2_2;
+    const double t29 = t28 - z1_2;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t29;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t29;
     if (poincare_jacobian) {
         poincare_jacobian[0] = z2_2_on_boundary_by_z20;
         poincare_jacobian[1] = z2_2_on_boundary_by_v10;
@@ -1357,21 +1353,20 @@ void dry_friction_symmetric_linearisation(
     if (!saltations && !monodromy)
         return;
     /* vector fields at transition 1 */
-    const double before_v1_1 = t30;
+    const double before_v1_1 = t26;
     const double before_v2_1 = rate_1;
-    const double behind_v1_1 = t30;
+    const double behind_v1_1 = t26;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t34;
-    const double behind_v1_2 = t34;
-    const double behind_v2_2 = -eta*t33 + t26*z1_2;
+    const double before_v1_2 = t29;
+    const double behind_v1_2 = t29;
+    const double behind_v2_2 = -eta*t28 + t23*z1_2;
     /* saltations */
-    const double t35 = (1.0/(before_v2_1));
-    const double t36 = t35*(V - v2_1);
-    const double t37 = t35*(-before_v1_1 + behind_v1_1);
-    const double t38 = (1.0/(rate_2));
-    const double t39 = chi*t38;
-    const double t40 = t39*(-before_v1_2 + behind_v1_2);
-    const double t41 = behind_v2_2*t39;
+    const double t30 = (1.0/(before_v2_1));
+    const double t31 = t30*(V - v2_1);
+    const double t32 = t30*(-before_v1_1 + behind_v1_1);
+    const double t33 = chi/rate_2;
+    const double t34 = t33*(-before_v1_2 + behind_v1_2);
+    const double t35 = behind_v2_2*t33;
     if (saltations) {
         saltations[0] = 1;
         saltations[1] = 0;
@@ -1380,11 +1375,11 @@ void dry_friction_symmetric_linearisation(
         saltations[4] = 0;
         saltations[5] = 1;
         saltations[6] = 0;
-        saltations[7] = t36;
+        saltations[7] = t31;
         saltations[8] = 0;
         saltations[9] = 0;
         saltations[10] = 1;
-        saltations[11] = t37;
+        saltations[11] = t32;
         saltations[12] = 0;
         saltations[13] = 0;
         saltations[14] = 0;
@@ -1397,12 +1392,12 @@ void dry_friction_symmetric_linearisation(
         saltations[21] = 1;
         saltations[22] = 0;
         saltations[23] = 0;
-        saltations[24] = -t40;
-        saltations[25] = t40;
+        saltations[24] = -t34;
+        saltations[25] = t34;
         saltations[26] = 1;
         saltations[27] = 0;
-        saltations[28] = -t41;
-        saltations[29] = t41;
+        saltations[28] = -t35;
+        saltations[29] = t35;
         saltations[30] = 0;
         saltations[31] = 1;
     }
@@ -1410,48 +1405,48 @@ void dry_friction_symmetric_linearisation(
         return;
     /* Phi of phase 1 */
     const double phi_1_00 = t7;
-    const double phi_1_01 = t8;
-    const double phi_1_02 = t6;
-    const double phi_1_03 = t9;
+    const double phi_1_01 = t6;
+    const double phi_1_02 = t5;
+    const double phi_1_03 = t8;
     const double phi_1_10 = t11;
-    const double phi_1_11 = t12;
-    const double phi_1_12 = t10;
-    const double phi_1_13 = t13;
-    const double phi_1_20 = -t16;
-    const double phi_1_21 = -t18;
+    const double phi_1_11 = t10;
+    const double phi_1_12 = t9;
+    const double phi_1_13 = t12;
+    const double phi_1_20 = -t17;
+    const double phi_1_21 = t16;
     const double phi_1_22 = t7;
-    const double phi_1_23 = t8;
-    const double phi_1_30 = -t20;
-    const double phi_1_31 = -t22;
+    const double phi_1_23 = t6;
+    const double phi_1_30 = t20;
+    const double phi_1_31 = -t18;
     const double phi_1_32 = t11;
-    const double phi_1_33 = t12;
+    const double phi_1_33 = t10;
     /* saltation of phase 1 */
-    const double saltation_1_10 = phi_1_10 + phi_1_30*t36;
-    const double saltation_1_11 = phi_1_11 + phi_1_31*t36;
-    const double saltation_1_12 = phi_1_12 + phi_1_32*t36;
-    const double saltation_1_13 = phi_1_13 + phi_1_33*t36;
-    const double saltation_1_20 = phi_1_20 + phi_1_30*t37;
-    const double saltation_1_21 = phi_1_21 + phi_1_31*t37;
-    const double saltation_1_22 = phi_1_22 + phi_1_32*t37;
-    const double saltation_1_23 = phi_1_23 + phi_1_33*t37;
+    const double saltation_1_10 = phi_1_10 + phi_1_30*t31;
+    const double saltation_1_11 = phi_1_11 + phi_1_31*t31;
+    const double saltation_1_12 = phi_1_12 + phi_1_32*t31;
+    const double saltation_1_13 = phi_1_13 + phi_1_33*t31;
+    const double saltation_1_20 = phi_1_20 + phi_1_30*t32;
+    const double saltation_1_21 = phi_1_21 + phi_1_31*t32;
+    const double saltation_1_22 = phi_1_22 + phi_1_32*t32;
+    const double saltation_1_23 = phi_1_23 + phi_1_33*t32;
     /* Phi of phase 2 */
-    const double phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t24 + saltation_1_20*sin_tau1;
-    const double phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t24 + saltation_1_21*sin_tau1;
-    const double phi_2_02 = cos_tau1*phi_1_02 + saltation_1_12*t24 + saltation_1_22*sin_tau1;
-    const double phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t24 + saltation_1_23*sin_tau1;
-    const double phi_2_20 = cos_tau1*saltation_1_20 - phi_1_00*sin_tau1 + saltation_1_10*t25;
-    const double phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t25;
-    const double phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t25;
-    const double phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t25;
+    const double phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t21 + saltation_1_20*sin_tau1;
+    const double phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t21 + saltation_1_21*sin_tau1;
+    const double phi_2_02 = cos_tau1*phi_1_02 + saltation_1_12*t21 + saltation_1_22*sin_tau1;
+    const double phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t21 + saltation_1_23*sin_tau1;
+    const double phi_2_20 = cos_tau1*saltation_1_20 - phi_1_00*sin_tau1 + saltation_1_10*t22;
+    const double phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t22;
+    const double phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t22;
+    const double phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t22;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t40 + phi_2_20 + saltation_1_10*t40;
-    const double saltation_2_21 = -phi_2_01*t40 + phi_2_21 + saltation_1_11*t40;
-    const double saltation_2_22 = -phi_2_02*t40 + phi_2_22 + saltation_1_12*t40;
-    const double saltation_2_23 = -phi_2_03*t40 + phi_2_23 + saltation_1_13*t40;
-    const double saltation_2_30 = behind_v2_2*chi*saltation_1_10*t38 - phi_2_00*t41;
-    const double saltation_2_31 = behind_v2_2*chi*saltation_1_11*t38 - phi_2_01*t41;
-    const double saltation_2_32 = behind_v2_2*chi*saltation_1_12*t38 - phi_2_02*t41;
-    const double saltation_2_33 = behind_v2_2*chi*saltation_1_13*t38 - phi_2_03*t41;
+    const double saltation_2_20 = -phi_2_00*t34 + phi_2_20 + saltation_1_10*t34;
+    const double saltation_2_21 = -phi_2_01*t34 + phi_2_21 + saltation_1_11*t34;
+    const double saltation_2_22 = -phi_2_02*t34 + phi_2_22 + saltation_1_12*t34;
+    const double saltation_2_23 = -phi_2_03*t34 + phi_2_23 + saltation_1_13*t34;
+    const double saltation_2_30 = -phi_2_00*t35 + saltation_1_10*t35;
+    const double saltation_2_31 = -phi_2_01*t35 + saltation_1_11*t35;
+    const double saltation_2_32 = -phi_2_02*t35 + saltation_1_12*t35;
+    const double saltation_2_33 = -phi_2_03*t35 + saltation_1_13*t35;
     if (monodromy) {
         monodromy[0] = phi_2_00;
         monodromy[1] = phi_2_01;
@@ -1473,7 +1468,7 @@ void dry_friction_symmetric_linearisation(
 }
 
 /* State after a time in slip-slip.
- * Operations: 82. Intermediate terms: 16. */
+ * Operations: 77. Intermediate terms: 15. */
 NONSMOOTH_UNMERGED
 void dry_friction_symmetric_flow_slip_slip(
     const double parameters[4], const double spectrum[7], double time, const double state[4],
@@ -1491,26 +1486,25 @@ void dry_friction_symmetric_flow_slip_slip(
     const double v1 = state[2];
     const double v2 = state[3];
     /* state_after */
-    const double t0 = (1.0/(omega1));
-    const double t1 = omega1*t;
-    const double t2 = sin(t1);
-    const double t3 = t0*t2;
-    const double t4 = 1 - p1;
-    const double t5 = omega2*t;
-    const double t6 = sin(t5);
-    const double t7 = t6/omega2;
-    const double t8 = cos(t1);
-    const double t9 = cos(t5);
-    const double t10 = p1*t8 + t4*t9;
-    const double t11 = p2*t8 - p2*t9;
-    const double t12 = p3*t8 - p3*t9;
-    const double t13 = p1*t9 + t4*t8;
-    const double t14 = omega2*t6;
-    const double t15 = omega1*t2;
-    state_after[0] = t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
-    state_after[1] = t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
-    state_after[2] = t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15);
-    state_after[3] = t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4);
+    const double t0 = omega1*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = 1 - p1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 + t6*t7;
+    const double t11 = p1*t7 + t6*t8;
+    const double t12 = -p3*t7 + p3*t8;
+    const double t13 = omega2*t4;
+    const double t14 = omega1*t1;
+    state_after[0] = t10*z1 + t9*z2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t11*z2 + t12*z1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6);
+    state_after[2] = t10*v1 + t9*v2 + z1*(-p1*t14 - t13*t6) + z2*(p2*t13 - p2*t14);
+    state_after[3] = t11*v2 + t12*v1 + z1*(p3*t13 - p3*t14) + z2*(-p1*t13 - t14*t6);
 }
 
 /* State after a time in slip-stick.
@@ -1539,7 +1533,7 @@ void dry_friction_symmetric_flow_slip_stick(
 }
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
- * Operations: 208. Intermediate terms: 62. */
+ * Operations: 195. Intermediate terms: 63. */
 NONSMOOTH_UNMERGED
 void dry_friction_symmetric_reduced(
     const double parameters[4], const double spectrum[7], const double reduced[2], double *unknowns,
@@ -1561,39 +1555,41 @@ void dry_friction_symmetric_reduced(
     const double t0 = half_tau*omega1;
     const double cos_omega1_half_tau = cos(t0);
     const double sin_omega1_half_tau = sin(t0);
-    const double t3 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t3);
-    const double sin_omega2_half_tau = sin(t3);
+    const double t1 = half_tau*omega2;
+    const double cos_omega2_half_tau = cos(t1);
+    const double sin_omega2_half_tau = sin(t1);
     /* half of tau1 */
     const double half_tau1 = (1.0/2.0)*tau1;
     /* coefficients of the linear equations */
-    const double t8 = (1.0/(omega2));
-    const double t9 = sin_omega2_half_tau*t8;
-    const double t10 = (1.0/(omega1));
-    const double t11 = p1*t10;
-    const double t12 = p1*t9;
-    const double coefficient11 = sin_omega1_half_tau*t11 - t12 + t9;
+    const double t2 = (1.0/(omega2));
+    const double t3 = sin_omega2_half_tau*t2;
+    const double t4 = (1.0/(omega1));
+    const double t5 = p1*t4;
+    const double t6 = p1*t3;
+    const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
     /* right-hand sides of the linear equations */
-    const double t13 = V*half_tau1;
-    const double t14 = cos_omega2_half_tau*t13;
-    const double t15 = (1.0/(chi));
-    const double t16 = p1*t13;
-    const double t17 = cos_omega1_half_tau*t16;
-    const double t18 = p2*t13;
-    const double t19 = e2*t15;
-    const double t20 = cos_omega2_half_tau*t19;
-    const double t21 = V*t10;
-    const double t22 = sin_omega1_half_tau*t21;
-    const double right1 = V*cos_omega2_half_tau*half_tau1*p1 + V*cos_omega2_half_tau*half_tau1*p2 + V*p2*sin_omega2_half_tau*t8 + cos_omega1_half_tau*e2*p1*t15 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*e2*t15 - p1*t20 - p2*t22 - t14 - t17;
+    const double t7 = e2/chi;
+    const double t8 = cos_omega2_half_tau*t7;
+    const double t9 = V*half_tau1;
+    const double t10 = cos_omega2_half_tau*t9;
+    const double t11 = V*p2;
+    const double t12 = p1*t7;
+    const double t13 = p2*t9;
+    const double t14 = V*t4;
+    const double t15 = sin_omega1_half_tau*t14;
+    const double t16 = p1*t9;
+    const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
+    const double right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 - p1*t8 + p2*t10 - p2*t15 - t10 + t11*t3 + t17 + t8;
     /* determinant of the linear equations */
     const double determinant = coefficient11;
     /* v10 by Cramer's rule */
-    const double t23 = (1.0/(determinant));
-    const double v10 = right1*t23;
+    const double t18 = (1.0/(determinant));
+    const double v10 = right1*t18;
     /* z10: linear in: second-breaks-forward ends slip-stick */
-    const double z10 = t13 - t19;
+    const double t19 = t7 - t9;
+    const double z10 = -t19;
     /* z20: linear in: z2 vanishes halfway through slip-stick */
-    const double z20 = t13;
+    const double z20 = t9;
     if (unknowns) {
         unknowns[0] = z10;
         unknowns[1] = z20;
@@ -1604,10 +1600,10 @@ void dry_friction_symmetric_reduced(
     if (!determinants && !reduced_residual && !reduced_jacobian)
         return;
     /* determinants */
-    const double t34 = (half_tau*half_tau);
-    const double t35 = 2*t34;
+    const double t20 = (half_tau*half_tau);
+    const double t21 = 2*t20;
     if (determinants) {
-        determinants[0] = determinant/sqrt((p1*p1)*t35/((omega1*omega1)*t34 + 1) + t35*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t34 + 1));
+        determinants[0] = determinant/sqrt((p1*p1)*t21/((omega1*omega1)*t20 + 1) + t21*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t20 + 1));
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
@@ -1615,58 +1611,57 @@ void dry_friction_symmetric_reduced(
     const double cos_half_tau1 = cos(half_tau1);
     const double sin_half_tau1 = sin(half_tau1);
     /* reduced_residual */
-    const double t36 = cos_omega1_half_tau*t13;
-    const double t37 = p3*v10;
-    const double t38 = t10*t37;
-    const double t39 = p3*t19;
-    const double t40 = cos_half_tau1*t13;
-    const double t41 = V*chi;
+    const double t22 = cos_omega1_half_tau*t9;
+    const double t23 = p3*v10;
+    const double t24 = t23*t4;
+    const double t25 = p3*t7;
+    const double t26 = cos_half_tau1*t9;
+    const double t27 = V*chi;
     if (reduced_residual) {
-        reduced_residual[0] = V*t12 - cos_omega1_half_tau*t39 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t36 + sin_omega1_half_tau*t38 - t17 + t22 + t36 - t37*t9;
-        reduced_residual[1] = chi*t40 + cos_half_tau1*t19 - sin_half_tau1*t41 + sin_half_tau1*v10 - t40;
+        reduced_residual[0] = V*t6 - cos_omega1_half_tau*t25 - p1*t15 - p3*t10 + p3*t22 + p3*t8 + sin_omega1_half_tau*t24 + t15 + t17 + t22 - t23*t3;
+        reduced_residual[1] = chi*t26 + cos_half_tau1*t7 - sin_half_tau1*t27 + sin_half_tau1*v10 - t26;
     }
     if (!reduced_jacobian)
         return;
     /* d/dtau of: functions of half_tau in slip-slip */
-    const double t24 = (1.0/2.0)*omega1;
-    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t24;
-    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t24;
-    const double t25 = (1.0/2.0)*omega2;
-    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t25;
-    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t25;
+    const double t28 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t28;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t28;
+    const double t29 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t29;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t29;
     /* d/dtau1 of: functions of half_tau1 in slip-stick */
     const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
     const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
     /* d/dtau of: coefficients of the linear equations */
-    const double t26 = p1*t8;
-    const double coefficient11_by_tau = sin_omega1_half_tau_by_tau*t11 + sin_omega2_half_tau_by_tau*(-t26 + t8);
+    const double t30 = p1*t2;
+    const double coefficient11_by_tau = sin_omega1_half_tau_by_tau*t5 + sin_omega2_half_tau_by_tau*(t2 - t30);
     /* d/dtau of: right-hand sides of the linear equations */
-    const double t27 = -p1*t19 + t16 + t18;
-    const double t29 = -t13 + t19;
-    const double right1_by_tau = V*p2*sin_omega2_half_tau_by_tau*t8 - cos_omega1_half_tau_by_tau*t27 + cos_omega2_half_tau_by_tau*(t27 + t29) - p2*sin_omega1_half_tau_by_tau*t21;
+    const double t31 = -t12 + t13 + t16;
+    const double right1_by_tau = -cos_omega1_half_tau_by_tau*t31 + cos_omega2_half_tau_by_tau*(t19 + t31) - p2*sin_omega1_half_tau_by_tau*t14 + sin_omega2_half_tau_by_tau*t11*t2;
     /* d/dtau1 of: right-hand sides of the linear equations */
-    const double t30 = (1.0/2.0)*V;
-    const double t31 = cos_omega2_half_tau*t30;
-    const double t32 = cos_omega1_half_tau*t30;
-    const double t33 = p1*t32;
-    const double right1_by_tau1 = (1.0/2.0)*V*cos_omega2_half_tau*p1 + (1.0/2.0)*V*cos_omega2_half_tau*p2 - p2*t32 - t31 - t33;
+    const double t32 = (1.0/2.0)*V;
+    const double t33 = cos_omega2_half_tau*t32;
+    const double t34 = cos_omega1_half_tau*t32;
+    const double t35 = p1*t34;
+    const double right1_by_tau1 = (1.0/2.0)*V*cos_omega2_half_tau*p1 + (1.0/2.0)*V*cos_omega2_half_tau*p2 - p2*t34 - t33 - t35;
     /* d/dtau of: v10 by Cramer's rule */
-    const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t23;
+    const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t18;
     /* d/dtau1 of: v10 by Cramer's rule */
-    const double v10_by_tau1 = right1_by_tau1*t23;
+    const double v10_by_tau1 = right1_by_tau1*t18;
     /* reduced_jacobian */
-    const double t42 = -p3*t13 + t16 + t39;
-    const double t43 = p3*sin_omega1_half_tau*t10 - p3*t9;
+    const double t36 = -p3*t9 + t16 + t25;
+    const double t37 = p3*sin_omega1_half_tau*t4 - p3*t3;
     if (reduced_jacobian) {
-        reduced_jacobian[0] = cos_omega1_half_tau_by_tau*(t13 - t42) + cos_omega2_half_tau_by_tau*t42 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t38) + sin_omega2_half_tau_by_tau*(V*t26 - t37*t8) + t43*v10_by_tau;
-        reduced_jacobian[1] = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t43*v10_by_tau1;
+        reduced_jacobian[0] = cos_omega1_half_tau_by_tau*(-t36 + t9) + cos_omega2_half_tau_by_tau*t36 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t24) + sin_omega2_half_tau_by_tau*(V*t30 - t2*t23) + t37*v10_by_tau;
+        reduced_jacobian[1] = p1*t33 - p3*t33 + p3*t34 + t34 - t35 + t37*v10_by_tau1;
         reduced_jacobian[2] = sin_half_tau1*v10_by_tau;
-        reduced_jacobian[3] = -cos_half_tau1*t30 + (1.0/2.0)*cos_half_tau1*t41 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t41 + v10);
+        reduced_jacobian[3] = (1.0/2.0)*cos_half_tau1*t27 - cos_half_tau1*t32 + cos_half_tau1_by_tau1*(chi*t9 + t19) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t27 + v10);
     }
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Operations: 683. Intermediate terms: 198. */
+ * Operations: 672. Intermediate terms: 198. */
 static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
@@ -1698,68 +1693,68 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     const double cos_tau = wave_0.cosine;
     const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
-    const double t1 = V*sin_tau;
-    const double t3 = chi*cos_tau;
-    const double t4 = chi - t3;
-    const double t5 = chi*sin_tau;
-    const double z1_2 = V*(chi*tau - t5) + cos_tau*z1_1 + t1 + t4*z2_1;
+    const double t1 = chi*cos_tau;
+    const double t2 = chi - t1;
+    const double t3 = V*sin_tau;
+    const double t4 = chi*sin_tau;
+    const double t5 = chi*tau - t4;
+    const double z1_2 = V*t5 + cos_tau*z1_1 + t2*z2_1 + t3;
     const double z2_2 = V*tau + z2_1;
-    const double t6 = V*cos_tau + V*t4;
-    const double v1_2 = -sin_tau*z1_1 + t5*z2_1 + t6;
+    const double t6 = V*cos_tau + V*t2;
+    const double v1_2 = -sin_tau*z1_1 + t4*z2_1 + t6;
     /* functions of tau1 in slip-slip */
     const double t7 = omega1*tau1;
     const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t7);
     const double cos_omega1_tau1 = wave_1.cosine;
     const double sin_omega1_tau1 = wave_1.sine;
-    const double t10 = omega2*tau1;
-    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t10);
+    const double t8 = omega2*tau1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t8);
     const double cos_omega2_tau1 = wave_2.cosine;
     const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t13 = (1.0/(omega1));
-    const double t14 = sin_omega1_tau1*t13;
-    const double t15 = 1 - p1;
-    const double t16 = (1.0/(omega2));
-    const double t17 = sin_omega2_tau1*t16;
-    const double t18 = p1*t14 + t15*t17;
-    const double t19 = cos_omega1_tau1*p1 + cos_omega2_tau1*t15;
-    const double t20 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t21 = p2*t17;
-    const double z1_3 = V*(p2*sin_omega1_tau1*t13 - t21) + t18*v1_2 + t19*z1_2 + t20*z2_2;
-    const double t22 = p3*sin_omega1_tau1*t13 - p3*t17;
-    const double t23 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t24 = cos_omega1_tau1*t15 + cos_omega2_tau1*p1;
-    const double t25 = p1*t17 + t14*t15;
-    const double z2_3 = V*t25 + t22*v1_2 + t23*z1_2 + t24*z2_2;
-    const double t26 = omega2*sin_omega2_tau1;
-    const double t27 = omega1*sin_omega1_tau1;
-    const double t28 = -p1*t27 - t15*t26;
-    const double t29 = p2*t27;
-    const double t30 = omega2*p2*sin_omega2_tau1 - t29;
-    const double t31 = V*t20;
-    const double t32 = t19*v1_2 + t31;
-    const double v1_3 = t28*z1_2 + t30*z2_2 + t32;
-    const double t33 = omega2*p3*sin_omega2_tau1 - p3*t27;
-    const double t34 = p1*t26 + t15*t27;
-    const double t36 = V*t24;
-    const double t37 = t23*v1_2 + t36;
-    const double v2_3 = t33*z1_2 - t34*z2_2 + t37;
+    const double t9 = 1 - p1;
+    const double t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9;
+    const double t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t12 = (1.0/(omega1));
+    const double t13 = sin_omega1_tau1*t12;
+    const double t14 = (1.0/(omega2));
+    const double t15 = sin_omega2_tau1*t14;
+    const double t16 = p1*t13 + t15*t9;
+    const double t17 = p2*t13 - p2*t15;
+    const double z1_3 = V*t17 + t10*z1_2 + t11*z2_2 + t16*v1_2;
+    const double t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t19 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
+    const double t20 = p3*t13 - p3*t15;
+    const double t21 = p1*t15 + t13*t9;
+    const double z2_3 = V*t21 + t18*z1_2 + t19*z2_2 + t20*v1_2;
+    const double t22 = omega1*sin_omega1_tau1;
+    const double t23 = omega2*sin_omega2_tau1;
+    const double t24 = -p1*t22 - t23*t9;
+    const double t25 = -p2*t22 + p2*t23;
+    const double t26 = V*t11;
+    const double t27 = t10*v1_2 + t26;
+    const double v1_3 = t24*z1_2 + t25*z2_2 + t27;
+    const double t28 = -p3*t22 + p3*t23;
+    const double t29 = p1*t23 + t22*t9;
+    const double t30 = V*t19;
+    const double t31 = t18*v1_2 + t30;
+    const double v2_3 = t28*z1_2 - t29*z2_2 + t31;
     /* functions of tau2 in stick-slip */
-    const double t38 = omega3*tau2;
-    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t38);
+    const double t32 = omega3*tau2;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t32);
     const double cos_omega3_tau2 = wave_3.cosine;
     const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t41 = 1 - cos_omega3_tau2;
-    const double t42 = (1.0/(omega3));
-    const double t43 = sin_omega3_tau2*t42;
-    const double t44 = -t43 + tau2;
-    const double z2_4 = V*t44 + cos_omega3_tau2*z2_3 + t41*z1_3 + t43*v2_3;
-    const double t45 = cos_omega3_tau2*v2_3;
-    const double t46 = sin_omega3_tau2*z1_3;
-    const double t47 = sin_omega3_tau2*z2_3;
-    const double v2_4 = V*t41 + omega3*t46 - omega3*t47 + t45;
+    const double t33 = 1 - cos_omega3_tau2;
+    const double t34 = (1.0/(omega3));
+    const double t35 = sin_omega3_tau2*t34;
+    const double t36 = -t35 + tau2;
+    const double z2_4 = V*t36 + cos_omega3_tau2*z2_3 + t33*z1_3 + t35*v2_3;
+    const double t37 = cos_omega3_tau2*v2_3;
+    const double t38 = sin_omega3_tau2*z1_3;
+    const double t39 = sin_omega3_tau2*z2_3;
+    const double v2_4 = V*t33 + omega3*t38 - omega3*t39 + t37;
     if (residual) {
         residual[lane] = -chi*z2_1 - e1 + z1_1;
         residual[1*lanes + lane] = -chi*z1_2 + chi*z2_2 - e2;
@@ -1771,61 +1766,61 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     if (!jacobian && !parameter_jacobian)
         return;
     /* derivatives of the state after tau */
-    const double z1_2_by_z20 = t4;
+    const double z1_2_by_z20 = t2;
     const double z1_2_by_ta = t6;
     const double v1_2_by_z10 = -sin_tau;
-    const double v1_2_by_z20 = t5;
-    const double v1_2_by_ta = chi*t1 - t1;
+    const double v1_2_by_z20 = t4;
+    const double v1_2_by_ta = chi*t3 - t3;
     const double v1_2_by_tau = chi*z2_2 - z1_2;
     /* derivatives of the state after tau1 */
-    const double z1_3_by_z10 = cos_tau*t19 + t18*v1_2_by_z10;
-    const double z1_3_by_z20 = t18*v1_2_by_z20 + t19*z1_2_by_z20 + t20;
-    const double z1_3_by_ta = t18*v1_2_by_ta + t19*z1_2_by_ta + t31;
-    const double z1_3_by_tau = t18*v1_2_by_tau + t32;
-    const double z2_3_by_z10 = cos_tau*t23 + t22*v1_2_by_z10;
-    const double z2_3_by_z20 = t22*v1_2_by_z20 + t23*z1_2_by_z20 + t24;
-    const double z2_3_by_ta = t22*v1_2_by_ta + t23*z1_2_by_ta + t36;
-    const double z2_3_by_tau = t22*v1_2_by_tau + t37;
-    const double v1_3_by_z10 = cos_tau*t28 + t19*v1_2_by_z10;
-    const double v1_3_by_z20 = p2*t26 + t19*v1_2_by_z20 + t28*z1_2_by_z20 - t29;
-    const double t48 = V*t30;
-    const double v1_3_by_ta = t19*v1_2_by_ta + t28*z1_2_by_ta + t48;
-    const double v1_3_by_tau = t19*v1_2_by_tau + t28*v1_2 + t48;
-    const double t49 = chi*z2_3;
-    const double v1_3_by_tau1 = t49 - z1_3;
-    const double v2_3_by_z10 = cos_tau*t33 + t23*v1_2_by_z10;
-    const double v2_3_by_z20 = t23*v1_2_by_z20 + t33*z1_2_by_z20 - t34;
-    const double t50 = -V*t34;
-    const double v2_3_by_ta = t23*v1_2_by_ta + t33*z1_2_by_ta + t50;
-    const double v2_3_by_tau = t23*v1_2_by_tau + t33*v1_2 + t50;
-    const double t51 = chi*eta;
-    const double v2_3_by_tau1 = -eta*t49 + t51*z1_3;
+    const double z1_3_by_z10 = cos_tau*t10 + t16*v1_2_by_z10;
+    const double z1_3_by_z20 = t10*z1_2_by_z20 + t11 + t16*v1_2_by_z20;
+    const double z1_3_by_ta = t10*z1_2_by_ta + t16*v1_2_by_ta + t26;
+    const double z1_3_by_tau = t16*v1_2_by_tau + t27;
+    const double z2_3_by_z10 = cos_tau*t18 + t20*v1_2_by_z10;
+    const double z2_3_by_z20 = t18*z1_2_by_z20 + t19 + t20*v1_2_by_z20;
+    const double z2_3_by_ta = t18*z1_2_by_ta + t20*v1_2_by_ta + t30;
+    const double z2_3_by_tau = t20*v1_2_by_tau + t31;
+    const double v1_3_by_z10 = cos_tau*t24 + t10*v1_2_by_z10;
+    const double v1_3_by_z20 = t10*v1_2_by_z20 + t24*z1_2_by_z20 + t25;
+    const double t40 = V*t25;
+    const double v1_3_by_ta = t10*v1_2_by_ta + t24*z1_2_by_ta + t40;
+    const double v1_3_by_tau = t10*v1_2_by_tau + t24*v1_2 + t40;
+    const double t41 = chi*z2_3;
+    const double v1_3_by_tau1 = t41 - z1_3;
+    const double v2_3_by_z10 = cos_tau*t28 + t18*v1_2_by_z10;
+    const double v2_3_by_z20 = t18*v1_2_by_z20 + t28*z1_2_by_z20 - t29;
+    const double t42 = -V*t29;
+    const double v2_3_by_ta = t18*v1_2_by_ta + t28*z1_2_by_ta + t42;
+    const double v2_3_by_tau = t18*v1_2_by_tau + t28*v1_2 + t42;
+    const double t43 = chi*eta;
+    const double v2_3_by_tau1 = -eta*t41 + t43*z1_3;
     /* derivatives of the state after tau2 */
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t41*z1_3_by_z10 + t43*v2_3_by_z10;
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t41*z1_3_by_z20 + t43*v2_3_by_z20;
-    const double z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t41*z1_3_by_ta + t43*v2_3_by_ta;
-    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t41*z1_3_by_tau + t43*v2_3_by_tau;
-    const double z2_4_by_tau1 = t41*v1_3 + t43*v2_3_by_tau1 + t45;
-    const double t52 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t52*z1_3_by_z10 - t52*z2_3_by_z10;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t52*z1_3_by_z20 - t52*z2_3_by_z20;
-    const double v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t52*z1_3_by_ta - t52*z2_3_by_ta;
-    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t52*z1_3_by_tau - t52*z2_3_by_tau;
-    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t52*v1_3 - t52*v2_3;
-    const double v2_4_by_tau2 = t51*z1_4 - t51*z2_4;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t33*z1_3_by_z10 + t35*v2_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t33*z1_3_by_z20 + t35*v2_3_by_z20;
+    const double z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t33*z1_3_by_ta + t35*v2_3_by_ta;
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t33*z1_3_by_tau + t35*v2_3_by_tau;
+    const double z2_4_by_tau1 = t33*v1_3 + t35*v2_3_by_tau1 + t37;
+    const double t44 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t44*z1_3_by_z10 - t44*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t44*z1_3_by_z20 - t44*z2_3_by_z20;
+    const double v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t44*z1_3_by_ta - t44*z2_3_by_ta;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t44*z1_3_by_tau - t44*z2_3_by_tau;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t44*v1_3 - t44*v2_3;
+    const double v2_4_by_tau2 = t43*z1_4 - t43*z2_4;
     /* jacobian */
-    const double t118 = V*chi;
+    const double t45 = V*chi;
     if (jacobian) {
         jacobian[lane] = 1;
         jacobian[1*lanes + lane] = -chi;
-        jacobian[2*lanes + lane] = V - t118;
+        jacobian[2*lanes + lane] = V - t45;
         jacobian[3*lanes + lane] = 0;
         jacobian[4*lanes + lane] = 0;
         jacobian[5*lanes + lane] = 0;
-        jacobian[6*lanes + lane] = -t3;
+        jacobian[6*lanes + lane] = -t1;
         jacobian[7*lanes + lane] = -chi*z1_2_by_z20 + chi;
-        jacobian[8*lanes + lane] = -chi*z1_2_by_ta + t118;
-        jacobian[9*lanes + lane] = -chi*v1_2 + t118;
+        jacobian[8*lanes + lane] = -chi*z1_2_by_ta + t45;
+        jacobian[9*lanes + lane] = -chi*v1_2 + t45;
         jacobian[10*lanes + lane] = 0;
         jacobian[11*lanes + lane] = 0;
         jacobian[12*lanes + lane] = v1_3_by_z10;
@@ -1868,114 +1863,114 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
     const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
-    const double t53 = 1 - cos_tau;
-    const double z1_2_by_chi = V*(-sin_tau + tau) + t53*z2_1;
-    const double v1_2_by_chi = V*t53 + sin_tau*z2_1;
+    const double t46 = 1 - cos_tau;
+    const double z1_2_by_chi = V*(-sin_tau + tau) + t46*z2_1;
+    const double v1_2_by_chi = V*t46 + sin_tau*z2_1;
     /* d/dV of: slip-stick for tau, until second-breaks-forward */
-    const double z1_2_by_V = chi*tau + cos_tau*ta + sin_tau + t4*ta - t5;
+    const double z1_2_by_V = cos_tau*ta + sin_tau + t2*ta + t5;
     const double z2_2_by_V = ta + tau;
-    const double v1_2_by_V = chi + cos_tau - sin_tau*ta - t3 + t5*ta;
+    const double v1_2_by_V = chi + cos_tau - sin_tau*ta - t1 + t4*ta;
     /* d/dchi of: functions of tau1 in slip-slip */
-    const double t55 = omega1_by_chi*tau1;
-    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t55;
-    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t55;
-    const double t56 = omega2_by_chi*tau1;
-    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t56;
-    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t56;
+    const double t47 = omega1_by_chi*tau1;
+    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t47;
+    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t47;
+    const double t48 = omega2_by_chi*tau1;
+    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t48;
+    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t48;
     /* d/deta of: functions of tau1 in slip-slip */
-    const double t57 = omega1_by_eta*tau1;
-    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t57;
-    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t57;
-    const double t58 = omega2_by_eta*tau1;
-    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t58;
-    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t58;
+    const double t49 = omega1_by_eta*tau1;
+    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t49;
+    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t49;
+    const double t50 = omega2_by_eta*tau1;
+    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t50;
+    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t50;
     /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
-    const double t59 = p1*z1_2;
-    const double t60 = p2*z2_2;
-    const double t61 = t59 + t60;
-    const double t62 = t15*z1_2 - t60;
-    const double t63 = p1*v1_2;
-    const double t64 = sin_omega1_tau1/(omega1*omega1);
-    const double t65 = V*p2;
-    const double t66 = -t63*t64 - t64*t65;
-    const double t67 = (1.0/(omega2*omega2));
-    const double t68 = sin_omega2_tau1*t67;
-    const double t69 = -t15*t68*v1_2 + t65*t68;
-    const double t70 = -sin_omega1_tau1*t13 + t17;
-    const double t72 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t73 = -t70*v1_2 + t72*z1_2;
-    const double t74 = -V*t70 + t72*z2_2;
-    const double t75 = t13*t63 + t13*t65;
-    const double t76 = t15*t16*v1_2 - t16*t65;
-    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t61 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t66 + omega2_by_chi*t69 + p1_by_chi*t73 + p2_by_chi*t74 + sin_omega1_tau1_by_chi*t75 + sin_omega2_tau1_by_chi*t76 + t18*v1_2_by_chi + t19*z1_2_by_chi;
-    const double t77 = p3*z1_2;
-    const double t78 = t15*z2_2;
-    const double t79 = t77 + t78;
-    const double t80 = p1*z2_2;
-    const double t81 = -t77 + t80;
-    const double t82 = p3*v1_2;
-    const double t83 = V*t15;
-    const double t84 = -t64*t82 - t64*t83;
-    const double t85 = V*p1;
-    const double t86 = p3*sin_omega2_tau1*t67*v1_2 - t68*t85;
-    const double t88 = V*t70 - t72*z2_2;
-    const double t89 = t13*t82 + t13*t83;
-    const double t90 = -t16*t82 + t16*t85;
-    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t79 + cos_omega2_tau1_by_chi*t81 + omega1_by_chi*t84 + omega2_by_chi*t86 + p1_by_chi*t88 + p3_by_chi*t73 + sin_omega1_tau1_by_chi*t89 + sin_omega2_tau1_by_chi*t90 + t22*v1_2_by_chi + t23*z1_2_by_chi;
-    const double t91 = t63 + t65;
-    const double t92 = t15*v1_2 - t65;
-    const double t93 = -sin_omega1_tau1*t59 - sin_omega1_tau1*t60;
-    const double t94 = t15*z1_2;
-    const double t95 = sin_omega2_tau1*t60 - sin_omega2_tau1*t94;
-    const double t96 = -omega2*sin_omega2_tau1 + t27;
-    const double t98 = t72*v1_2 - t96*z1_2;
-    const double t99 = V*t72 - t96*z2_2;
-    const double t100 = -omega1*t59 - omega1*t60;
-    const double t101 = omega2*t60 - omega2*t94;
-    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t91 + cos_omega2_tau1_by_chi*t92 + omega1_by_chi*t93 + omega2_by_chi*t95 + p1_by_chi*t98 + p2_by_chi*t99 + sin_omega1_tau1_by_chi*t100 + sin_omega2_tau1_by_chi*t101 + t19*v1_2_by_chi + t28*z1_2_by_chi;
-    const double t102 = t82 + t83;
-    const double t103 = -t82 + t85;
-    const double t104 = -sin_omega1_tau1*t77 - sin_omega1_tau1*t78;
-    const double t105 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t80;
-    const double t106 = -V*t72 + t96*z2_2;
-    const double t107 = -omega1*t77 - omega1*t78;
-    const double t108 = omega2*p3*z1_2 - omega2*t80;
-    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t102 + cos_omega2_tau1_by_chi*t103 + omega1_by_chi*t104 + omega2_by_chi*t105 + p1_by_chi*t106 + p3_by_chi*t98 + sin_omega1_tau1_by_chi*t107 + sin_omega2_tau1_by_chi*t108 + t23*v1_2_by_chi + t33*z1_2_by_chi;
+    const double t51 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t52 = t13 - t15;
+    const double t53 = V*t52 + t51*z2_2;
+    const double t54 = t51*z1_2 + t52*v1_2;
+    const double t55 = V*p2;
+    const double t56 = (1.0/(omega2*omega2));
+    const double t57 = sin_omega2_tau1*t56;
+    const double t58 = t55*t57 - t57*t9*v1_2;
+    const double t59 = sin_omega1_tau1/(omega1*omega1);
+    const double t60 = p1*v1_2;
+    const double t61 = -t55*t59 - t59*t60;
+    const double t62 = p2*z2_2;
+    const double t63 = p1*z1_2;
+    const double t64 = t62 + t63;
+    const double t65 = t12*t55 + t12*t60;
+    const double t66 = -t62 + t9*z1_2;
+    const double t67 = -t14*t55 + t14*t9*v1_2;
+    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t64 + cos_omega2_tau1_by_chi*t66 + omega1_by_chi*t61 + omega2_by_chi*t58 + p1_by_chi*t54 + p2_by_chi*t53 + sin_omega1_tau1_by_chi*t65 + sin_omega2_tau1_by_chi*t67 + t10*z1_2_by_chi + t16*v1_2_by_chi;
+    const double t68 = -V*t52 - t51*z2_2;
+    const double t69 = V*p1;
+    const double t70 = p3*sin_omega2_tau1*t56*v1_2 - t57*t69;
+    const double t71 = p3*v1_2;
+    const double t72 = V*t9;
+    const double t73 = -t59*t71 - t59*t72;
+    const double t74 = p3*z1_2;
+    const double t75 = t9*z2_2;
+    const double t76 = t74 + t75;
+    const double t77 = t12*t71 + t12*t72;
+    const double t78 = p1*z2_2 - t74;
+    const double t79 = t14*t69 - t14*t71;
+    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t76 + cos_omega2_tau1_by_chi*t78 + omega1_by_chi*t73 + omega2_by_chi*t70 + p1_by_chi*t68 + p3_by_chi*t54 + sin_omega1_tau1_by_chi*t77 + sin_omega2_tau1_by_chi*t79 + t18*z1_2_by_chi + t20*v1_2_by_chi;
+    const double t80 = -t22 + t23;
+    const double t81 = V*t51 + t80*z2_2;
+    const double t82 = t51*v1_2 + t80*z1_2;
+    const double t83 = t9*z1_2;
+    const double t84 = sin_omega2_tau1*t62 - sin_omega2_tau1*t83;
+    const double t85 = -sin_omega1_tau1*t62 - sin_omega1_tau1*t63;
+    const double t86 = t55 + t60;
+    const double t87 = -omega1*t62 - omega1*t63;
+    const double t88 = -t55 + t9*v1_2;
+    const double t89 = omega2*t62 - omega2*t83;
+    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t86 + cos_omega2_tau1_by_chi*t88 + omega1_by_chi*t85 + omega2_by_chi*t84 + p1_by_chi*t82 + p2_by_chi*t81 + sin_omega1_tau1_by_chi*t87 + sin_omega2_tau1_by_chi*t89 + t10*v1_2_by_chi + t24*z1_2_by_chi;
+    const double t90 = -V*t51 - t80*z2_2;
+    const double t91 = p1*z2_2;
+    const double t92 = sin_omega2_tau1*t74 - sin_omega2_tau1*t91;
+    const double t93 = -sin_omega1_tau1*t74 - sin_omega1_tau1*t75;
+    const double t94 = t71 + t72;
+    const double t95 = -omega1*t74 - omega1*t75;
+    const double t96 = t69 - t71;
+    const double t97 = omega2*t74 - omega2*t91;
+    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t94 + cos_omega2_tau1_by_chi*t96 + omega1_by_chi*t93 + omega2_by_chi*t92 + p1_by_chi*t90 + p3_by_chi*t82 + sin_omega1_tau1_by_chi*t95 + sin_omega2_tau1_by_chi*t97 + t18*v1_2_by_chi + t28*z1_2_by_chi;
     /* d/deta of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t61 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t66 + omega2_by_eta*t69 + p1_by_eta*t73 + p2_by_eta*t74 + sin_omega1_tau1_by_eta*t75 + sin_omega2_tau1_by_eta*t76;
-    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t79 + cos_omega2_tau1_by_eta*t81 + omega1_by_eta*t84 + omega2_by_eta*t86 + p1_by_eta*t88 + p3_by_eta*t73 + sin_omega1_tau1_by_eta*t89 + sin_omega2_tau1_by_eta*t90;
-    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t91 + cos_omega2_tau1_by_eta*t92 + omega1_by_eta*t93 + omega2_by_eta*t95 + p1_by_eta*t98 + p2_by_eta*t99 + sin_omega1_tau1_by_eta*t100 + sin_omega2_tau1_by_eta*t101;
-    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t102 + cos_omega2_tau1_by_eta*t103 + omega1_by_eta*t104 + omega2_by_eta*t105 + p1_by_eta*t106 + p3_by_eta*t98 + sin_omega1_tau1_by_eta*t107 + sin_omega2_tau1_by_eta*t108;
+    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t64 + cos_omega2_tau1_by_eta*t66 + omega1_by_eta*t61 + omega2_by_eta*t58 + p1_by_eta*t54 + p2_by_eta*t53 + sin_omega1_tau1_by_eta*t65 + sin_omega2_tau1_by_eta*t67;
+    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t76 + cos_omega2_tau1_by_eta*t78 + omega1_by_eta*t73 + omega2_by_eta*t70 + p1_by_eta*t68 + p3_by_eta*t54 + sin_omega1_tau1_by_eta*t77 + sin_omega2_tau1_by_eta*t79;
+    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t86 + cos_omega2_tau1_by_eta*t88 + omega1_by_eta*t85 + omega2_by_eta*t84 + p1_by_eta*t82 + p2_by_eta*t81 + sin_omega1_tau1_by_eta*t87 + sin_omega2_tau1_by_eta*t89;
+    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t94 + cos_omega2_tau1_by_eta*t96 + omega1_by_eta*t93 + omega2_by_eta*t92 + p1_by_eta*t90 + p3_by_eta*t82 + sin_omega1_tau1_by_eta*t95 + sin_omega2_tau1_by_eta*t97;
     /* d/dV of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_V = p2*t14 + t18*v1_2_by_V + t19*z1_2_by_V + t20*z2_2_by_V - t21;
-    const double z2_3_by_V = t22*v1_2_by_V + t23*z1_2_by_V + t24*z2_2_by_V + t25;
-    const double v1_3_by_V = t19*v1_2_by_V + t20 + t28*z1_2_by_V + t30*z2_2_by_V;
-    const double v2_3_by_V = t23*v1_2_by_V + t24 + t33*z1_2_by_V - t34*z2_2_by_V;
+    const double z1_3_by_V = t10*z1_2_by_V + t11*z2_2_by_V + t16*v1_2_by_V + t17;
+    const double z2_3_by_V = t18*z1_2_by_V + t19*z2_2_by_V + t20*v1_2_by_V + t21;
+    const double v1_3_by_V = t10*v1_2_by_V + t11 + t24*z1_2_by_V + t25*z2_2_by_V;
+    const double v2_3_by_V = t18*v1_2_by_V + t19 + t28*z1_2_by_V - t29*z2_2_by_V;
     /* d/dchi of: functions of tau2 in stick-slip */
-    const double t109 = omega3_by_chi*tau2;
-    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t109;
-    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t109;
+    const double t98 = omega3_by_chi*tau2;
+    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t98;
+    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t98;
     /* d/deta of: functions of tau2 in stick-slip */
-    const double t110 = omega3_by_eta*tau2;
-    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t110;
-    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t110;
+    const double t99 = omega3_by_eta*tau2;
+    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t99;
+    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t99;
     /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
-    const double t111 = -z1_3 + z2_3;
-    const double t112 = sin_omega3_tau2/(omega3*omega3);
-    const double t113 = V*t112 - t112*v2_3;
-    const double t114 = -V*t42 + t42*v2_3;
-    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t111 + omega3_by_chi*t113 + sin_omega3_tau2_by_chi*t114 + t41*z1_3_by_chi + t43*v2_3_by_chi;
-    const double t115 = -V + v2_3;
-    const double t116 = t46 - t47;
-    const double t117 = omega3*z1_3 - omega3*z2_3;
-    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t115 + omega3_by_chi*t116 + sin_omega3_tau2_by_chi*t117 + t52*z1_3_by_chi - t52*z2_3_by_chi;
+    const double t100 = sin_omega3_tau2/(omega3*omega3);
+    const double t101 = V*t100 - t100*v2_3;
+    const double t102 = -z1_3 + z2_3;
+    const double t103 = -V*t34 + t34*v2_3;
+    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t102 + omega3_by_chi*t101 + sin_omega3_tau2_by_chi*t103 + t33*z1_3_by_chi + t35*v2_3_by_chi;
+    const double t104 = t38 - t39;
+    const double t105 = -V + v2_3;
+    const double t106 = omega3*z1_3 - omega3*z2_3;
+    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t105 + omega3_by_chi*t104 + sin_omega3_tau2_by_chi*t106 + t44*z1_3_by_chi - t44*z2_3_by_chi;
     /* d/deta of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t111 + omega3_by_eta*t113 + sin_omega3_tau2_by_eta*t114 + t41*z1_3_by_eta + t43*v2_3_by_eta;
-    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t115 + omega3_by_eta*t116 + sin_omega3_tau2_by_eta*t117 + t52*z1_3_by_eta - t52*z2_3_by_eta;
+    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t102 + omega3_by_eta*t101 + sin_omega3_tau2_by_eta*t103 + t33*z1_3_by_eta + t35*v2_3_by_eta;
+    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t105 + omega3_by_eta*t104 + sin_omega3_tau2_by_eta*t106 + t44*z1_3_by_eta - t44*z2_3_by_eta;
     /* d/dV of: stick-slip for tau2, until second-reaches-belt */
     const double z1_4_by_V = tau2 + z1_3_by_V;
-    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t41*z1_3_by_V + t43*v2_3_by_V + t44;
-    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t52*z1_3_by_V - t52*z2_3_by_V + 1;
+    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t33*z1_3_by_V + t35*v2_3_by_V + t36;
+    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t44*z1_3_by_V - t44*z2_3_by_V + 1;
     if (parameter_jacobian) {
         parameter_jacobian[lane] = -z2_1;
         parameter_jacobian[1*lanes + lane] = 0;
@@ -2021,7 +2016,7 @@ void dry_friction_global_stick_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 774. Intermediate terms: 175. */
+ * Operations: 758. Intermediate terms: 179. */
 static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -2044,55 +2039,55 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     const double cos_tau = wave_0.cosine;
     const double sin_tau = wave_0.sine;
     /* z2_1: linear in second-breaks-forward */
-    const double t2 = V*tau;
-    const double t3 = chi - 1;
-    const double t4 = (1.0/(t3));
-    const double t5 = e1*t4;
-    const double t6 = (1.0/(chi));
-    const double t7 = e2*t6;
-    const double z2_1 = V*sin_tau - cos_tau*t5 - t2 - t4*t7;
+    const double t0 = V*tau;
+    const double t1 = chi - 1;
+    const double t2 = (1.0/(t1));
+    const double t3 = e1*t2;
+    const double t4 = (1.0/(chi));
+    const double t5 = e2*t4;
+    const double z2_1 = V*sin_tau - cos_tau*t3 - t0 - t2*t5;
     /* slip-stick for tau */
-    const double t8 = chi*z2_1;
-    const double t9 = e1 + t8;
-    const double t10 = chi*cos_tau;
-    const double t11 = chi - t10;
-    const double t12 = chi*sin_tau;
-    const double z1_2 = V*sin_tau + V*(chi*tau - t12) + cos_tau*t9 + t11*z2_1;
-    const double z2_2 = t2 + z2_1;
-    const double v1_2 = V*cos_tau + V*t11 + sin_tau*t8 - sin_tau*t9;
+    const double t6 = chi*z2_1;
+    const double t7 = e1 + t6;
+    const double t8 = chi*cos_tau;
+    const double t9 = chi - t8;
+    const double t10 = -chi*sin_tau + chi*tau;
+    const double z1_2 = V*sin_tau + V*t10 + cos_tau*t7 + t9*z2_1;
+    const double z2_2 = t0 + z2_1;
+    const double v1_2 = V*cos_tau + V*t9 + sin_tau*t6 - sin_tau*t7;
     /* functions of tau1 in slip-slip */
-    const double t13 = omega1*tau1;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t13);
+    const double t11 = omega1*tau1;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t11);
     const double cos_omega1_tau1 = wave_1.cosine;
     const double sin_omega1_tau1 = wave_1.sine;
-    const double t16 = omega2*tau1;
-    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t16);
+    const double t12 = omega2*tau1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t12);
     const double cos_omega2_tau1 = wave_2.cosine;
     const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1 */
-    const double t19 = (1.0/(omega1));
-    const double t20 = sin_omega1_tau1*t19;
-    const double t21 = 1 - p1;
-    const double t22 = (1.0/(omega2));
-    const double t23 = sin_omega2_tau1*t22;
-    const double t24 = p1*t20 + t21*t23;
-    const double t25 = cos_omega1_tau1*p1 + cos_omega2_tau1*t21;
-    const double t26 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t27 = p2*sin_omega1_tau1*t19 - p2*t23;
-    const double z1_3 = V*t27 + t24*v1_2 + t25*z1_2 + t26*z2_2;
-    const double t28 = p3*sin_omega1_tau1*t19 - p3*t23;
-    const double t29 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t30 = cos_omega1_tau1*t21 + cos_omega2_tau1*p1;
-    const double t31 = p1*t23 + t20*t21;
-    const double z2_3 = V*t31 + t28*v1_2 + t29*z1_2 + t30*z2_2;
-    const double t32 = omega2*sin_omega2_tau1;
-    const double t33 = omega1*sin_omega1_tau1;
-    const double t34 = -p1*t33 - t21*t32;
-    const double t35 = omega2*p2*sin_omega2_tau1 - p2*t33;
-    const double v1_3 = V*t26 + t25*v1_2 + t34*z1_2 + t35*z2_2;
-    const double t36 = omega2*p3*sin_omega2_tau1 - p3*t33;
-    const double t37 = -p1*t32 - t21*t33;
-    const double v2_3 = V*t30 + t29*v1_2 + t36*z1_2 + t37*z2_2;
+    const double t13 = 1 - p1;
+    const double t14 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13;
+    const double t15 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t16 = (1.0/(omega1));
+    const double t17 = sin_omega1_tau1*t16;
+    const double t18 = (1.0/(omega2));
+    const double t19 = sin_omega2_tau1*t18;
+    const double t20 = p1*t17 + t13*t19;
+    const double t21 = p2*t17 - p2*t19;
+    const double z1_3 = V*t21 + t14*z1_2 + t15*z2_2 + t20*v1_2;
+    const double t22 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t23 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1;
+    const double t24 = p3*t17 - p3*t19;
+    const double t25 = p1*t19 + t13*t17;
+    const double z2_3 = V*t25 + t22*z1_2 + t23*z2_2 + t24*v1_2;
+    const double t26 = omega1*sin_omega1_tau1;
+    const double t27 = omega2*sin_omega2_tau1;
+    const double t28 = -p1*t26 - t13*t27;
+    const double t29 = -p2*t26 + p2*t27;
+    const double v1_3 = V*t15 + t14*v1_2 + t28*z1_2 + t29*z2_2;
+    const double t30 = -p3*t26 + p3*t27;
+    const double t31 = -p1*t27 - t13*t26;
+    const double v2_3 = V*t23 + t22*v1_2 + t30*z1_2 + t31*z2_2;
     /* first return of tau2 */
     const double cosine_part_tau2 = -V + v2_3;
     const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
@@ -2102,48 +2097,49 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     const double cos_tau_by_tau = -sin_tau;
     const double sin_tau_by_tau = cos_tau;
     /* d/dtau of: z2_1: linear in second-breaks-forward */
-    const double t39 = -V*sin_tau_by_tau;
-    const double t40 = cos_tau_by_tau*e1;
-    const double z2_1_by_tau = -V - t39 - t4*t40;
+    const double t32 = -V*sin_tau_by_tau;
+    const double t33 = cos_tau_by_tau*e1;
+    const double z2_1_by_tau = -V - t2*t33 - t32;
     /* d/dtau of: slip-stick for tau */
-    const double t41 = V*chi;
-    const double t42 = V - t41;
-    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t42 + t40 + t41;
+    const double t34 = V*chi;
+    const double t35 = V - t34;
+    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t35 + t33 + t34;
     const double z2_2_by_tau = V + z2_1_by_tau;
-    const double v1_2_by_tau = cos_tau_by_tau*t42 - e1*sin_tau_by_tau;
+    const double v1_2_by_tau = cos_tau_by_tau*t35 - e1*sin_tau_by_tau;
     /* d/dtau of: slip-slip for tau1 */
-    const double z1_3_by_tau = t24*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau;
-    const double z2_3_by_tau = t28*v1_2_by_tau + t29*z1_2_by_tau + t30*z2_2_by_tau;
-    const double v1_3_by_tau = t25*v1_2_by_tau + t34*z1_2_by_tau + t35*z2_2_by_tau;
-    const double v2_3_by_tau = t29*v1_2_by_tau + t36*z1_2_by_tau + t37*z2_2_by_tau;
+    const double z1_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t20*v1_2_by_tau;
+    const double z2_3_by_tau = t22*z1_2_by_tau + t23*z2_2_by_tau + t24*v1_2_by_tau;
+    const double v1_3_by_tau = t14*v1_2_by_tau + t28*z1_2_by_tau + t29*z2_2_by_tau;
+    const double v2_3_by_tau = t22*v1_2_by_tau + t30*z1_2_by_tau + t31*z2_2_by_tau;
     /* d/dtau1 of: slip-slip for tau1 */
-    const double t44 = chi*z2_3;
-    const double v1_3_by_tau1 = t44 - z1_3;
-    const double t45 = eta*z1_3;
-    const double v2_3_by_tau1 = chi*t45 - eta*t44;
+    const double t36 = chi*z2_3;
+    const double v1_3_by_tau1 = t36 - z1_3;
+    const double t37 = eta*z1_3;
+    const double v2_3_by_tau1 = chi*t37 - eta*t36;
     /* d/dtau of: first return of tau2 */
     const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
     /* d/dtau1 of: first return of tau2 */
     const double sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3;
     /* d/dtau of: first return of tau2 */
-    const double t46 = 2*cosine_part_tau2;
-    const double t47 = 2*sine_part_tau2;
-    const double t48 = sine_part_tau2_by_tau*t47 + t46*v2_3_by_tau;
-    const double t49 = (1.0/(amplitude_tau2));
-    const double t50 = (1.0/2.0)*t49;
-    const double amplitude_tau2_by_tau = t48*t50;
+    const double t38 = 2*cosine_part_tau2;
+    const double t39 = 2*sine_part_tau2;
+    const double t40 = sine_part_tau2_by_tau*t39 + t38*v2_3_by_tau;
+    const double t41 = (1.0/(amplitude_tau2));
+    const double t42 = (1.0/2.0)*t41;
+    const double amplitude_tau2_by_tau = t40*t42;
     /* d/dtau1 of: first return of tau2 */
-    const double t51 = sine_part_tau2_by_tau1*t47 + t46*v2_3_by_tau1;
-    const double amplitude_tau2_by_tau1 = t50*t51;
+    const double t43 = sine_part_tau2_by_tau1*t39 + t38*v2_3_by_tau1;
+    const double amplitude_tau2_by_tau1 = t42*t43;
     /* trace */
-    const double t53 = (1.0/(z2_1_by_tau));
-    const double t52 = (1.0/(v1_3_by_tau1));
-    const double t54 = (1.0/(omega3));
-    const double t55 = t4*t54;
-    const double t60 = amplitude_tau2_by_tau1*v1_3_by_tau;
-    const double t62 = amplitude_tau2_by_tau*t55 - t52*t55*t60;
+    const double t44 = (1.0/(z2_1_by_tau));
+    const double t45 = (1.0/(omega3));
+    const double t46 = t2*t45;
+    const double t47 = (1.0/(v1_3_by_tau1));
+    const double t48 = amplitude_tau2_by_tau1*v1_3_by_tau;
+    const double t49 = t47*t48;
+    const double t50 = amplitude_tau2_by_tau*t2*t45 - t46*t49;
     if (trace) {
-        trace[lane] = t53*t62;
+        trace[lane] = t44*t50;
     }
     if (!trace_gradient)
         return;
@@ -2160,126 +2156,129 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
     const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: d/dtau1 of: first return of tau2 */
-    const double t56 = t53*t55;
-    const double t57 = t52*t56;
-    const double slope_by_amplitude_tau2_by_tau1 = -t57*v1_3_by_tau;
+    const double t51 = t44*t46;
+    const double t52 = t47*t51;
+    const double slope_by_amplitude_tau2_by_tau1 = -t52*v1_3_by_tau;
     /* back through: d/dtau of: first return of tau2 */
-    const double slope_by_amplitude_tau2_by_tau = t56;
+    const double slope_by_amplitude_tau2_by_tau = t51;
     /* back through: d/dtau1 of: first return of tau2 */
-    const double t58 = sine_part_tau2*t49;
-    const double slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t58;
+    const double t53 = sine_part_tau2*t41;
+    const double slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t53;
     /* back through: d/dtau of: first return of tau2 */
-    const double slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t58;
+    const double slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t53;
     /* back through: d/dtau1 of: slip-slip for tau1 */
-    const double t59 = cosine_part_tau2*t49;
-    const double slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t59;
-    const double slope_by_v1_3_by_tau1 = t56*t60/(v1_3_by_tau1*v1_3_by_tau1);
+    const double t54 = cosine_part_tau2*t41;
+    const double slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t54;
+    const double slope_by_v1_3_by_tau1 = t48*t51/(v1_3_by_tau1*v1_3_by_tau1);
     /* back through: d/dtau of: slip-slip for tau1 */
-    const double slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t59;
-    const double slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t57;
-    const double t61 = omega3*slope_by_sine_part_tau2_by_tau;
-    const double slope_by_z2_3_by_tau = -t61;
-    const double slope_by_z1_3_by_tau = t61;
+    const double slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t54;
+    const double slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t52;
+    const double t55 = omega3*slope_by_sine_part_tau2_by_tau;
+    const double slope_by_z2_3_by_tau = -t55;
+    const double slope_by_z1_3_by_tau = t55;
     /* back through: d/dtau of: slip-stick for tau */
-    const double slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t25 + slope_by_v2_3_by_tau*t29 + slope_by_z1_3_by_tau*t24 + slope_by_z2_3_by_tau*t28;
-    const double slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t35 + slope_by_v2_3_by_tau*t37 + slope_by_z1_3_by_tau*t26 + slope_by_z2_3_by_tau*t30;
-    const double slope_by_z1_2_by_tau = slope_by_v1_3_by_tau*t34 + slope_by_v2_3_by_tau*t36 + slope_by_z1_3_by_tau*t25 + slope_by_z2_3_by_tau*t29;
+    const double slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t14 + slope_by_v2_3_by_tau*t22 + slope_by_z1_3_by_tau*t20 + slope_by_z2_3_by_tau*t24;
+    const double slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t29 + slope_by_v2_3_by_tau*t31 + slope_by_z1_3_by_tau*t15 + slope_by_z2_3_by_tau*t23;
+    const double slope_by_z1_2_by_tau = slope_by_v1_3_by_tau*t28 + slope_by_v2_3_by_tau*t30 + slope_by_z1_3_by_tau*t14 + slope_by_z2_3_by_tau*t22;
     /* back through: d/dtau of: z2_1: linear in second-breaks-forward */
-    const double slope_by_z2_1_by_tau = chi*slope_by_z1_2_by_tau + slope_by_z2_2_by_tau - t62/(z2_1_by_tau*z2_1_by_tau);
+    const double slope_by_z2_1_by_tau = chi*slope_by_z1_2_by_tau + slope_by_z2_2_by_tau - t50/(z2_1_by_tau*z2_1_by_tau);
     /* back through: d/dtau of: functions of tau in slip-stick */
-    const double slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t42;
-    const double slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t42 - slope_by_z2_1_by_tau*t5;
+    const double slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t35;
+    const double slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t35 - slope_by_z2_1_by_tau*t3;
     /* back through: first return of tau2 */
-    const double t63 = (1.0/2.0)/(amplitude_tau2*amplitude_tau2);
-    const double slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t48*t63 - slope_by_amplitude_tau2_by_tau1*t51*t63;
+    const double t56 = (1.0/2.0)/(amplitude_tau2*amplitude_tau2);
+    const double slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t40*t56 - slope_by_amplitude_tau2_by_tau1*t43*t56;
     /* back through: first return of tau2 */
-    const double t64 = slope_by_amplitude_tau2_by_tau*t49;
-    const double t65 = slope_by_amplitude_tau2_by_tau1*t49;
-    const double slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t64 + sine_part_tau2_by_tau1*t65 + slope_by_amplitude_tau2*t58;
-    const double slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t59 + t64*v2_3_by_tau + t65*v2_3_by_tau1;
+    const double t57 = slope_by_amplitude_tau2_by_tau*t41;
+    const double t58 = slope_by_amplitude_tau2_by_tau1*t41;
+    const double slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t57 + sine_part_tau2_by_tau1*t58 + slope_by_amplitude_tau2*t53;
+    const double slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t54 + t57*v2_3_by_tau + t58*v2_3_by_tau1;
     /* back through: slip-slip for tau1 */
-    const double t67 = omega3*slope_by_sine_part_tau2_by_tau1;
-    const double slope_by_v2_3 = slope_by_cosine_part_tau2 - t67;
-    const double slope_by_v1_3 = t67;
-    const double t68 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2;
-    const double slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t68;
-    const double slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t68;
+    const double t59 = omega3*slope_by_sine_part_tau2_by_tau1;
+    const double slope_by_v2_3 = slope_by_cosine_part_tau2 - t59;
+    const double slope_by_v1_3 = t59;
+    const double t60 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2;
+    const double slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t60;
+    const double slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t60;
     /* back through: functions of tau1 in slip-slip */
-    const double t69 = p2*z2_2;
-    const double t70 = t21*z1_2;
-    const double t71 = p2*z2_2_by_tau;
-    const double t72 = t21*z1_2_by_tau;
-    const double t73 = p1*z2_2;
-    const double t74 = p1*z2_2_by_tau;
-    const double t75 = V*p2;
-    const double t76 = V*p1;
-    const double t77 = p3*v1_2;
-    const double t78 = slope_by_z1_3_by_tau*v1_2_by_tau;
-    const double t79 = t21*t78;
-    const double t80 = p3*v1_2_by_tau;
-    const double t81 = slope_by_z2_3_by_tau*t80;
-    const double slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t69 - omega2*t70) + slope_by_v1_3_by_tau*(omega2*t71 - omega2*t72) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t73) + slope_by_v2_3_by_tau*(omega2*p3*z1_2_by_tau - omega2*t74) + slope_by_z1_3*(t21*t22*v1_2 - t22*t75) + slope_by_z2_3*(t22*t76 - t22*t77) + t22*t79 - t22*t81;
-    const double t82 = p3*z1_2;
-    const double t83 = p3*z1_2_by_tau;
-    const double t84 = slope_by_v1_3_by_tau*v1_2_by_tau;
-    const double t85 = slope_by_v2_3_by_tau*t80;
-    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t21*v1_2 - t75) + slope_by_v2_3*(t76 - t77) + slope_by_z1_3*(t21*z1_2 - t69) + slope_by_z1_3_by_tau*(t21*z1_2_by_tau - t71) + slope_by_z2_3*(t73 - t82) + slope_by_z2_3_by_tau*(t74 - t83) + t21*t84 - t85;
-    const double t86 = p1*z1_2;
-    const double t87 = p1*z1_2_by_tau;
-    const double t88 = t21*z2_2;
-    const double t89 = t21*z2_2_by_tau;
-    const double t90 = p1*v1_2;
-    const double t91 = V*t21;
-    const double t92 = p1*t78;
-    const double slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t69 - omega1*t86) + slope_by_v1_3_by_tau*(-omega1*t71 - omega1*t87) + slope_by_v2_3*(-omega1*t82 - omega1*t88) + slope_by_v2_3_by_tau*(-omega1*t83 - omega1*t89) + slope_by_z1_3*(t19*t75 + t19*t90) + slope_by_z2_3*(t19*t77 + t19*t91) + t19*t81 + t19*t92;
-    const double slope_by_cos_omega1_tau1 = p1*t84 + slope_by_v1_3*(t75 + t90) + slope_by_v2_3*(t77 + t91) + slope_by_z1_3*(t69 + t86) + slope_by_z1_3_by_tau*(t71 + t87) + slope_by_z2_3*(t82 + t88) + slope_by_z2_3_by_tau*(t83 + t89) + t85;
+    const double t61 = p3*z1_2_by_tau;
+    const double t62 = p1*z2_2_by_tau;
+    const double t63 = p2*z2_2_by_tau;
+    const double t64 = t13*z1_2_by_tau;
+    const double t65 = p3*z1_2;
+    const double t66 = p1*z2_2;
+    const double t67 = p2*z2_2;
+    const double t68 = t13*z1_2;
+    const double t69 = V*p1;
+    const double t70 = p3*v1_2;
+    const double t71 = V*p2;
+    const double t72 = slope_by_z1_3_by_tau*v1_2_by_tau;
+    const double t73 = t13*t72;
+    const double t74 = p3*v1_2_by_tau;
+    const double t75 = slope_by_z2_3_by_tau*t74;
+    const double slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t67 - omega2*t68) + slope_by_v1_3_by_tau*(omega2*t63 - omega2*t64) + slope_by_v2_3*(omega2*t65 - omega2*t66) + slope_by_v2_3_by_tau*(omega2*t61 - omega2*t62) + slope_by_z1_3*(t13*t18*v1_2 - t18*t71) + slope_by_z2_3*(t18*t69 - t18*t70) + t18*t73 - t18*t75;
+    const double t76 = slope_by_v1_3_by_tau*v1_2_by_tau;
+    const double t77 = slope_by_v2_3_by_tau*t74;
+    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t71) + slope_by_v2_3*(t69 - t70) + slope_by_z1_3*(t13*z1_2 - t67) + slope_by_z1_3_by_tau*(t13*z1_2_by_tau - t63) + slope_by_z2_3*(p1*z2_2 - t65) + slope_by_z2_3_by_tau*(p1*z2_2_by_tau - t61) + t13*t76 - t77;
+    const double t78 = t13*z2_2_by_tau;
+    const double t79 = p1*z1_2_by_tau;
+    const double t80 = t13*z2_2;
+    const double t81 = p1*z1_2;
+    const double t82 = V*t13;
+    const double t83 = p1*v1_2;
+    const double t84 = p1*t72;
+    const double slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t67 - omega1*t81) + slope_by_v1_3_by_tau*(-omega1*t63 - omega1*t79) + slope_by_v2_3*(-omega1*t65 - omega1*t80) + slope_by_v2_3_by_tau*(-omega1*t61 - omega1*t78) + slope_by_z1_3*(t16*t71 + t16*t83) + slope_by_z2_3*(t16*t70 + t16*t82) + t16*t75 + t16*t84;
+    const double slope_by_cos_omega1_tau1 = p1*t76 + slope_by_v1_3*(t71 + t83) + slope_by_v2_3*(t70 + t82) + slope_by_z1_3*(t67 + t81) + slope_by_z1_3_by_tau*(t63 + t79) + slope_by_z2_3*(t65 + t80) + slope_by_z2_3_by_tau*(t61 + t78) + t77;
     /* back through: slip-stick for tau */
-    const double slope_by_v1_2 = slope_by_v1_3*t25 + slope_by_v2_3*t29 + slope_by_z1_3*t24 + slope_by_z2_3*t28;
-    const double slope_by_z2_2 = slope_by_v1_3*t35 + slope_by_v2_3*t37 + slope_by_z1_3*t26 + slope_by_z2_3*t30;
-    const double slope_by_z1_2 = slope_by_v1_3*t34 + slope_by_v2_3*t36 + slope_by_z1_3*t25 + slope_by_z2_3*t29;
+    const double slope_by_v1_2 = slope_by_v1_3*t14 + slope_by_v2_3*t22 + slope_by_z1_3*t20 + slope_by_z2_3*t24;
+    const double slope_by_z2_2 = slope_by_v1_3*t29 + slope_by_v2_3*t31 + slope_by_z1_3*t15 + slope_by_z2_3*t23;
+    const double slope_by_z1_2 = slope_by_v1_3*t28 + slope_by_v2_3*t30 + slope_by_z1_3*t14 + slope_by_z2_3*t22;
     /* back through: z2_1: linear in second-breaks-forward */
     const double slope_by_z2_1 = chi*slope_by_z1_2 + slope_by_z2_2;
     /* back through: functions of tau in slip-stick */
-    const double t93 = V*slope_by_z2_1;
-    const double slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t42 + t93;
-    const double slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t42 - slope_by_z2_1*t5;
+    const double t85 = V*slope_by_z2_1;
+    const double slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t35 + t85;
+    const double slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t35 - slope_by_z2_1*t3;
     /* trace_gradient */
-    const double t94 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
-    const double t95 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
-    const double t96 = sin_omega1_tau1/(omega1*omega1);
-    const double t97 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_v1_3*(-sin_omega1_tau1*t69 - sin_omega1_tau1*t86) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t71 - sin_omega1_tau1*t87) + slope_by_v2_3*(-sin_omega1_tau1*t82 - sin_omega1_tau1*t88) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t83 - sin_omega1_tau1*t89) + slope_by_z1_3*(-t75*t96 - t90*t96) + slope_by_z2_3*(-t77*t96 - t91*t96) - t81*t96 - t92*t96 - t95*tau1;
-    const double t98 = (1.0/(omega2*omega2));
-    const double t99 = sin_omega2_tau1*t98;
-    const double t100 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_v1_3*(sin_omega2_tau1*t69 - sin_omega2_tau1*t70) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t71 - sin_omega2_tau1*t72) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t73) + slope_by_v2_3_by_tau*(p3*sin_omega2_tau1*z1_2_by_tau - sin_omega2_tau1*t74) + slope_by_z1_3*(-t21*t99*v1_2 + t75*t99) + slope_by_z2_3*(p3*sin_omega2_tau1*t98*v1_2 - t76*t99) - t79*t99 + t81*t99 - t94*tau1;
-    const double t101 = (1.0/(omega3*omega3));
-    const double t102 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t53*(-amplitude_tau2_by_tau*t101*t4 + amplitude_tau2_by_tau1*t101*t4*t52*v1_3_by_tau);
-    const double t103 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t104 = -omega2*sin_omega2_tau1 + t33;
-    const double t106 = t103*v1_2 - t104*z1_2;
-    const double t107 = t103*v1_2_by_tau - t104*z1_2_by_tau;
-    const double t109 = -sin_omega1_tau1*t19 + t23;
-    const double t111 = t103*z1_2 - t109*v1_2;
-    const double t112 = t103*z1_2_by_tau - t109*v1_2_by_tau;
-    const double t113 = slope_by_v1_3*t106 + slope_by_v1_3_by_tau*t107 + slope_by_v2_3*(-V*t103 + t104*z2_2) + slope_by_v2_3_by_tau*t104*z2_2_by_tau + slope_by_z1_3*t111 + slope_by_z1_3_by_tau*t112 + slope_by_z2_3*(V*t109 - t103*z2_2) - slope_by_z2_3_by_tau*t103*z2_2_by_tau;
-    const double t114 = slope_by_v1_3*(V*t103 - t104*z2_2) - slope_by_v1_3_by_tau*t104*z2_2_by_tau + slope_by_z1_3*(-V*t109 + t103*z2_2) + slope_by_z1_3_by_tau*t103*z2_2_by_tau;
-    const double t115 = slope_by_v2_3*t106 + slope_by_v2_3_by_tau*t107 + slope_by_z2_3*t111 + slope_by_z2_3_by_tau*t112;
-    const double t116 = 1 - cos_tau;
-    const double t117 = sin_tau - tau;
-    const double t118 = (1.0/(t3*t3));
-    const double t119 = cos_tau_by_tau*slope_by_v1_2_by_tau;
-    const double t121 = slope_by_z2_1*t4;
+    const double t86 = cos_omega2_tau1*slope_by_sin_omega2_tau1;
+    const double t87 = cos_omega1_tau1*slope_by_sin_omega1_tau1;
+    const double t88 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
+    const double t89 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
+    const double t90 = t2/(omega3*omega3);
+    const double t91 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t44*(-amplitude_tau2_by_tau*t90 + t49*t90);
+    const double t92 = -t26 + t27;
+    const double t93 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t94 = t92*z1_2_by_tau + t93*v1_2_by_tau;
+    const double t95 = t17 - t19;
+    const double t96 = t93*z1_2_by_tau + t95*v1_2_by_tau;
+    const double t97 = t92*z1_2 + t93*v1_2;
+    const double t98 = t93*z1_2 + t95*v1_2;
+    const double t99 = slope_by_v2_3*t97 + slope_by_v2_3_by_tau*t94 + slope_by_z2_3*t98 + slope_by_z2_3_by_tau*t96;
+    const double t100 = slope_by_v1_3*(V*t93 + t92*z2_2) + slope_by_v1_3_by_tau*t92*z2_2_by_tau + slope_by_z1_3*(V*t95 + t93*z2_2) + slope_by_z1_3_by_tau*t93*z2_2_by_tau;
+    const double t101 = slope_by_v1_3*t97 + slope_by_v1_3_by_tau*t94 + slope_by_v2_3*(-V*t93 - t92*z2_2) - slope_by_v2_3_by_tau*t92*z2_2_by_tau + slope_by_z1_3*t98 + slope_by_z1_3_by_tau*t96 + slope_by_z2_3*(-V*t95 - t93*z2_2) - slope_by_z2_3_by_tau*t93*z2_2_by_tau;
+    const double t102 = (1.0/(omega2*omega2));
+    const double t103 = sin_omega2_tau1*t102;
+    const double t104 = slope_by_v1_3*(sin_omega2_tau1*t67 - sin_omega2_tau1*t68) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t63 - sin_omega2_tau1*t64) + slope_by_v2_3*(sin_omega2_tau1*t65 - sin_omega2_tau1*t66) + slope_by_v2_3_by_tau*(sin_omega2_tau1*t61 - sin_omega2_tau1*t62) + slope_by_z1_3*(-t103*t13*v1_2 + t103*t71) + slope_by_z2_3*(p3*sin_omega2_tau1*t102*v1_2 - t103*t69) - t103*t73 + t103*t75 + t86*tau1 - t88*tau1;
+    const double t105 = sin_omega1_tau1/(omega1*omega1);
+    const double t106 = slope_by_v1_3*(-sin_omega1_tau1*t67 - sin_omega1_tau1*t81) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t63 - sin_omega1_tau1*t79) + slope_by_v2_3*(-sin_omega1_tau1*t65 - sin_omega1_tau1*t80) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t61 - sin_omega1_tau1*t78) + slope_by_z1_3*(-t105*t71 - t105*t83) + slope_by_z2_3*(-t105*t70 - t105*t82) - t105*t75 - t105*t84 + t87*tau1 - t89*tau1;
+    const double t107 = 1 - cos_tau;
+    const double t108 = -sin_tau + tau;
+    const double t109 = (1.0/(t1*t1));
+    const double t110 = t109*t45;
+    const double t111 = cos_tau_by_tau*slope_by_v1_2_by_tau;
+    const double t112 = slope_by_z2_1*t2;
     if (trace_gradient) {
         trace_gradient[lane] = 0;
         trace_gradient[1*lanes + lane] = 0;
         trace_gradient[2*lanes + lane] = 0;
-        trace_gradient[3*lanes + lane] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t93;
-        trace_gradient[4*lanes + lane] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t95 - omega2*t94;
+        trace_gradient[3*lanes + lane] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t85;
+        trace_gradient[4*lanes + lane] = omega1*t87 - omega1*t89 + omega2*t86 - omega2*t88;
         trace_gradient[5*lanes + lane] = 0;
-        trace_gradient[6*lanes + lane] = V*slope_by_v1_2*t116 - V*t119 + omega1_by_chi*t97 + omega2_by_chi*t100 + omega3_by_chi*t102 + p1_by_chi*t113 + p2_by_chi*t114 + p3_by_chi*t115 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t45) + slope_by_z1_2*(-V*t117 + cos_tau*z2_1 + t116*z2_1) + slope_by_z1_2_by_tau*(t39 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t118 + t118*t7 + e2*t4/(chi*chi)) + slope_by_z2_1_by_tau*t118*t40 + t53*(-amplitude_tau2_by_tau*t118*t54 + amplitude_tau2_by_tau1*t118*t52*t54*v1_3_by_tau);
-        trace_gradient[7*lanes + lane] = omega1_by_eta*t97 + omega2_by_eta*t100 + omega3_by_eta*t102 + p1_by_eta*t113 + p2_by_eta*t114 + p3_by_eta*t115 + slope_by_v2_3_by_tau1*(chi*z1_3 - t44);
-        trace_gradient[8*lanes + lane] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t10) + slope_by_v1_3*t26 + slope_by_v2_3*t30 + slope_by_z1_2*(chi*tau + sin_tau - t12) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t3) + slope_by_z1_3*t27 + slope_by_z2_1*t117 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t31 - t119*t3;
-        trace_gradient[9*lanes + lane] = cos_tau*slope_by_z1_2 - cos_tau*t121 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t4 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau;
-        trace_gradient[10*lanes + lane] = -t121*t6;
+        trace_gradient[6*lanes + lane] = V*slope_by_v1_2*t107 - V*t111 + omega1_by_chi*t106 + omega2_by_chi*t104 + omega3_by_chi*t91 + p1_by_chi*t101 + p2_by_chi*t100 + p3_by_chi*t99 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t37) + slope_by_z1_2*(V*t108 + cos_tau*z2_1 + t107*z2_1) + slope_by_z1_2_by_tau*(t32 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t109 + t109*t5 + e2*t2/(chi*chi)) + slope_by_z2_1_by_tau*t109*t33 + t44*(-amplitude_tau2_by_tau*t110 + t110*t49);
+        trace_gradient[7*lanes + lane] = omega1_by_eta*t106 + omega2_by_eta*t104 + omega3_by_eta*t91 + p1_by_eta*t101 + p2_by_eta*t100 + p3_by_eta*t99 + slope_by_v2_3_by_tau1*(chi*z1_3 - t36);
+        trace_gradient[8*lanes + lane] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t8) + slope_by_v1_3*t15 + slope_by_v2_3*t23 + slope_by_z1_2*(sin_tau + t10) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t1) + slope_by_z1_3*t21 - slope_by_z2_1*t108 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t25 - t1*t111;
+        trace_gradient[9*lanes + lane] = cos_tau*slope_by_z1_2 - cos_tau*t112 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t2 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau;
+        trace_gradient[10*lanes + lane] = -t112*t4;
     }
 }
 
@@ -2293,7 +2292,7 @@ void dry_friction_global_stick_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Operations: 190. Intermediate terms: 51. */
+ * Operations: 185. Intermediate terms: 52. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_passage(
     const double parameters[5], const double spectrum[7], const double unknowns[6], double *states,
@@ -2336,16 +2335,16 @@ void dry_friction_global_stick_passage(
     const double cos_omega2_tau1 = cos(t4);
     const double sin_omega2_tau1 = sin(t4);
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t5 = (1.0/(omega1));
-    const double t6 = sin_omega1_tau1*t5;
-    const double t7 = 1 - p1;
-    const double t8 = sin_omega2_tau1/omega2;
-    const double z1_3 = V*(p2*sin_omega1_tau1*t5 - p2*t8) + v1_2*(p1*t6 + t7*t8) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t7) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
-    const double t9 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t10 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
-    const double z2_3 = V*(p1*t8 + t6*t7) + t10*z2_2 + t9*z1_2 + v1_2*(p3*sin_omega1_tau1*t5 - p3*t8);
+    const double t5 = 1 - p1;
+    const double t6 = sin_omega1_tau1/omega1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*t6 - p2*t7) + v1_2*(p1*t6 + t5*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t5) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t9 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*t6 - p3*t7);
+    const double t10 = omega2*sin_omega2_tau1;
     const double t11 = omega1*sin_omega1_tau1;
-    const double v2_3 = V*t10 + t9*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t11) + z2_2*(-omega2*p1*sin_omega2_tau1 - t11*t7);
+    const double v2_3 = V*t9 + t8*v1_2 + z1_2*(p3*t10 - p3*t11) + z2_2*(-p1*t10 - t11*t5);
     /* functions of tau2 in stick-slip */
     const double t12 = omega3*tau2;
     const double cos_omega3_tau2 = cos(t12);
@@ -2381,64 +2380,65 @@ void dry_friction_global_stick_passage(
         return;
     /* coefficients */
     const double t15 = chi*z20;
-    const double t17 = V*chi;
-    const double t18 = -V + t17;
-    const double t21 = chi*z10;
-    const double t22 = chi*z2_1;
-    const double t23 = t22 - z1_1;
-    const double t24 = (chi*chi);
-    const double t25 = t24*z2_1;
-    const double t26 = V*t24 - t17;
-    const double t27 = -chi*t23;
-    const double t28 = -chi*t18;
-    const double t29 = V*p2;
-    const double t30 = omega1*z1_2;
-    const double t31 = p2*z2_2;
-    const double t32 = p3*v1_2;
-    const double t33 = chi*z1_3;
-    const double t34 = chi*(-z1_3 + z2_3);
-    const double t35 = chi*(-V*t13 + t13*v2_3);
+    const double t16 = V*chi;
+    const double t17 = -V + t16;
+    const double t18 = chi*z10;
+    const double t19 = chi*z2_1;
+    const double t20 = t19 - z1_1;
+    const double t21 = (chi*chi);
+    const double t22 = t21*z2_1;
+    const double t23 = V*t21 - t16;
+    const double t24 = -chi*t20;
+    const double t25 = -chi*t17;
+    const double t26 = V*p2;
+    const double t27 = p2*z2_2;
+    const double t28 = omega1*z1_2;
+    const double t29 = omega2*z1_2;
+    const double t30 = p3*v1_2;
+    const double t31 = chi*z1_3;
+    const double t32 = chi*(-z1_3 + z2_3);
+    const double t33 = chi*(-V*t13 + t13*v2_3);
     if (coefficients) {
         coefficients[0] = -e1 - t15 + z10;
-        coefficients[1] = -t18;
+        coefficients[1] = -t17;
         coefficients[2] = -e1 + t15 - z10;
-        coefficients[3] = t18;
-        coefficients[4] = -e2 + t15 - t21;
+        coefficients[3] = t17;
+        coefficients[4] = -e2 + t15 - t18;
         coefficients[5] = 0;
-        coefficients[6] = -e2 - t15 + t21;
+        coefficients[6] = -e2 - t15 + t18;
         coefficients[7] = 0;
-        coefficients[8] = t18;
+        coefficients[8] = t17;
         coefficients[9] = 0;
-        coefficients[10] = -t18;
-        coefficients[11] = t23;
-        coefficients[12] = -e2 + t22 - t25;
-        coefficients[13] = -t26;
-        coefficients[14] = -t27;
-        coefficients[15] = -t28;
-        coefficients[16] = -e2 - t22 + t25;
-        coefficients[17] = t26;
-        coefficients[18] = t27;
-        coefficients[19] = t28;
+        coefficients[10] = -t17;
+        coefficients[11] = t20;
+        coefficients[12] = -e2 + t19 - t22;
+        coefficients[13] = -t23;
+        coefficients[14] = -t24;
+        coefficients[15] = -t25;
+        coefficients[16] = -e2 - t19 + t22;
+        coefficients[17] = t23;
+        coefficients[18] = t24;
+        coefficients[19] = t25;
         coefficients[20] = -V;
         coefficients[21] = 0;
-        coefficients[22] = p1*v1_2 + t29;
-        coefficients[23] = -t29 + t7*v1_2;
-        coefficients[24] = -omega1*t31 - p1*t30;
-        coefficients[25] = omega2*t31 - omega2*t7*z1_2;
+        coefficients[22] = p1*v1_2 + t26;
+        coefficients[23] = -t26 + t5*v1_2;
+        coefficients[24] = -omega1*t27 - p1*t28;
+        coefficients[25] = omega2*t27 - t29*t5;
         coefficients[26] = -V;
         coefficients[27] = 0;
-        coefficients[28] = V*t7 + t32;
-        coefficients[29] = V*p1 - t32;
-        coefficients[30] = -omega1*t7*z2_2 - p3*t30;
-        coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
-        coefficients[32] = -e1 - t33 + z1_3;
-        coefficients[33] = -t18;
-        coefficients[34] = -t34;
-        coefficients[35] = -t35;
-        coefficients[36] = -e1 + t33 - z1_3;
-        coefficients[37] = t18;
-        coefficients[38] = t34;
-        coefficients[39] = t35;
+        coefficients[28] = V*t5 + t30;
+        coefficients[29] = V*p1 - t30;
+        coefficients[30] = -omega1*t5*z2_2 - p3*t28;
+        coefficients[31] = -omega2*p1*z2_2 + p3*t29;
+        coefficients[32] = -e1 - t31 + z1_3;
+        coefficients[33] = -t17;
+        coefficients[34] = -t32;
+        coefficients[35] = -t33;
+        coefficients[36] = -e1 + t31 - z1_3;
+        coefficients[37] = t17;
+        coefficients[38] = t32;
+        coefficients[39] = t33;
         coefficients[40] = 0;
         coefficients[41] = 0;
         coefficients[42] = -V + v2_3;
@@ -2455,7 +2455,7 @@ void dry_friction_global_stick_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 508. Intermediate terms: 185. */
+ * Operations: 499. Intermediate terms: 184. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
@@ -2487,65 +2487,64 @@ void dry_friction_global_stick_linearisation(
     const double t1 = chi*cos_tau;
     const double t2 = chi - t1;
     const double t3 = chi*sin_tau;
-    const double z1_2 = V*sin_tau + V*(chi*tau - t3) + cos_tau*z1_1 + t2*z2_1;
+    const double t4 = chi*tau - t3;
+    const double z1_2 = V*sin_tau + V*t4 + cos_tau*z1_1 + t2*z2_1;
     const double z2_2 = V*tau + z2_1;
     const double v1_2 = V*cos_tau + V*t2 - sin_tau*z1_1 + t3*z2_1;
     /* functions of tau1 in slip-slip */
-    const double t4 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t4);
-    const double sin_omega1_tau1 = sin(t4);
-    const double t5 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t5);
-    const double sin_omega2_tau1 = sin(t5);
+    const double t5 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t5);
+    const double sin_omega1_tau1 = sin(t5);
+    const double t6 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t6);
+    const double sin_omega2_tau1 = sin(t6);
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t6 = (1.0/(omega1));
-    const double t7 = sin_omega1_tau1*t6;
-    const double t8 = 1 - p1;
-    const double t9 = sin_omega2_tau1/omega2;
-    const double t10 = p1*t7 + t8*t9;
-    const double t11 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
-    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t13 = p2*sin_omega1_tau1*t6 - p2*t9;
-    const double z1_3 = V*t13 + t10*v1_2 + t11*z1_2 + t12*z2_2;
-    const double t14 = p3*sin_omega1_tau1*t6 - p3*t9;
-    const double t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
-    const double t17 = p1*t9 + t7*t8;
-    const double z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2;
-    const double t18 = omega2*sin_omega2_tau1;
-    const double t19 = omega1*sin_omega1_tau1;
-    const double t20 = -p1*t19 - t18*t8;
-    const double t21 = p2*t19;
-    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
-    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
-    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
-    const double t24 = p1*t18;
-    const double t25 = t19*t8;
-    const double t26 = -t24 - t25;
-    const double v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t26*z2_2;
+    const double t7 = 1 - p1;
+    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t10 = sin_omega1_tau1/omega1;
+    const double t11 = sin_omega2_tau1/omega2;
+    const double t12 = p1*t10 + t11*t7;
+    const double t13 = p2*t10 - p2*t11;
+    const double z1_3 = V*t13 + t12*v1_2 + t8*z1_2 + t9*z2_2;
+    const double t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t15 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
+    const double t16 = p3*t10 - p3*t11;
+    const double t17 = p1*t11 + t10*t7;
+    const double z2_3 = V*t17 + t14*z1_2 + t15*z2_2 + t16*v1_2;
+    const double t18 = omega1*sin_omega1_tau1;
+    const double t19 = omega2*sin_omega2_tau1;
+    const double t20 = -p1*t18 - t19*t7;
+    const double t21 = -p2*t18 + p2*t19;
+    const double v1_3 = V*t9 + t20*z1_2 + t21*z2_2 + t8*v1_2;
+    const double t22 = -p3*t18 + p3*t19;
+    const double t23 = p1*t19;
+    const double t24 = t18*t7;
+    const double t25 = -t23 - t24;
+    const double v2_3 = V*t15 + t14*v1_2 + t22*z1_2 + t25*z2_2;
     /* functions of tau2 in stick-slip */
-    const double t27 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t27);
-    const double sin_omega3_tau2 = sin(t27);
+    const double t26 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t26);
+    const double sin_omega3_tau2 = sin(t26);
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t28 = 1 - cos_omega3_tau2;
-    const double t29 = sin_omega3_tau2/omega3;
-    const double z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3;
-    const double t30 = omega3*sin_omega3_tau2;
-    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3;
+    const double t27 = 1 - cos_omega3_tau2;
+    const double t28 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t28 + tau2) + cos_omega3_tau2*z2_3 + t27*z1_3 + t28*v2_3;
+    const double t29 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t27 + cos_omega3_tau2*v2_3 + t29*z1_3 - t29*z2_3;
     /* rate of the exit boundary after ta */
-    const double t31 = V*chi;
-    const double rate_1 = V - t31;
+    const double t30 = V*chi;
+    const double rate_1 = V - t30;
     /* derivatives of the time to the boundary after ta */
-    const double t33 = (1.0/(rate_1));
-    const double delay_ta_by_z10 = -t33;
-    const double delay_ta_by_z20 = chi*t33;
+    const double t31 = (1.0/(rate_1));
+    const double delay_ta_by_z10 = -t31;
+    const double delay_ta_by_z20 = chi*t31;
     /* perturbation on the boundary after ta */
-    const double t34 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t34 + 1;
+    const double t32 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t32 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t34;
+    const double z2_1_on_boundary_by_z10 = t32;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
     const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
@@ -2553,56 +2552,56 @@ void dry_friction_global_stick_linearisation(
     const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10;
     const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
-    const double rate_2 = -chi*v1_2 + t31;
+    const double rate_2 = -chi*v1_2 + t30;
     /* derivatives of the time to the boundary after tau */
-    const double t37 = (1.0/(rate_2));
-    const double delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double t33 = (1.0/(rate_2));
+    const double delay_tau_by_z10 = t33*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t38 = chi*z2_2;
-    const double t39 = t38 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39;
+    const double t34 = chi*z2_2;
+    const double t35 = t34 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t35;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t35;
     /* Phi along tau1 */
-    const double carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10;
-    const double carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20;
-    const double carried_z2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10;
-    const double carried_z2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20;
-    const double carried_v1_3_by_z10 = t11*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10;
-    const double carried_v1_3_by_z20 = t11*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20;
-    const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10;
-    const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
+    const double carried_z1_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t8*z1_2_on_boundary_by_z10 + t9*z2_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t8*z1_2_on_boundary_by_z20 + t9*z2_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t14*z1_2_on_boundary_by_z10 + t15*z2_2_on_boundary_by_z10 + t16*v1_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t14*z1_2_on_boundary_by_z20 + t15*z2_2_on_boundary_by_z20 + t16*v1_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t25*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t25*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t40 = chi*z2_3;
-    const double rate_3 = t40 - z1_3;
+    const double t36 = chi*z2_3;
+    const double rate_3 = t36 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t42 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t42;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t42;
+    const double t37 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t37;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t37;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t43 = chi*eta;
-    const double t44 = -eta*t40 + t43*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44;
+    const double t38 = chi*eta;
+    const double t39 = -eta*t36 + t38*z1_3;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t39;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t39;
     /* Phi along tau2 */
-    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10;
-    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 + t28*v2_3_on_boundary_by_z10;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t29*z1_3_on_boundary_by_z10 - t29*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t29*z1_3_on_boundary_by_z20 - t29*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
-    const double rate_4 = t43*z1_4 - t43*z2_4;
+    const double rate_4 = t38*z1_4 - t38*z2_4;
     /* derivatives of the time to the boundary after tau2 */
-    const double t46 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t46;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t46;
+    const double t40 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t40;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t40;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
@@ -2619,25 +2618,25 @@ void dry_friction_global_stick_linearisation(
     /* vector fields at transition 1 */
     const double behind_v1_1 = chi*z2_1 - z1_1;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t39;
-    const double behind_v1_2 = t39;
-    const double behind_v2_2 = -eta*t38 + t43*z1_2;
+    const double before_v1_2 = t35;
+    const double behind_v1_2 = t35;
+    const double behind_v2_2 = -eta*t34 + t38*z1_2;
     /* vector fields at transition 3 */
     const double before_v1_3 = rate_3;
-    const double before_v2_3 = t44;
-    const double behind_v2_3 = t44;
+    const double before_v2_3 = t39;
+    const double behind_v2_3 = t39;
     /* vector fields at transition 4 */
     const double before_v2_4 = rate_4;
     /* saltations */
-    const double t47 = behind_v1_1/rate_1;
-    const double t48 = chi*t47;
-    const double t51 = chi/rate_2;
-    const double t52 = t51*(-before_v1_2 + behind_v1_2);
-    const double t53 = behind_v2_2*t51;
-    const double t55 = (1.0/(before_v1_3));
-    const double t56 = t55*(V - v1_3);
-    const double t57 = t55*(-before_v2_3 + behind_v2_3);
-    const double t58 = (V - v2_4)/before_v2_4;
+    const double t41 = behind_v1_1/rate_1;
+    const double t42 = chi*t41;
+    const double t43 = chi/rate_2;
+    const double t44 = t43*(-before_v1_2 + behind_v1_2);
+    const double t45 = behind_v2_2*t43;
+    const double t46 = (1.0/(before_v1_3));
+    const double t47 = t46*(V - v1_3);
+    const double t48 = t46*(-before_v2_3 + behind_v2_3);
+    const double t49 = (V - v2_4)/before_v2_4;
     if (saltations) {
         static const unsigned char nonsmooth_saltations_places[] = {
             0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
@@ -2647,85 +2646,85 @@ void dry_friction_global_stick_linearisation(
         double nonsmooth_saltations_values[11];
         nonsmooth_saltations_values[0] = 1;
         nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = t47;
-        nonsmooth_saltations_values[3] = -t48;
-        nonsmooth_saltations_values[4] = -t52;
-        nonsmooth_saltations_values[5] = t52;
-        nonsmooth_saltations_values[6] = -t53;
-        nonsmooth_saltations_values[7] = t53;
-        nonsmooth_saltations_values[8] = t56;
-        nonsmooth_saltations_values[9] = t57;
-        nonsmooth_saltations_values[10] = t58;
+        nonsmooth_saltations_values[2] = t41;
+        nonsmooth_saltations_values[3] = -t42;
+        nonsmooth_saltations_values[4] = -t44;
+        nonsmooth_saltations_values[5] = t44;
+        nonsmooth_saltations_values[6] = -t45;
+        nonsmooth_saltations_values[7] = t45;
+        nonsmooth_saltations_values[8] = t47;
+        nonsmooth_saltations_values[9] = t48;
+        nonsmooth_saltations_values[10] = t49;
         for (int i = 0; i < 64; ++i)
             saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
     }
     if (!monodromy)
         return;
     /* saltation of phase 1 */
-    const double saltation_1_20 = t47;
-    const double saltation_1_21 = -t48;
-    const double saltation_1_22 = t47*ta + 1;
-    const double saltation_1_23 = -t48*ta;
+    const double saltation_1_20 = t41;
+    const double saltation_1_21 = -t42;
+    const double saltation_1_22 = t41*ta + 1;
+    const double saltation_1_23 = -t42*ta;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
     const double t50 = chi - t1;
     const double phi_2_01 = saltation_1_21*sin_tau + t50;
     const double phi_2_02 = cos_tau*ta + saltation_1_22*sin_tau;
-    const double phi_2_03 = chi*tau + saltation_1_23*sin_tau + t2*ta - t3;
+    const double phi_2_03 = saltation_1_23*sin_tau + t2*ta + t4;
     const double phi_2_13 = ta + tau;
     const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
     const double phi_2_21 = cos_tau*saltation_1_21 + t3;
     const double phi_2_22 = cos_tau*saltation_1_22 - sin_tau*ta;
     const double phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t50;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t52 + phi_2_20;
-    const double saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52;
-    const double saltation_2_22 = -phi_2_02*t52 + phi_2_22;
-    const double saltation_2_23 = -phi_2_03*t52 + phi_2_13*t52 + phi_2_23;
-    const double saltation_2_30 = -phi_2_00*t53;
-    const double saltation_2_31 = -phi_2_01*t53 + t53;
-    const double saltation_2_32 = -phi_2_02*t53;
-    const double saltation_2_33 = -phi_2_03*t53 + phi_2_13*t53 + 1;
+    const double saltation_2_20 = -phi_2_00*t44 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t44 + phi_2_21 + t44;
+    const double saltation_2_22 = -phi_2_02*t44 + phi_2_22;
+    const double saltation_2_23 = -phi_2_03*t44 + phi_2_13*t44 + phi_2_23;
+    const double saltation_2_30 = -phi_2_00*t45;
+    const double saltation_2_31 = -phi_2_01*t45 + t45;
+    const double saltation_2_32 = -phi_2_02*t45;
+    const double saltation_2_33 = -phi_2_03*t45 + phi_2_13*t45 + 1;
     /* Phi of phase 3 */
-    const double phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13;
-    const double phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12;
-    const double phi_3_02 = phi_2_02*t11 + saltation_2_22*t10 + saltation_2_32*t13;
-    const double phi_3_03 = phi_2_03*t11 + phi_2_13*t12 + saltation_2_23*t10 + saltation_2_33*t13;
-    const double phi_3_10 = phi_2_00*t15 + saltation_2_20*t14 + saltation_2_30*t17;
-    const double phi_3_11 = phi_2_01*t15 + saltation_2_21*t14 + saltation_2_31*t17 + t16;
-    const double phi_3_12 = phi_2_02*t15 + saltation_2_22*t14 + saltation_2_32*t17;
-    const double phi_3_13 = phi_2_03*t15 + phi_2_13*t16 + saltation_2_23*t14 + saltation_2_33*t17;
-    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t11 + saltation_2_30*t12;
-    const double phi_3_21 = p2*t18 + phi_2_01*t20 + saltation_2_21*t11 + saltation_2_31*t12 - t21;
-    const double phi_3_22 = phi_2_02*t20 + saltation_2_22*t11 + saltation_2_32*t12;
-    const double phi_3_23 = phi_2_03*t20 + phi_2_13*t22 + saltation_2_23*t11 + saltation_2_33*t12;
-    const double phi_3_30 = phi_2_00*t23 + saltation_2_20*t15 + saltation_2_30*t16;
-    const double phi_3_31 = phi_2_01*t23 + saltation_2_21*t15 + saltation_2_31*t16 - t24 - t25;
-    const double phi_3_32 = phi_2_02*t23 + saltation_2_22*t15 + saltation_2_32*t16;
-    const double phi_3_33 = phi_2_03*t23 + phi_2_13*t26 + saltation_2_23*t15 + saltation_2_33*t16;
+    const double phi_3_00 = phi_2_00*t8 + saltation_2_20*t12 + saltation_2_30*t13;
+    const double phi_3_01 = phi_2_01*t8 + saltation_2_21*t12 + saltation_2_31*t13 + t9;
+    const double phi_3_02 = phi_2_02*t8 + saltation_2_22*t12 + saltation_2_32*t13;
+    const double phi_3_03 = phi_2_03*t8 + phi_2_13*t9 + saltation_2_23*t12 + saltation_2_33*t13;
+    const double phi_3_10 = phi_2_00*t14 + saltation_2_20*t16 + saltation_2_30*t17;
+    const double phi_3_11 = phi_2_01*t14 + saltation_2_21*t16 + saltation_2_31*t17 + t15;
+    const double phi_3_12 = phi_2_02*t14 + saltation_2_22*t16 + saltation_2_32*t17;
+    const double phi_3_13 = phi_2_03*t14 + phi_2_13*t15 + saltation_2_23*t16 + saltation_2_33*t17;
+    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t8 + saltation_2_30*t9;
+    const double phi_3_21 = phi_2_01*t20 + saltation_2_21*t8 + saltation_2_31*t9 + t21;
+    const double phi_3_22 = phi_2_02*t20 + saltation_2_22*t8 + saltation_2_32*t9;
+    const double phi_3_23 = phi_2_03*t20 + phi_2_13*t21 + saltation_2_23*t8 + saltation_2_33*t9;
+    const double phi_3_30 = phi_2_00*t22 + saltation_2_20*t14 + saltation_2_30*t15;
+    const double phi_3_31 = phi_2_01*t22 + saltation_2_21*t14 + saltation_2_31*t15 - t23 - t24;
+    const double phi_3_32 = phi_2_02*t22 + saltation_2_22*t14 + saltation_2_32*t15;
+    const double phi_3_33 = phi_2_03*t22 + phi_2_13*t25 + saltation_2_23*t14 + saltation_2_33*t15;
     /* saltation of phase 3 */
-    const double saltation_3_00 = phi_3_00 + phi_3_20*t56;
-    const double saltation_3_01 = phi_3_01 + phi_3_21*t56;
-    const double saltation_3_02 = phi_3_02 + phi_3_22*t56;
-    const double saltation_3_03 = phi_3_03 + phi_3_23*t56;
-    const double saltation_3_30 = phi_3_20*t57 + phi_3_30;
-    const double saltation_3_31 = phi_3_21*t57 + phi_3_31;
-    const double saltation_3_32 = phi_3_22*t57 + phi_3_32;
-    const double saltation_3_33 = phi_3_23*t57 + phi_3_33;
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t47;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t47;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t47;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t47;
+    const double saltation_3_30 = phi_3_20*t48 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t48 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t48 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t48 + phi_3_33;
     /* Phi of phase 4 */
-    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29;
-    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29;
-    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29;
-    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29;
-    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30;
-    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30;
-    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30;
-    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30;
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t27 + saltation_3_30*t28;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t27 + saltation_3_31*t28;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t27 + saltation_3_32*t28;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t27 + saltation_3_33*t28;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t29 + saltation_3_00*t29;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t29 + saltation_3_01*t29;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t29 + saltation_3_02*t29;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t29 + saltation_3_03*t29;
     /* saltation of phase 4 */
-    const double saltation_4_10 = phi_4_10 + phi_4_30*t58;
-    const double saltation_4_11 = phi_4_11 + phi_4_31*t58;
-    const double saltation_4_12 = phi_4_12 + phi_4_32*t58;
-    const double saltation_4_13 = phi_4_13 + phi_4_33*t58;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t49;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t49;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t49;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t49;
     if (monodromy) {
         monodromy[0] = saltation_3_00;
         monodromy[1] = saltation_3_01;
@@ -2792,7 +2791,7 @@ void dry_friction_global_stick_flow_slip_stick(
 }
 
 /* State after a time in slip-slip.
- * Operations: 82. Intermediate terms: 16. */
+ * Operations: 77. Intermediate terms: 15. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_flow_slip_slip(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
@@ -2810,26 +2809,25 @@ void dry_friction_global_stick_flow_slip_slip(
     const double v1 = state[2];
     const double v2 = state[3];
     /* state_after */
-    const double t0 = (1.0/(omega1));
-    const double t1 = omega1*t;
-    const double t2 = sin(t1);
-    const double t3 = t0*t2;
-    const double t4 = 1 - p1;
-    const double t5 = omega2*t;
-    const double t6 = sin(t5);
-    const double t7 = t6/omega2;
-    const double t8 = cos(t1);
-    const double t9 = cos(t5);
-    const double t10 = p1*t8 + t4*t9;
-    const double t11 = p2*t8 - p2*t9;
-    const double t12 = p3*t8 - p3*t9;
-    const double t13 = p1*t9 + t4*t8;
-    const double t14 = omega2*t6;
-    const double t15 = omega1*t2;
-    state_after[0] = t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
-    state_after[1] = t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
-    state_after[2] = t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15);
-    state_after[3] = t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4);
+    const double t0 = omega1*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = 1 - p1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 + t6*t7;
+    const double t11 = p1*t7 + t6*t8;
+    const double t12 = -p3*t7 + p3*t8;
+    const double t13 = omega2*t4;
+    const double t14 = omega1*t1;
+    state_after[0] = t10*z1 + t9*z2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t11*z2 + t12*z1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6);
+    state_after[2] = t10*v1 + t9*v2 + z1*(-p1*t14 - t13*t6) + z2*(p2*t13 - p2*t14);
+    state_after[3] = t11*v2 + t12*v1 + z1*(p3*t13 - p3*t14) + z2*(-p1*t13 - t14*t6);
 }
 
 /* State after a time in stick-slip.
@@ -2860,7 +2858,7 @@ void dry_friction_global_stick_flow_stick_slip(
 }
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
- * Operations: 221. Intermediate terms: 75. */
+ * Operations: 217. Intermediate terms: 73. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_reduced(
     const double parameters[5], const double spectrum[7], const double reduced[2], double *unknowns,
@@ -2883,65 +2881,64 @@ void dry_friction_global_stick_reduced(
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
     /* z2_1: linear in second-breaks-forward */
-    const double t2 = V*tau;
-    const double t3 = (1.0/((chi - 1)));
-    const double t4 = e1*t3;
-    const double z2_1 = V*sin_tau - cos_tau*t4 - t2 - e2*t3/chi;
+    const double t0 = V*tau;
+    const double t1 = (1.0/((chi - 1)));
+    const double t2 = e1*t1;
+    const double z2_1 = V*sin_tau - cos_tau*t2 - t0 - e2*t1/chi;
     /* slip-stick for tau */
-    const double t5 = chi*z2_1;
-    const double t6 = e1 + t5;
-    const double t7 = -chi*cos_tau + chi;
-    const double z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t6 + t7*z2_1;
-    const double z2_2 = t2 + z2_1;
-    const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+    const double t3 = chi*z2_1;
+    const double t4 = e1 + t3;
+    const double t5 = -chi*cos_tau + chi;
+    const double z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t4 + t5*z2_1;
+    const double z2_2 = t0 + z2_1;
+    const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
     /* functions of tau1 in slip-slip */
-    const double t8 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t8);
-    const double sin_omega1_tau1 = sin(t8);
-    const double t9 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t9);
-    const double sin_omega2_tau1 = sin(t9);
+    const double t6 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t6);
+    const double sin_omega1_tau1 = sin(t6);
+    const double t7 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t7);
+    const double sin_omega2_tau1 = sin(t7);
     /* slip-slip for tau1 */
-    const double t10 = (1.0/(omega1));
-    const double t13 = sin_omega2_tau1/omega2;
-    const double t11 = sin_omega1_tau1*t10;
-    const double t12 = 1 - p1;
-    const double t14 = p1*t11 + t12*t13;
-    const double t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12;
-    const double t16 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double z1_3 = V*(p2*sin_omega1_tau1*t10 - p2*t13) + t14*v1_2 + t15*z1_2 + t16*z2_2;
-    const double t17 = p3*sin_omega1_tau1*t10 - p3*t13;
-    const double t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1;
-    const double z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2;
-    const double t21 = omega1*sin_omega1_tau1;
-    const double t24 = omega2*p3*sin_omega2_tau1 - p3*t21;
-    const double t20 = omega2*sin_omega2_tau1;
-    const double t25 = -p1*t20 - t12*t21;
-    const double v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2;
+    const double t8 = 1 - p1;
+    const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
+    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t11 = sin_omega1_tau1/omega1;
+    const double t12 = sin_omega2_tau1/omega2;
+    const double t13 = p1*t11 + t12*t8;
+    const double z1_3 = V*(p2*t11 - p2*t12) + t10*z2_2 + t13*v1_2 + t9*z1_2;
+    const double t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
+    const double t16 = p3*t11 - p3*t12;
+    const double z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2;
+    const double t17 = omega1*sin_omega1_tau1;
+    const double t18 = omega2*sin_omega2_tau1;
+    const double t19 = -p3*t17 + p3*t18;
+    const double t20 = -p1*t18 - t17*t8;
+    const double v2_3 = V*t15 + t14*v1_2 + t19*z1_2 + t20*z2_2;
     /* first return of tau2 */
     const double cosine_part_tau2 = -V + v2_3;
     const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
     /* first return of tau2 */
     const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
     /* first return of tau2 */
-    const double t26 = (1.0/(amplitude_tau2));
-    const double cos_tau2_return = sine_part_tau2*t26;
-    const double sin_tau2_return = -cosine_part_tau2*t26;
+    const double t21 = (1.0/(amplitude_tau2));
+    const double cos_tau2_return = sine_part_tau2*t21;
+    const double sin_tau2_return = -cosine_part_tau2*t21;
     /* tau2: first return */
-    const double t27 = (1.0/(omega3));
-    const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+    const double t22 = (1.0/(omega3));
+    const double tau2 = t22*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
     /* ta: linear in time */
-    const double t28 = chi*z2_3;
-    const double t29 = sine_part_tau2*t27;
-    const double t30 = V*tau2;
-    const double t31 = amplitude_tau2*t27;
-    const double ta = -t3*(chi*t29 + chi*t30 - chi*t31 + e1 + t28 - t29 - t30 - z2_3)/V;
+    const double t23 = chi*z2_3;
+    const double t24 = sine_part_tau2*t22;
+    const double t25 = V*tau2;
+    const double t26 = amplitude_tau2*t22;
+    const double ta = -t1*(chi*t24 + chi*t25 - chi*t26 + e1 + t23 - t24 - t25 - z2_3)/V;
     /* unknowns */
-    const double t38 = t29 + t30 + z2_3;
+    const double t27 = t24 + t25 + z2_3;
     if (unknowns) {
-        unknowns[0] = t38;
-        unknowns[1] = -t31 + t38;
+        unknowns[0] = t27;
+        unknowns[1] = -t26 + t27;
         unknowns[2] = ta;
         unknowns[3] = tau;
         unknowns[4] = tau1;
@@ -2950,12 +2947,12 @@ void dry_friction_global_stick_reduced(
     if (!reduced_residual && !reduced_jacobian)
         return;
     /* slip-slip for tau1 */
-    const double t22 = -p1*t21 - t12*t20;
-    const double t23 = omega2*p2*sin_omega2_tau1 - p2*t21;
-    const double v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
+    const double t28 = -p1*t17 - t18*t8;
+    const double t29 = -p2*t17 + p2*t18;
+    const double v1_3 = V*t10 + t28*z1_2 + t29*z2_2 + t9*v1_2;
     if (reduced_residual) {
         reduced_residual[0] = -V + v1_3;
-        reduced_residual[1] = amplitude_tau2*t27*t3 - t4 - z2_1;
+        reduced_residual[1] = amplitude_tau2*t1*t22 - t2 - z2_1;
     }
     if (!reduced_jacobian)
         return;
@@ -2963,45 +2960,43 @@ void dry_friction_global_stick_reduced(
     const double cos_tau_by_tau = -sin_tau;
     const double sin_tau_by_tau = cos_tau;
     /* d/dtau of: z2_1: linear in second-breaks-forward */
-    const double t32 = cos_tau_by_tau*e1;
-    const double z2_1_by_tau = V*sin_tau_by_tau - V - t3*t32;
+    const double t30 = cos_tau_by_tau*e1;
+    const double z2_1_by_tau = V*sin_tau_by_tau - V - t1*t30;
     /* d/dtau of: slip-stick for tau */
-    const double t33 = V*chi;
-    const double t34 = V - t33;
-    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t34 + t32 + t33;
+    const double t31 = V*chi;
+    const double t32 = V - t31;
+    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t32 + t30 + t31;
     const double z2_2_by_tau = V + z2_1_by_tau;
-    const double v1_2_by_tau = cos_tau_by_tau*t34 - e1*sin_tau_by_tau;
+    const double v1_2_by_tau = cos_tau_by_tau*t32 - e1*sin_tau_by_tau;
     /* d/dtau of: slip-slip for tau1 */
-    const double z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau;
-    const double z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau;
-    const double v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
-    const double v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau;
+    const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
+    const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
+    const double v1_3_by_tau = t28*z1_2_by_tau + t29*z2_2_by_tau + t9*v1_2_by_tau;
+    const double v2_3_by_tau = t14*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau;
     /* d/dtau1 of: slip-slip for tau1 */
-    const double v1_3_by_tau1 = t28 - z1_3;
-    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t28;
+    const double v1_3_by_tau1 = t23 - z1_3;
+    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t23;
     /* d/dtau of: first return of tau2 */
     const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
     /* d/dtau1 of: first return of tau2 */
     const double sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3;
     /* d/dtau of: first return of tau2 */
-    const double t35 = 2*cosine_part_tau2;
-    const double t36 = 2*sine_part_tau2;
-    const double t37 = (1.0/2.0)*t26;
-    const double amplitude_tau2_by_tau = t37*(sine_part_tau2_by_tau*t36 + t35*v2_3_by_tau);
+    const double t33 = 2*cosine_part_tau2;
+    const double t34 = 2*sine_part_tau2;
+    const double t35 = (1.0/2.0)*t21;
+    const double amplitude_tau2_by_tau = t35*(sine_part_tau2_by_tau*t34 + t33*v2_3_by_tau);
     /* d/dtau1 of: first return of tau2 */
-    const double amplitude_tau2_by_tau1 = t37*(sine_part_tau2_by_tau1*t36 + t35*v2_3_by_tau1);
-    /* reduced_jacobian */
-    const double t39 = t27*t3;
+    const double amplitude_tau2_by_tau1 = t35*(sine_part_tau2_by_tau1*t34 + t33*v2_3_by_tau1);
     if (reduced_jacobian) {
         reduced_jacobian[0] = v1_3_by_tau;
         reduced_jacobian[1] = v1_3_by_tau1;
-        reduced_jacobian[2] = amplitude_tau2_by_tau*t39 - z2_1_by_tau;
-        reduced_jacobian[3] = amplitude_tau2_by_tau1*t39;
+        reduced_jacobian[2] = amplitude_tau2_by_tau*t1*t22 - z2_1_by_tau;
+        reduced_jacobian[3] = amplitude_tau2_by_tau1*t1*t22;
     }
 }
 
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
- * Operations: 266. Intermediate terms: 84. */
+ * Operations: 258. Intermediate terms: 84. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_period_map(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
@@ -3028,13 +3023,14 @@ void dry_friction_global_stick_period_map(
     const double t0 = chi*cos_tau;
     const double z1_2_by_z20 = chi - t0;
     const double z1_2_by_v10 = cos_tau*ta + sin_tau;
-    const double t2 = chi*sin_tau;
-    const double z1_2_by_v20 = chi*tau - t2 + ta*z1_2_by_z20;
+    const double t1 = chi*sin_tau;
+    const double t2 = chi*tau - t1;
+    const double z1_2_by_v20 = t2 + ta*z1_2_by_z20;
     const double z2_2_by_v20 = ta + tau;
     const double v1_2_by_z10 = -sin_tau;
-    const double v1_2_by_z20 = t2;
+    const double v1_2_by_z20 = t1;
     const double v1_2_by_v10 = cos_tau - sin_tau*ta;
-    const double v1_2_by_v20 = chi - t0 + t2*ta;
+    const double v1_2_by_v20 = chi - t0 + t1*ta;
     /* functions of tau1 in slip-slip */
     const double t3 = omega1*tau1;
     const double cos_omega1_tau1 = cos(t3);
@@ -3045,57 +3041,56 @@ void dry_friction_global_stick_period_map(
     /* slip-slip after tau1, by the start */
     const double t5 = 1 - p1;
     const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
-    const double t7 = (1.0/(omega1));
-    const double t8 = sin_omega1_tau1*t7;
-    const double t9 = sin_omega2_tau1/omega2;
-    const double t10 = p1*t8 + t5*t9;
-    const double z1_3_by_z10 = cos_tau*t6 + t10*v1_2_by_z10;
-    const double t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double z1_3_by_z20 = t10*v1_2_by_z20 + t11 + t6*z1_2_by_z20;
-    const double z1_3_by_v10 = t10*v1_2_by_v10 + t6*z1_2_by_v10;
-    const double z1_3_by_v20 = p2*t8 - p2*t9 + t10*v1_2_by_v20 + t11*z2_2_by_v20 + t6*z1_2_by_v20;
-    const double t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t13 = p3*sin_omega1_tau1*t7 - p3*t9;
-    const double z2_3_by_z10 = cos_tau*t12 + t13*v1_2_by_z10;
-    const double t14 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
-    const double z2_3_by_z20 = t12*z1_2_by_z20 + t13*v1_2_by_z20 + t14;
-    const double z2_3_by_v10 = t12*z1_2_by_v10 + t13*v1_2_by_v10;
-    const double z2_3_by_v20 = p1*t9 + t12*z1_2_by_v20 + t13*v1_2_by_v20 + t14*z2_2_by_v20 + t5*t8;
+    const double t7 = sin_omega1_tau1/omega1;
+    const double t8 = sin_omega2_tau1/omega2;
+    const double t9 = p1*t7 + t5*t8;
+    const double z1_3_by_z10 = cos_tau*t6 + t9*v1_2_by_z10;
+    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t10 + t6*z1_2_by_z20 + t9*v1_2_by_z20;
+    const double z1_3_by_v10 = t6*z1_2_by_v10 + t9*v1_2_by_v10;
+    const double z1_3_by_v20 = p2*t7 - p2*t8 + t10*z2_2_by_v20 + t6*z1_2_by_v20 + t9*v1_2_by_v20;
+    const double t11 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t12 = p3*t7 - p3*t8;
+    const double z2_3_by_z10 = cos_tau*t11 + t12*v1_2_by_z10;
+    const double t13 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t11*z1_2_by_z20 + t12*v1_2_by_z20 + t13;
+    const double z2_3_by_v10 = t11*z1_2_by_v10 + t12*v1_2_by_v10;
+    const double z2_3_by_v20 = p1*t8 + t11*z1_2_by_v20 + t12*v1_2_by_v20 + t13*z2_2_by_v20 + t5*t7;
+    const double t14 = omega1*sin_omega1_tau1;
     const double t15 = omega2*sin_omega2_tau1;
-    const double t16 = omega1*sin_omega1_tau1;
-    const double t17 = -p1*t16 - t15*t5;
-    const double v1_3_by_z10 = cos_tau*t17 + t6*v1_2_by_z10;
-    const double t18 = p2*t16;
-    const double v1_3_by_z20 = p2*t15 + t17*z1_2_by_z20 - t18 + t6*v1_2_by_z20;
-    const double v1_3_by_v10 = t17*z1_2_by_v10 + t6*v1_2_by_v10;
-    const double v1_3_by_v20 = t11 + t17*z1_2_by_v20 + t6*v1_2_by_v20 + z2_2_by_v20*(omega2*p2*sin_omega2_tau1 - t18);
-    const double t19 = omega2*p3*sin_omega2_tau1 - p3*t16;
-    const double v2_3_by_z10 = cos_tau*t19 + t12*v1_2_by_z10;
-    const double t20 = p1*t15 + t16*t5;
-    const double v2_3_by_z20 = t12*v1_2_by_z20 + t19*z1_2_by_z20 - t20;
-    const double v2_3_by_v10 = t12*v1_2_by_v10 + t19*z1_2_by_v10;
-    const double v2_3_by_v20 = t12*v1_2_by_v20 + t14 + t19*z1_2_by_v20 - t20*z2_2_by_v20;
+    const double t16 = -p1*t14 - t15*t5;
+    const double v1_3_by_z10 = cos_tau*t16 + t6*v1_2_by_z10;
+    const double t17 = -p2*t14 + p2*t15;
+    const double v1_3_by_z20 = t16*z1_2_by_z20 + t17 + t6*v1_2_by_z20;
+    const double v1_3_by_v10 = t16*z1_2_by_v10 + t6*v1_2_by_v10;
+    const double v1_3_by_v20 = t10 + t16*z1_2_by_v20 + t17*z2_2_by_v20 + t6*v1_2_by_v20;
+    const double t18 = -p3*t14 + p3*t15;
+    const double v2_3_by_z10 = cos_tau*t18 + t11*v1_2_by_z10;
+    const double t19 = p1*t15 + t14*t5;
+    const double v2_3_by_z20 = t11*v1_2_by_z20 + t18*z1_2_by_z20 - t19;
+    const double v2_3_by_v10 = t11*v1_2_by_v10 + t18*z1_2_by_v10;
+    const double v2_3_by_v20 = t11*v1_2_by_v20 + t13 + t18*z1_2_by_v20 - t19*z2_2_by_v20;
     /* functions of tau2 in stick-slip */
-    const double t21 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t21);
-    const double sin_omega3_tau2 = sin(t21);
+    const double t20 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t20);
+    const double sin_omega3_tau2 = sin(t20);
     /* stick-slip after tau2, by the start */
     const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
     const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
     const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
     const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
+    const double t21 = 1 - cos_omega3_tau2;
     const double t22 = sin_omega3_tau2/omega3;
     const double t23 = -t22 + tau2;
-    const double t24 = 1 - cos_omega3_tau2;
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10 + t24*z1_3_by_z10;
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20 + t24*z1_3_by_z20;
-    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10 + t24*z1_3_by_v10;
-    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20 + t24*z1_3_by_v20;
-    const double t25 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t24*v1_3_by_z10 + t25*z1_3_by_z10 - t25*z2_3_by_z10;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t24*v1_3_by_z20 + t25*z1_3_by_z20 - t25*z2_3_by_z20;
-    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t24*v1_3_by_v10 + t25*z1_3_by_v10 - t25*z2_3_by_v10;
-    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t24*v1_3_by_v20 + t25*z1_3_by_v20 - t25*z2_3_by_v20;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t21*z1_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t21*z1_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t21*z1_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t21*z1_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20;
+    const double t24 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t21*v1_3_by_z10 + t24*z1_3_by_z10 - t24*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t21*v1_3_by_z20 + t24*z1_3_by_z20 - t24*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20;
     if (period_map) {
         period_map[0] = z1_4_by_z10;
         period_map[1] = z1_4_by_z20;
@@ -3132,9 +3127,9 @@ void dry_friction_global_stick_period_map(
     const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
     const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
     /* z10, z20 by Cramer's rule */
-    const double t26 = (1.0/(determinant));
-    const double z1_0 = numerator1*t26;
-    const double z2_0 = numerator2*t26;
+    const double t25 = (1.0/(determinant));
+    const double z1_0 = numerator1*t25;
+    const double z2_0 = numerator2*t25;
     if (linear_start) {
         linear_start[0] = z1_0;
         linear_start[1] = z2_0;
@@ -3142,11 +3137,11 @@ void dry_friction_global_stick_period_map(
     if (!compatibility)
         return;
     /* stick-stick for ta, until first-breaks-forward */
-    const double t27 = V*ta;
-    const double z1_1 = t27 + z1_0;
-    const double z2_1 = t27 + z2_0;
+    const double t26 = V*ta;
+    const double z1_1 = t26 + z1_0;
+    const double z2_1 = t26 + z2_0;
     /* slip-stick for tau, until second-breaks-forward */
-    const double z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + z1_2_by_z20*z2_1;
+    const double z1_2 = V*sin_tau + V*t2 + cos_tau*z1_1 + z1_2_by_z20*z2_1;
     const double z2_2 = V*tau + z2_1;
     if (compatibility) {
         compatibility[0] = V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0;
@@ -3157,7 +3152,7 @@ void dry_friction_global_stick_period_map(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Operations: 684. Intermediate terms: 192. */
+ * Operations: 673. Intermediate terms: 192. */
 static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
@@ -3183,67 +3178,68 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     const double cos_tau = wave_0.cosine;
     const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
-    const double t3 = chi*cos_tau;
-    const double t4 = chi - t3;
-    const double t5 = chi*sin_tau;
-    const double z1_2 = V*sin_tau + V*(chi*tau - t5) + cos_tau*z10 + t4*z20;
+    const double t0 = chi*cos_tau;
+    const double t1 = chi - t0;
+    const double t2 = chi*tau;
+    const double t3 = chi*sin_tau;
+    const double t4 = t2 - t3;
+    const double z1_2 = V*sin_tau + V*t4 + cos_tau*z10 + t1*z20;
     const double z2_2 = V*tau + z20;
-    const double v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t3*z20;
     /* functions of tau1 in slip-slip */
-    const double t6 = omega1*tau1;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t6);
+    const double t5 = omega1*tau1;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t5);
     const double cos_omega1_tau1 = wave_1.cosine;
     const double sin_omega1_tau1 = wave_1.sine;
-    const double t9 = omega2*tau1;
-    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t9);
+    const double t6 = omega2*tau1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t6);
     const double cos_omega2_tau1 = wave_2.cosine;
     const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t12 = (1.0/(omega1));
-    const double t13 = sin_omega1_tau1*t12;
-    const double t14 = 1 - p1;
-    const double t15 = (1.0/(omega2));
-    const double t16 = sin_omega2_tau1*t15;
-    const double t17 = p1*t13 + t14*t16;
-    const double t18 = cos_omega1_tau1*p1 + cos_omega2_tau1*t14;
-    const double t19 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t20 = p2*t16;
-    const double z1_3 = V*(p2*sin_omega1_tau1*t12 - t20) + t17*v1_2 + t18*z1_2 + t19*z2_2;
-    const double t21 = p3*sin_omega1_tau1*t12 - p3*t16;
-    const double t22 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t23 = cos_omega1_tau1*t14 + cos_omega2_tau1*p1;
-    const double t24 = p1*t16 + t13*t14;
-    const double z2_3 = V*t24 + t21*v1_2 + t22*z1_2 + t23*z2_2;
-    const double t25 = omega2*sin_omega2_tau1;
-    const double t26 = omega1*sin_omega1_tau1;
-    const double t27 = -p1*t26 - t14*t25;
-    const double t28 = p2*t26;
-    const double t29 = omega2*p2*sin_omega2_tau1 - t28;
-    const double t30 = V*t19;
-    const double v1_3 = t18*v1_2 + t27*z1_2 + t29*z2_2 + t30;
-    const double t31 = omega2*p3*sin_omega2_tau1 - p3*t26;
-    const double t32 = p1*t25 + t14*t26;
-    const double t34 = V*t23;
-    const double v2_3 = t22*v1_2 + t31*z1_2 - t32*z2_2 + t34;
+    const double t7 = 1 - p1;
+    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t10 = (1.0/(omega1));
+    const double t11 = sin_omega1_tau1*t10;
+    const double t12 = (1.0/(omega2));
+    const double t13 = sin_omega2_tau1*t12;
+    const double t14 = p1*t11 + t13*t7;
+    const double t15 = p2*t11 - p2*t13;
+    const double z1_3 = V*t15 + t14*v1_2 + t8*z1_2 + t9*z2_2;
+    const double t16 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t17 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
+    const double t18 = p3*t11 - p3*t13;
+    const double t19 = p1*t13 + t11*t7;
+    const double z2_3 = V*t19 + t16*z1_2 + t17*z2_2 + t18*v1_2;
+    const double t20 = omega1*sin_omega1_tau1;
+    const double t21 = omega2*sin_omega2_tau1;
+    const double t22 = -p1*t20 - t21*t7;
+    const double t23 = -p2*t20 + p2*t21;
+    const double t24 = V*t9;
+    const double v1_3 = t22*z1_2 + t23*z2_2 + t24 + t8*v1_2;
+    const double t25 = -p3*t20 + p3*t21;
+    const double t26 = p1*t21 + t20*t7;
+    const double t27 = V*t17;
+    const double v2_3 = t16*v1_2 + t25*z1_2 - t26*z2_2 + t27;
     /* functions of tau2 in stick-slip */
-    const double t35 = omega3*tau2;
-    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t35);
+    const double t28 = omega3*tau2;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t28);
     const double cos_omega3_tau2 = wave_3.cosine;
     const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t38 = 1 - cos_omega3_tau2;
-    const double t39 = (1.0/(omega3));
-    const double t40 = sin_omega3_tau2*t39;
-    const double t41 = -t40 + tau2;
-    const double z2_4 = V*t41 + cos_omega3_tau2*z2_3 + t38*z1_3 + t40*v2_3;
-    const double t42 = omega3*z1_3;
-    const double t43 = omega3*z2_3;
-    const double v2_4 = V*t38 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t42 - sin_omega3_tau2*t43;
+    const double t29 = 1 - cos_omega3_tau2;
+    const double t30 = (1.0/(omega3));
+    const double t31 = sin_omega3_tau2*t30;
+    const double t32 = -t31 + tau2;
+    const double z2_4 = V*t32 + cos_omega3_tau2*z2_3 + t29*z1_3 + t31*v2_3;
+    const double t33 = omega3*z1_3;
+    const double t34 = omega3*z2_3;
+    const double v2_4 = V*t29 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t33 - sin_omega3_tau2*t34;
     /* residual */
-    const double t44 = chi*z20 - z10;
+    const double t35 = chi*z20 - z10;
     if (residual) {
-        residual[lane] = -e1 - t44;
+        residual[lane] = -e1 - t35;
         residual[1*lanes + lane] = -chi*z1_2 + chi*z2_2 - e2;
         residual[2*lanes + lane] = -V + v1_3;
         residual[3*lanes + lane] = -V + v2_4;
@@ -3258,88 +3254,88 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     /* d/dz10 of: slip-stick for tau, until second-breaks-forward */
     const double v1_2_by_z10 = -sin_tau;
     /* d/dz20 of: slip-stick for tau, until second-breaks-forward */
-    const double z1_2_by_z20 = t4;
-    const double v1_2_by_z20 = t5;
+    const double z1_2_by_z20 = t1;
+    const double v1_2_by_z20 = t3;
     /* d/dtau of: slip-stick for tau, until second-breaks-forward */
-    const double t45 = V*chi;
-    const double t46 = V - t45;
-    const double z1_2_by_tau = -cos_tau_by_tau*t44 + sin_tau_by_tau*t46 + t45;
-    const double v1_2_by_tau = cos_tau_by_tau*t46 + sin_tau_by_tau*t44;
+    const double t36 = V*chi;
+    const double t37 = V - t36;
+    const double z1_2_by_tau = -cos_tau_by_tau*t35 + sin_tau_by_tau*t37 + t36;
+    const double v1_2_by_tau = cos_tau_by_tau*t37 + sin_tau_by_tau*t35;
     /* d/dtau1 of: functions of tau1 in slip-slip */
     const double cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1;
     const double sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1;
     const double cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1;
     const double sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2;
     /* d/dz10 of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_z10 = cos_tau*t18 + t17*v1_2_by_z10;
-    const double z2_3_by_z10 = cos_tau*t22 + t21*v1_2_by_z10;
-    const double v1_3_by_z10 = cos_tau*t27 + t18*v1_2_by_z10;
-    const double v2_3_by_z10 = cos_tau*t31 + t22*v1_2_by_z10;
+    const double z1_3_by_z10 = cos_tau*t8 + t14*v1_2_by_z10;
+    const double z2_3_by_z10 = cos_tau*t16 + t18*v1_2_by_z10;
+    const double v1_3_by_z10 = cos_tau*t22 + t8*v1_2_by_z10;
+    const double v2_3_by_z10 = cos_tau*t25 + t16*v1_2_by_z10;
     /* d/dz20 of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_z20 = t17*v1_2_by_z20 + t18*z1_2_by_z20 + t19;
-    const double z2_3_by_z20 = t21*v1_2_by_z20 + t22*z1_2_by_z20 + t23;
-    const double v1_3_by_z20 = p2*t25 + t18*v1_2_by_z20 + t27*z1_2_by_z20 - t28;
-    const double v2_3_by_z20 = t22*v1_2_by_z20 + t31*z1_2_by_z20 - t32;
+    const double z1_3_by_z20 = t14*v1_2_by_z20 + t8*z1_2_by_z20 + t9;
+    const double z2_3_by_z20 = t16*z1_2_by_z20 + t17 + t18*v1_2_by_z20;
+    const double v1_3_by_z20 = t22*z1_2_by_z20 + t23 + t8*v1_2_by_z20;
+    const double v2_3_by_z20 = t16*v1_2_by_z20 + t25*z1_2_by_z20 - t26;
     /* d/dtau of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t30;
-    const double z2_3_by_tau = t21*v1_2_by_tau + t22*z1_2_by_tau + t34;
-    const double v1_3_by_tau = V*t29 + t18*v1_2_by_tau + t27*z1_2_by_tau;
-    const double v2_3_by_tau = -V*t32 + t22*v1_2_by_tau + t31*z1_2_by_tau;
+    const double z1_3_by_tau = t14*v1_2_by_tau + t24 + t8*z1_2_by_tau;
+    const double z2_3_by_tau = t16*z1_2_by_tau + t18*v1_2_by_tau + t27;
+    const double v1_3_by_tau = V*t23 + t22*z1_2_by_tau + t8*v1_2_by_tau;
+    const double v2_3_by_tau = -V*t26 + t16*v1_2_by_tau + t25*z1_2_by_tau;
     /* d/dtau1 of: slip-slip for tau1, until first-reaches-belt */
-    const double t47 = p1*z1_2;
-    const double t48 = p2*z2_2;
-    const double t49 = t47 + t48;
-    const double t50 = t14*z1_2 - t48;
-    const double t51 = p1*v1_2;
-    const double t52 = V*p2;
-    const double t53 = t12*t51 + t12*t52;
-    const double t54 = t14*t15*v1_2 - t15*t52;
-    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t49 + cos_omega2_tau1_by_tau1*t50 + sin_omega1_tau1_by_tau1*t53 + sin_omega2_tau1_by_tau1*t54;
-    const double t55 = p3*z1_2;
-    const double t56 = t14*z2_2;
-    const double t57 = t55 + t56;
-    const double t58 = p1*z2_2;
-    const double t59 = -t55 + t58;
-    const double t60 = p3*v1_2;
-    const double t61 = V*t14;
-    const double t62 = t12*t60 + t12*t61;
-    const double t63 = V*p1;
-    const double t64 = -t15*t60 + t15*t63;
-    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t57 + cos_omega2_tau1_by_tau1*t59 + sin_omega1_tau1_by_tau1*t62 + sin_omega2_tau1_by_tau1*t64;
-    const double t65 = t51 + t52;
-    const double t66 = t14*v1_2 - t52;
-    const double t67 = -omega1*t47 - omega1*t48;
-    const double t68 = t14*z1_2;
-    const double t69 = omega2*t48 - omega2*t68;
-    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t65 + cos_omega2_tau1_by_tau1*t66 + sin_omega1_tau1_by_tau1*t67 + sin_omega2_tau1_by_tau1*t69;
-    const double t70 = t60 + t61;
-    const double t71 = -t60 + t63;
-    const double t72 = -omega1*t55 - omega1*t56;
-    const double t73 = omega2*p3*z1_2 - omega2*t58;
-    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t70 + cos_omega2_tau1_by_tau1*t71 + sin_omega1_tau1_by_tau1*t72 + sin_omega2_tau1_by_tau1*t73;
+    const double t38 = p2*z2_2;
+    const double t39 = p1*z1_2;
+    const double t40 = t38 + t39;
+    const double t41 = V*p2;
+    const double t42 = p1*v1_2;
+    const double t43 = t10*t41 + t10*t42;
+    const double t44 = -t38 + t7*z1_2;
+    const double t45 = -t12*t41 + t12*t7*v1_2;
+    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t40 + cos_omega2_tau1_by_tau1*t44 + sin_omega1_tau1_by_tau1*t43 + sin_omega2_tau1_by_tau1*t45;
+    const double t46 = p3*z1_2;
+    const double t47 = t7*z2_2;
+    const double t48 = t46 + t47;
+    const double t49 = p3*v1_2;
+    const double t50 = V*t7;
+    const double t51 = t10*t49 + t10*t50;
+    const double t52 = p1*z2_2 - t46;
+    const double t53 = V*p1;
+    const double t54 = -t12*t49 + t12*t53;
+    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t48 + cos_omega2_tau1_by_tau1*t52 + sin_omega1_tau1_by_tau1*t51 + sin_omega2_tau1_by_tau1*t54;
+    const double t55 = t41 + t42;
+    const double t56 = -omega1*t38 - omega1*t39;
+    const double t57 = -t41 + t7*v1_2;
+    const double t58 = t7*z1_2;
+    const double t59 = omega2*t38 - omega2*t58;
+    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t55 + cos_omega2_tau1_by_tau1*t57 + sin_omega1_tau1_by_tau1*t56 + sin_omega2_tau1_by_tau1*t59;
+    const double t60 = t49 + t50;
+    const double t61 = -omega1*t46 - omega1*t47;
+    const double t62 = -t49 + t53;
+    const double t63 = p1*z2_2;
+    const double t64 = omega2*t46 - omega2*t63;
+    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t60 + cos_omega2_tau1_by_tau1*t62 + sin_omega1_tau1_by_tau1*t61 + sin_omega2_tau1_by_tau1*t64;
     /* d/dtau2 of: functions of tau2 in stick-slip */
     const double cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2;
     const double sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3;
     /* d/dz10 of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t38*z1_3_by_z10 + t40*v2_3_by_z10;
-    const double t74 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t74*z1_3_by_z10 - t74*z2_3_by_z10;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t29*z1_3_by_z10 + t31*v2_3_by_z10;
+    const double t65 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t65*z1_3_by_z10 - t65*z2_3_by_z10;
     /* d/dz20 of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t38*z1_3_by_z20 + t40*v2_3_by_z20;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t74*z1_3_by_z20 - t74*z2_3_by_z20;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t29*z1_3_by_z20 + t31*v2_3_by_z20;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t65*z1_3_by_z20 - t65*z2_3_by_z20;
     /* d/dtau of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t38*z1_3_by_tau + t40*v2_3_by_tau;
-    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t74*z1_3_by_tau - t74*z2_3_by_tau;
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t29*z1_3_by_tau + t31*v2_3_by_tau;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t65*z1_3_by_tau - t65*z2_3_by_tau;
     /* d/dtau1 of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t38*z1_3_by_tau1 + t40*v2_3_by_tau1;
-    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t74*z1_3_by_tau1 - t74*z2_3_by_tau1;
+    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t29*z1_3_by_tau1 + t31*v2_3_by_tau1;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t65*z1_3_by_tau1 - t65*z2_3_by_tau1;
     /* d/dtau2 of: stick-slip for tau2, until second-reaches-belt */
-    const double t75 = -z1_3 + z2_3;
-    const double t76 = -V*t39 + t39*v2_3;
-    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t75 + sin_omega3_tau2_by_tau2*t76;
-    const double t77 = -V + v2_3;
-    const double t78 = t42 - t43;
-    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t77 + sin_omega3_tau2_by_tau2*t78;
+    const double t66 = -z1_3 + z2_3;
+    const double t67 = -V*t30 + t30*v2_3;
+    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t66 + sin_omega3_tau2_by_tau2*t67;
+    const double t68 = -V + v2_3;
+    const double t69 = t33 - t34;
+    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t68 + sin_omega3_tau2_by_tau2*t69;
     if (jacobian) {
         jacobian[lane] = 1;
         jacobian[1*lanes + lane] = -chi;
@@ -3347,9 +3343,9 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
         jacobian[3*lanes + lane] = 0;
         jacobian[4*lanes + lane] = 0;
         jacobian[5*lanes + lane] = -1;
-        jacobian[6*lanes + lane] = -t3;
+        jacobian[6*lanes + lane] = -t0;
         jacobian[7*lanes + lane] = -chi*z1_2_by_z20 + chi;
-        jacobian[8*lanes + lane] = -chi*z1_2_by_tau + t45;
+        jacobian[8*lanes + lane] = -chi*z1_2_by_tau + t36;
         jacobian[9*lanes + lane] = 0;
         jacobian[10*lanes + lane] = 0;
         jacobian[11*lanes + lane] = 0;
@@ -3393,83 +3389,82 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
     const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
-    const double t79 = 1 - cos_tau;
-    const double z1_2_by_chi = V*(-sin_tau + tau) + t79*z20;
-    const double v1_2_by_chi = V*t79 + sin_tau*z20;
+    const double t70 = 1 - cos_tau;
+    const double z1_2_by_chi = V*(-sin_tau + tau) + t70*z20;
+    const double v1_2_by_chi = V*t70 + sin_tau*z20;
     /* d/dV of: slip-stick for tau, until second-breaks-forward */
-    const double t80 = chi*tau;
-    const double z1_2_by_V = sin_tau - t5 + t80;
-    const double v1_2_by_V = chi + cos_tau - t3;
+    const double z1_2_by_V = sin_tau + t4;
+    const double v1_2_by_V = chi + cos_tau - t0;
     /* d/dchi of: functions of tau1 in slip-slip */
-    const double t82 = omega1_by_chi*tau1;
-    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t82;
-    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t82;
-    const double t83 = omega2_by_chi*tau1;
-    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t83;
-    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t83;
+    const double t71 = omega1_by_chi*tau1;
+    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t71;
+    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t71;
+    const double t72 = omega2_by_chi*tau1;
+    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t72;
+    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t72;
     /* d/deta of: functions of tau1 in slip-slip */
-    const double t84 = omega1_by_eta*tau1;
-    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t84;
-    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t84;
-    const double t85 = omega2_by_eta*tau1;
-    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t85;
-    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t85;
+    const double t73 = omega1_by_eta*tau1;
+    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t73;
+    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t73;
+    const double t74 = omega2_by_eta*tau1;
+    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t74;
+    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t74;
     /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
-    const double t86 = sin_omega1_tau1/(omega1*omega1);
-    const double t87 = -t51*t86 - t52*t86;
-    const double t88 = (1.0/(omega2*omega2));
-    const double t89 = sin_omega2_tau1*t88;
-    const double t90 = -t14*t89*v1_2 + t52*t89;
-    const double t91 = -sin_omega1_tau1*t12 + t16;
-    const double t93 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t94 = -t91*v1_2 + t93*z1_2;
-    const double t95 = -V*t91 + t93*z2_2;
-    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t49 + cos_omega2_tau1_by_chi*t50 + omega1_by_chi*t87 + omega2_by_chi*t90 + p1_by_chi*t94 + p2_by_chi*t95 + sin_omega1_tau1_by_chi*t53 + sin_omega2_tau1_by_chi*t54 + t17*v1_2_by_chi + t18*z1_2_by_chi;
-    const double t96 = -t60*t86 - t61*t86;
-    const double t97 = p3*sin_omega2_tau1*t88*v1_2 - t63*t89;
-    const double t99 = V*t91 - t93*z2_2;
-    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t57 + cos_omega2_tau1_by_chi*t59 + omega1_by_chi*t96 + omega2_by_chi*t97 + p1_by_chi*t99 + p3_by_chi*t94 + sin_omega1_tau1_by_chi*t62 + sin_omega2_tau1_by_chi*t64 + t21*v1_2_by_chi + t22*z1_2_by_chi;
-    const double t100 = -sin_omega1_tau1*t47 - sin_omega1_tau1*t48;
-    const double t101 = sin_omega2_tau1*t48 - sin_omega2_tau1*t68;
-    const double t102 = -omega2*sin_omega2_tau1 + t26;
-    const double t104 = -t102*z1_2 + t93*v1_2;
-    const double t105 = V*t93 - t102*z2_2;
-    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t65 + cos_omega2_tau1_by_chi*t66 + omega1_by_chi*t100 + omega2_by_chi*t101 + p1_by_chi*t104 + p2_by_chi*t105 + sin_omega1_tau1_by_chi*t67 + sin_omega2_tau1_by_chi*t69 + t18*v1_2_by_chi + t27*z1_2_by_chi;
-    const double t106 = -sin_omega1_tau1*t55 - sin_omega1_tau1*t56;
-    const double t107 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t58;
-    const double t108 = -V*t93 + t102*z2_2;
-    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t70 + cos_omega2_tau1_by_chi*t71 + omega1_by_chi*t106 + omega2_by_chi*t107 + p1_by_chi*t108 + p3_by_chi*t104 + sin_omega1_tau1_by_chi*t72 + sin_omega2_tau1_by_chi*t73 + t22*v1_2_by_chi + t31*z1_2_by_chi;
+    const double t75 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t76 = t11 - t13;
+    const double t77 = V*t76 + t75*z2_2;
+    const double t78 = t75*z1_2 + t76*v1_2;
+    const double t79 = (1.0/(omega2*omega2));
+    const double t80 = sin_omega2_tau1*t79;
+    const double t81 = t41*t80 - t7*t80*v1_2;
+    const double t82 = sin_omega1_tau1/(omega1*omega1);
+    const double t83 = -t41*t82 - t42*t82;
+    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t40 + cos_omega2_tau1_by_chi*t44 + omega1_by_chi*t83 + omega2_by_chi*t81 + p1_by_chi*t78 + p2_by_chi*t77 + sin_omega1_tau1_by_chi*t43 + sin_omega2_tau1_by_chi*t45 + t14*v1_2_by_chi + t8*z1_2_by_chi;
+    const double t84 = -V*t76 - t75*z2_2;
+    const double t85 = p3*sin_omega2_tau1*t79*v1_2 - t53*t80;
+    const double t86 = -t49*t82 - t50*t82;
+    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t48 + cos_omega2_tau1_by_chi*t52 + omega1_by_chi*t86 + omega2_by_chi*t85 + p1_by_chi*t84 + p3_by_chi*t78 + sin_omega1_tau1_by_chi*t51 + sin_omega2_tau1_by_chi*t54 + t16*z1_2_by_chi + t18*v1_2_by_chi;
+    const double t87 = -t20 + t21;
+    const double t88 = V*t75 + t87*z2_2;
+    const double t89 = t75*v1_2 + t87*z1_2;
+    const double t90 = sin_omega2_tau1*t38 - sin_omega2_tau1*t58;
+    const double t91 = -sin_omega1_tau1*t38 - sin_omega1_tau1*t39;
+    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t55 + cos_omega2_tau1_by_chi*t57 + omega1_by_chi*t91 + omega2_by_chi*t90 + p1_by_chi*t89 + p2_by_chi*t88 + sin_omega1_tau1_by_chi*t56 + sin_omega2_tau1_by_chi*t59 + t22*z1_2_by_chi + t8*v1_2_by_chi;
+    const double t92 = -V*t75 - t87*z2_2;
+    const double t93 = sin_omega2_tau1*t46 - sin_omega2_tau1*t63;
+    const double t94 = -sin_omega1_tau1*t46 - sin_omega1_tau1*t47;
+    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t60 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t94 + omega2_by_chi*t93 + p1_by_chi*t92 + p3_by_chi*t89 + sin_omega1_tau1_by_chi*t61 + sin_omega2_tau1_by_chi*t64 + t16*v1_2_by_chi + t25*z1_2_by_chi;
     /* d/deta of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t49 + cos_omega2_tau1_by_eta*t50 + omega1_by_eta*t87 + omega2_by_eta*t90 + p1_by_eta*t94 + p2_by_eta*t95 + sin_omega1_tau1_by_eta*t53 + sin_omega2_tau1_by_eta*t54;
-    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t57 + cos_omega2_tau1_by_eta*t59 + omega1_by_eta*t96 + omega2_by_eta*t97 + p1_by_eta*t99 + p3_by_eta*t94 + sin_omega1_tau1_by_eta*t62 + sin_omega2_tau1_by_eta*t64;
-    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t65 + cos_omega2_tau1_by_eta*t66 + omega1_by_eta*t100 + omega2_by_eta*t101 + p1_by_eta*t104 + p2_by_eta*t105 + sin_omega1_tau1_by_eta*t67 + sin_omega2_tau1_by_eta*t69;
-    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t70 + cos_omega2_tau1_by_eta*t71 + omega1_by_eta*t106 + omega2_by_eta*t107 + p1_by_eta*t108 + p3_by_eta*t104 + sin_omega1_tau1_by_eta*t72 + sin_omega2_tau1_by_eta*t73;
+    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t40 + cos_omega2_tau1_by_eta*t44 + omega1_by_eta*t83 + omega2_by_eta*t81 + p1_by_eta*t78 + p2_by_eta*t77 + sin_omega1_tau1_by_eta*t43 + sin_omega2_tau1_by_eta*t45;
+    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t48 + cos_omega2_tau1_by_eta*t52 + omega1_by_eta*t86 + omega2_by_eta*t85 + p1_by_eta*t84 + p3_by_eta*t78 + sin_omega1_tau1_by_eta*t51 + sin_omega2_tau1_by_eta*t54;
+    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t55 + cos_omega2_tau1_by_eta*t57 + omega1_by_eta*t91 + omega2_by_eta*t90 + p1_by_eta*t89 + p2_by_eta*t88 + sin_omega1_tau1_by_eta*t56 + sin_omega2_tau1_by_eta*t59;
+    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t60 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t94 + omega2_by_eta*t93 + p1_by_eta*t92 + p3_by_eta*t89 + sin_omega1_tau1_by_eta*t61 + sin_omega2_tau1_by_eta*t64;
     /* d/dV of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_V = p2*t13 + t17*v1_2_by_V + t18*z1_2_by_V + t19*tau - t20;
-    const double z2_3_by_V = t21*v1_2_by_V + t22*z1_2_by_V + t23*tau + t24;
-    const double v1_3_by_V = t18*v1_2_by_V + t19 + t27*z1_2_by_V + t29*tau;
-    const double v2_3_by_V = t22*v1_2_by_V + t23 + t31*z1_2_by_V - t32*tau;
+    const double z1_3_by_V = t14*v1_2_by_V + t15 + t8*z1_2_by_V + t9*tau;
+    const double z2_3_by_V = t16*z1_2_by_V + t17*tau + t18*v1_2_by_V + t19;
+    const double v1_3_by_V = t22*z1_2_by_V + t23*tau + t8*v1_2_by_V + t9;
+    const double v2_3_by_V = t16*v1_2_by_V + t17 + t25*z1_2_by_V - t26*tau;
     /* d/dchi of: functions of tau2 in stick-slip */
-    const double t109 = omega3_by_chi*tau2;
-    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t109;
-    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t109;
+    const double t95 = omega3_by_chi*tau2;
+    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t95;
+    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t95;
     /* d/deta of: functions of tau2 in stick-slip */
-    const double t110 = omega3_by_eta*tau2;
-    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t110;
-    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t110;
+    const double t96 = omega3_by_eta*tau2;
+    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t96;
+    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t96;
     /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
-    const double t111 = sin_omega3_tau2/(omega3*omega3);
-    const double t112 = V*t111 - t111*v2_3;
-    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t75 + omega3_by_chi*t112 + sin_omega3_tau2_by_chi*t76 + t38*z1_3_by_chi + t40*v2_3_by_chi;
-    const double t113 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3;
-    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t77 + omega3_by_chi*t113 + sin_omega3_tau2_by_chi*t78 + t74*z1_3_by_chi - t74*z2_3_by_chi;
+    const double t97 = sin_omega3_tau2/(omega3*omega3);
+    const double t98 = V*t97 - t97*v2_3;
+    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t66 + omega3_by_chi*t98 + sin_omega3_tau2_by_chi*t67 + t29*z1_3_by_chi + t31*v2_3_by_chi;
+    const double t99 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3;
+    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t68 + omega3_by_chi*t99 + sin_omega3_tau2_by_chi*t69 + t65*z1_3_by_chi - t65*z2_3_by_chi;
     /* d/deta of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t75 + omega3_by_eta*t112 + sin_omega3_tau2_by_eta*t76 + t38*z1_3_by_eta + t40*v2_3_by_eta;
-    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t77 + omega3_by_eta*t113 + sin_omega3_tau2_by_eta*t78 + t74*z1_3_by_eta - t74*z2_3_by_eta;
+    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t66 + omega3_by_eta*t98 + sin_omega3_tau2_by_eta*t67 + t29*z1_3_by_eta + t31*v2_3_by_eta;
+    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t68 + omega3_by_eta*t99 + sin_omega3_tau2_by_eta*t69 + t65*z1_3_by_eta - t65*z2_3_by_eta;
     /* d/dV of: stick-slip for tau2, until second-reaches-belt */
     const double z1_4_by_V = tau2 + z1_3_by_V;
-    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t38*z1_3_by_V + t40*v2_3_by_V + t41;
-    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t74*z1_3_by_V - t74*z2_3_by_V + 1;
+    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t29*z1_3_by_V + t31*v2_3_by_V + t32;
+    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t65*z1_3_by_V - t65*z2_3_by_V + 1;
     if (parameter_jacobian) {
         parameter_jacobian[lane] = -z20;
         parameter_jacobian[1*lanes + lane] = 0;
@@ -3477,7 +3472,7 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
         parameter_jacobian[3*lanes + lane] = 0;
         parameter_jacobian[4*lanes + lane] = -chi*z1_2_by_chi - z1_2 + z2_2;
         parameter_jacobian[5*lanes + lane] = 0;
-        parameter_jacobian[6*lanes + lane] = -chi*z1_2_by_V + t80;
+        parameter_jacobian[6*lanes + lane] = -chi*z1_2_by_V + t2;
         parameter_jacobian[7*lanes + lane] = -1;
         parameter_jacobian[8*lanes + lane] = v1_3_by_chi;
         parameter_jacobian[9*lanes + lane] = v1_3_by_eta;
@@ -3509,7 +3504,7 @@ void dry_friction_solution_ii_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 1118. Intermediate terms: 249. */
+ * Operations: 1107. Intermediate terms: 252. */
 static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -3533,137 +3528,138 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     const double cos_tau = wave_0.cosine;
     const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
-    const double t2 = chi*cos_tau;
-    const double t3 = chi - t2;
-    const double t4 = chi*sin_tau;
-    const double z1_2 = V*sin_tau + V*(chi*tau - t4) + cos_tau*z10 + t3*z20;
+    const double t0 = chi*cos_tau;
+    const double t1 = chi - t0;
+    const double t2 = chi*sin_tau;
+    const double t3 = chi*tau - t2;
+    const double z1_2 = V*sin_tau + V*t3 + cos_tau*z10 + t1*z20;
     const double z2_2 = V*tau + z20;
-    const double v1_2 = V*cos_tau + V*t3 - sin_tau*z10 + t4*z20;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t2*z20;
     /* functions of tau1 in slip-slip */
-    const double t5 = omega1*tau1;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t5);
+    const double t4 = omega1*tau1;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t4);
     const double cos_omega1_tau1 = wave_1.cosine;
     const double sin_omega1_tau1 = wave_1.sine;
-    const double t8 = omega2*tau1;
-    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t8);
+    const double t5 = omega2*tau1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t5);
     const double cos_omega2_tau1 = wave_2.cosine;
     const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t11 = (1.0/(omega1));
-    const double t12 = sin_omega1_tau1*t11;
-    const double t13 = 1 - p1;
-    const double t14 = (1.0/(omega2));
-    const double t15 = sin_omega2_tau1*t14;
-    const double t16 = p1*t12 + t13*t15;
-    const double t17 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13;
-    const double t18 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t19 = p2*sin_omega1_tau1*t11 - p2*t15;
-    const double z1_3 = V*t19 + t16*v1_2 + t17*z1_2 + t18*z2_2;
-    const double t20 = p3*sin_omega1_tau1*t11 - p3*t15;
-    const double t21 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t22 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1;
-    const double t23 = p1*t15 + t12*t13;
-    const double z2_3 = V*t23 + t20*v1_2 + t21*z1_2 + t22*z2_2;
-    const double t24 = omega2*sin_omega2_tau1;
-    const double t25 = omega1*sin_omega1_tau1;
-    const double t26 = -p1*t25 - t13*t24;
-    const double t27 = omega2*p2*sin_omega2_tau1 - p2*t25;
-    const double v1_3 = V*t18 + t17*v1_2 + t26*z1_2 + t27*z2_2;
-    const double t28 = omega2*p3*sin_omega2_tau1 - p3*t25;
-    const double t29 = -p1*t24 - t13*t25;
-    const double v2_3 = V*t22 + t21*v1_2 + t28*z1_2 + t29*z2_2;
+    const double t6 = 1 - p1;
+    const double t7 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6;
+    const double t8 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t9 = (1.0/(omega1));
+    const double t10 = sin_omega1_tau1*t9;
+    const double t11 = (1.0/(omega2));
+    const double t12 = sin_omega2_tau1*t11;
+    const double t13 = p1*t10 + t12*t6;
+    const double t14 = p2*t10 - p2*t12;
+    const double z1_3 = V*t14 + t13*v1_2 + t7*z1_2 + t8*z2_2;
+    const double t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t16 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double t17 = p3*t10 - p3*t12;
+    const double t18 = p1*t12 + t10*t6;
+    const double z2_3 = V*t18 + t15*z1_2 + t16*z2_2 + t17*v1_2;
+    const double t19 = omega1*sin_omega1_tau1;
+    const double t20 = omega2*sin_omega2_tau1;
+    const double t21 = -p1*t19 - t20*t6;
+    const double t22 = -p2*t19 + p2*t20;
+    const double v1_3 = V*t8 + t21*z1_2 + t22*z2_2 + t7*v1_2;
+    const double t23 = -p3*t19 + p3*t20;
+    const double t24 = -p1*t20 - t19*t6;
+    const double v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t24*z2_2;
     /* functions of tau2 in stick-slip */
-    const double t30 = omega3*tau2;
-    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t30);
+    const double t25 = omega3*tau2;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t25);
     const double cos_omega3_tau2 = wave_3.cosine;
     const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t33 = 1 - cos_omega3_tau2;
-    const double t34 = (1.0/(omega3));
-    const double t35 = sin_omega3_tau2*t34;
-    const double t36 = -t35 + tau2;
-    const double z2_4 = V*t36 + cos_omega3_tau2*z2_3 + t33*z1_3 + t35*v2_3;
-    const double t37 = omega3*z1_3;
-    const double t38 = omega3*z2_3;
-    const double v2_4 = V*t33 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t37 - sin_omega3_tau2*t38;
+    const double t26 = 1 - cos_omega3_tau2;
+    const double t27 = (1.0/(omega3));
+    const double t28 = sin_omega3_tau2*t27;
+    const double t29 = -t28 + tau2;
+    const double z2_4 = V*t29 + cos_omega3_tau2*z2_3 + t26*z1_3 + t28*v2_3;
+    const double t30 = omega3*z1_3;
+    const double t31 = omega3*z2_3;
+    const double v2_4 = V*t26 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t30 - sin_omega3_tau2*t31;
     /* rate of the exit boundary after ta */
-    const double t39 = V*chi;
-    const double rate_1 = V - t39;
+    const double t32 = V*chi;
+    const double rate_1 = V - t32;
     /* derivatives of the time to the boundary after ta */
-    const double t41 = (1.0/(rate_1));
-    const double delay_ta_by_z10 = -t41;
-    const double delay_ta_by_z20 = chi*t41;
+    const double t33 = (1.0/(rate_1));
+    const double delay_ta_by_z10 = -t33;
+    const double delay_ta_by_z20 = chi*t33;
     /* perturbation on the boundary after ta */
-    const double t42 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t42 + 1;
+    const double t34 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t34 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t42;
+    const double z2_1_on_boundary_by_z10 = t34;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
-    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10;
-    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20;
-    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t4*z2_1_on_boundary_by_z10;
-    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t4*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
+    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
-    const double rate_2 = -chi*v1_2 + t39;
+    const double rate_2 = -chi*v1_2 + t32;
     /* derivatives of the time to the boundary after tau */
-    const double t44 = (1.0/(rate_2));
-    const double t45 = chi*z2_1_on_boundary_by_z10;
-    const double t46 = carried_z1_2_by_z10*chi - t45;
-    const double delay_tau_by_z10 = t44*t46;
-    const double t47 = chi*z2_1_on_boundary_by_z20;
-    const double t48 = carried_z1_2_by_z20*chi - t47;
-    const double delay_tau_by_z20 = t44*t48;
+    const double t35 = (1.0/(rate_2));
+    const double t36 = chi*z2_1_on_boundary_by_z10;
+    const double t37 = carried_z1_2_by_z10*chi - t36;
+    const double delay_tau_by_z10 = t35*t37;
+    const double t38 = chi*z2_1_on_boundary_by_z20;
+    const double t39 = carried_z1_2_by_z20*chi - t38;
+    const double delay_tau_by_z20 = t35*t39;
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t49 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t49;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t49;
+    const double t40 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t40;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t40;
     /* Phi along tau1 */
-    const double carried_z1_3_by_z10 = t16*v1_2_on_boundary_by_z10 + t17*z1_2_on_boundary_by_z10 + t18*z2_2_on_boundary_by_z10;
-    const double carried_z1_3_by_z20 = t16*v1_2_on_boundary_by_z20 + t17*z1_2_on_boundary_by_z20 + t18*z2_2_on_boundary_by_z20;
-    const double carried_z2_3_by_z10 = t20*v1_2_on_boundary_by_z10 + t21*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10;
-    const double carried_z2_3_by_z20 = t20*v1_2_on_boundary_by_z20 + t21*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20;
-    const double carried_v1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t26*z1_2_on_boundary_by_z10 + t27*z2_2_on_boundary_by_z10;
-    const double carried_v1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t26*z1_2_on_boundary_by_z20 + t27*z2_2_on_boundary_by_z20;
-    const double carried_v2_3_by_z10 = t21*v1_2_on_boundary_by_z10 + t28*z1_2_on_boundary_by_z10 + t29*z2_2_on_boundary_by_z10;
-    const double carried_v2_3_by_z20 = t21*v1_2_on_boundary_by_z20 + t28*z1_2_on_boundary_by_z20 + t29*z2_2_on_boundary_by_z20;
+    const double carried_z1_3_by_z10 = t13*v1_2_on_boundary_by_z10 + t7*z1_2_on_boundary_by_z10 + t8*z2_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t13*v1_2_on_boundary_by_z20 + t7*z1_2_on_boundary_by_z20 + t8*z2_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10 + t17*v1_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20 + t17*v1_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t21*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10 + t7*v1_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t21*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20 + t7*v1_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t24*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t24*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t50 = chi*z2_3;
-    const double rate_3 = t50 - z1_3;
+    const double t41 = chi*z2_3;
+    const double rate_3 = t41 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t51 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t51;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t51;
+    const double t42 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t42;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t42;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t52 = eta*z1_3;
-    const double t53 = chi*t52 - eta*t50;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t53;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t53;
+    const double t43 = eta*z1_3;
+    const double t44 = chi*t43 - eta*t41;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44;
     /* Phi along tau2 */
-    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t33*z1_3_on_boundary_by_z20 + t35*v2_3_on_boundary_by_z20;
-    const double t54 = omega3*z1_3_on_boundary_by_z10;
-    const double t55 = omega3*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t54 - sin_omega3_tau2*t55;
-    const double t56 = omega3*z1_3_on_boundary_by_z20;
-    const double t57 = omega3*z2_3_on_boundary_by_z20;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t56 - sin_omega3_tau2*t57;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t26*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20;
+    const double t45 = omega3*z1_3_on_boundary_by_z10;
+    const double t46 = omega3*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t45 - sin_omega3_tau2*t46;
+    const double t47 = omega3*z1_3_on_boundary_by_z20;
+    const double t48 = omega3*z2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t47 - sin_omega3_tau2*t48;
     /* rate of the exit boundary after tau2 */
-    const double t58 = eta*z1_4;
-    const double t59 = eta*z2_4;
-    const double rate_4 = chi*t58 - chi*t59;
+    const double t49 = eta*z1_4;
+    const double t50 = eta*z2_4;
+    const double rate_4 = chi*t49 - chi*t50;
     /* derivatives of the time to the boundary after tau2 */
-    const double t60 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t60;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t60;
+    const double t51 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t51;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t51;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
@@ -3685,170 +3681,172 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
     const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: rate of the exit boundary after tau2 */
-    const double t61 = (1.0/(rate_4*rate_4));
-    const double slope_by_rate_4 = V*carried_v2_4_by_z10*t61 + carried_v2_4_by_z20*t61*v2_4;
+    const double t52 = (1.0/(rate_4*rate_4));
+    const double slope_by_rate_4 = V*carried_v2_4_by_z10*t52 + carried_v2_4_by_z20*t52*v2_4;
     /* back through: Phi along tau2 */
-    const double slope_by_carried_v2_4_by_z20 = -t60*v2_4;
-    const double slope_by_carried_v2_4_by_z10 = -V*t60;
+    const double slope_by_carried_v2_4_by_z20 = -t51*v2_4;
+    const double slope_by_carried_v2_4_by_z10 = -V*t51;
     /* back through: perturbation on the boundary after tau1 */
-    const double slope_by_v2_3_on_boundary_by_z20 = cos_omega3_tau2*slope_by_carried_v2_4_by_z20 + t35;
+    const double slope_by_v2_3_on_boundary_by_z20 = cos_omega3_tau2*slope_by_carried_v2_4_by_z20 + t28;
     const double slope_by_v2_3_on_boundary_by_z10 = cos_omega3_tau2*slope_by_carried_v2_4_by_z10;
-    const double t62 = omega3*sin_omega3_tau2;
-    const double t63 = slope_by_carried_v2_4_by_z20*t62;
-    const double slope_by_z2_3_on_boundary_by_z20 = cos_omega3_tau2 - t63;
-    const double t64 = slope_by_carried_v2_4_by_z10*t62;
-    const double slope_by_z2_3_on_boundary_by_z10 = -t64;
-    const double slope_by_z1_3_on_boundary_by_z20 = -cos_omega3_tau2 + t63 + 1;
-    const double slope_by_z1_3_on_boundary_by_z10 = t64 + 1;
+    const double t53 = omega3*sin_omega3_tau2;
+    const double t54 = -cos_omega3_tau2 + slope_by_carried_v2_4_by_z20*t53;
+    const double slope_by_z2_3_on_boundary_by_z20 = -t54;
+    const double t55 = slope_by_carried_v2_4_by_z10*t53;
+    const double slope_by_z2_3_on_boundary_by_z10 = -t55;
+    const double slope_by_z1_3_on_boundary_by_z20 = t54 + 1;
+    const double slope_by_z1_3_on_boundary_by_z10 = t55 + 1;
     /* back through: derivatives of the time to the boundary after tau1 */
-    const double slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t53 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3;
-    const double slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t53 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3;
+    const double slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t44 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3;
+    const double slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t44 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3;
     /* back through: rate of the exit boundary after tau1 */
-    const double t65 = (1.0/(rate_3*rate_3));
-    const double slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t65 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t65;
+    const double t56 = (1.0/(rate_3*rate_3));
+    const double slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t56 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t56;
     /* back through: Phi along tau1 */
-    const double slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t51;
-    const double slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t51;
+    const double slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t42;
+    const double slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t42;
     /* back through: perturbation on the boundary after tau */
-    const double slope_by_v1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t17 + slope_by_v2_3_on_boundary_by_z20*t21 + slope_by_z1_3_on_boundary_by_z20*t16 + slope_by_z2_3_on_boundary_by_z20*t20;
-    const double slope_by_v1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t17 + slope_by_v2_3_on_boundary_by_z10*t21 + slope_by_z1_3_on_boundary_by_z10*t16 + slope_by_z2_3_on_boundary_by_z10*t20;
-    const double slope_by_z2_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t27 + slope_by_v2_3_on_boundary_by_z20*t29 + slope_by_z1_3_on_boundary_by_z20*t18 + slope_by_z2_3_on_boundary_by_z20*t22;
-    const double slope_by_z2_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t27 + slope_by_v2_3_on_boundary_by_z10*t29 + slope_by_z1_3_on_boundary_by_z10*t18 + slope_by_z2_3_on_boundary_by_z10*t22;
-    const double slope_by_z1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t26 + slope_by_v2_3_on_boundary_by_z20*t28 + slope_by_z1_3_on_boundary_by_z20*t17 + slope_by_z2_3_on_boundary_by_z20*t21;
-    const double slope_by_z1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t26 + slope_by_v2_3_on_boundary_by_z10*t28 + slope_by_z1_3_on_boundary_by_z10*t17 + slope_by_z2_3_on_boundary_by_z10*t21;
+    const double slope_by_v1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t7 + slope_by_v2_3_on_boundary_by_z20*t15 + slope_by_z1_3_on_boundary_by_z20*t13 + slope_by_z2_3_on_boundary_by_z20*t17;
+    const double slope_by_v1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t7 + slope_by_v2_3_on_boundary_by_z10*t15 + slope_by_z1_3_on_boundary_by_z10*t13 + slope_by_z2_3_on_boundary_by_z10*t17;
+    const double slope_by_z2_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t22 + slope_by_v2_3_on_boundary_by_z20*t24 + slope_by_z1_3_on_boundary_by_z20*t8 + slope_by_z2_3_on_boundary_by_z20*t16;
+    const double slope_by_z2_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t22 + slope_by_v2_3_on_boundary_by_z10*t24 + slope_by_z1_3_on_boundary_by_z10*t8 + slope_by_z2_3_on_boundary_by_z10*t16;
+    const double slope_by_z1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t21 + slope_by_v2_3_on_boundary_by_z20*t23 + slope_by_z1_3_on_boundary_by_z20*t7 + slope_by_z2_3_on_boundary_by_z20*t15;
+    const double slope_by_z1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t21 + slope_by_v2_3_on_boundary_by_z10*t23 + slope_by_z1_3_on_boundary_by_z10*t7 + slope_by_z2_3_on_boundary_by_z10*t15;
     /* back through: derivatives of the time to the boundary after tau */
-    const double slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t49 + slope_by_z1_2_on_boundary_by_z20*v1_2;
-    const double slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t49 + slope_by_z1_2_on_boundary_by_z10*v1_2;
+    const double slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t40 + slope_by_z1_2_on_boundary_by_z20*v1_2;
+    const double slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t40 + slope_by_z1_2_on_boundary_by_z10*v1_2;
     /* back through: rate of the exit boundary after tau */
-    const double t66 = (1.0/(rate_2*rate_2));
-    const double slope_by_rate_2 = -slope_by_delay_tau_by_z10*t46*t66 - slope_by_delay_tau_by_z20*t48*t66;
+    const double t57 = (1.0/(rate_2*rate_2));
+    const double slope_by_rate_2 = -slope_by_delay_tau_by_z10*t37*t57 - slope_by_delay_tau_by_z20*t39*t57;
     /* back through: Phi along tau */
-    const double t67 = chi*t44;
-    const double t68 = slope_by_delay_tau_by_z20*t67;
-    const double slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t68;
-    const double t69 = slope_by_delay_tau_by_z10*t67;
-    const double slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t69;
+    const double t58 = chi*t35;
+    const double t59 = slope_by_delay_tau_by_z20*t58;
+    const double slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t59;
+    const double t60 = slope_by_delay_tau_by_z10*t58;
+    const double slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t60;
     /* back through: perturbation on the boundary after ta */
-    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t3 + slope_by_v1_2_on_boundary_by_z20*t4 + slope_by_z2_2_on_boundary_by_z20 - t68;
-    const double slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t3 + slope_by_v1_2_on_boundary_by_z10*t4 + slope_by_z2_2_on_boundary_by_z10 - t69;
-    const double t70 = sin_tau*slope_by_v1_2_on_boundary_by_z20;
-    const double slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t70;
-    const double t71 = sin_tau*slope_by_v1_2_on_boundary_by_z10;
-    const double slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t71;
+    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t1 + slope_by_v1_2_on_boundary_by_z20*t2 + slope_by_z2_2_on_boundary_by_z20 - t59;
+    const double slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t1 + slope_by_v1_2_on_boundary_by_z10*t2 + slope_by_z2_2_on_boundary_by_z10 - t60;
+    const double t61 = sin_tau*slope_by_v1_2_on_boundary_by_z20;
+    const double slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t61;
+    const double t62 = sin_tau*slope_by_v1_2_on_boundary_by_z10;
+    const double slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t62;
     /* back through: derivatives of the time to the boundary after ta */
     const double slope_by_delay_ta_by_z20 = V*slope_by_z1_1_on_boundary_by_z20 + V*slope_by_z2_1_on_boundary_by_z20;
     const double slope_by_delay_ta_by_z10 = V*slope_by_z1_1_on_boundary_by_z10 + V*slope_by_z2_1_on_boundary_by_z10;
     /* back through: rate of the exit boundary after ta */
-    const double t72 = (1.0/(rate_1*rate_1));
-    const double slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t72 + slope_by_delay_ta_by_z10*t72;
+    const double t63 = (1.0/(rate_1*rate_1));
+    const double slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t63 + slope_by_delay_ta_by_z10*t63;
     /* back through: stick-slip for tau2, until second-reaches-belt */
-    const double t73 = chi*eta;
-    const double t74 = slope_by_rate_4*t73;
-    const double slope_by_z2_4 = -t74;
-    const double slope_by_z1_4 = t74;
+    const double t64 = chi*eta;
+    const double t65 = slope_by_rate_4*t64;
+    const double slope_by_z2_4 = -t65;
+    const double slope_by_z1_4 = t65;
     /* back through: functions of tau2 in stick-slip */
-    const double slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t37 - t38) + slope_by_carried_v2_4_by_z10*(t54 - t55) + slope_by_carried_v2_4_by_z20*(t56 - t57) + slope_by_z2_4*(-V*t34 + t34*v2_3) + t34*v2_3_on_boundary_by_z20;
+    const double slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t30 - t31) + slope_by_carried_v2_4_by_z10*(t45 - t46) + slope_by_carried_v2_4_by_z20*(t47 - t48) + slope_by_z2_4*(-V*t27 + t27*v2_3) + t27*v2_3_on_boundary_by_z20;
     const double slope_by_cos_omega3_tau2 = delay_tau2_by_z20*(-V + v2_3) + slope_by_carried_v2_4_by_z10*v2_3_on_boundary_by_z10 + slope_by_carried_v2_4_by_z20*v2_3_on_boundary_by_z20 + slope_by_z2_4*(-z1_3 + z2_3) - z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20;
     /* back through: slip-slip for tau1, until first-reaches-belt */
-    const double slope_by_v2_3 = cos_omega3_tau2*delay_tau2_by_z20 + delay_tau1_by_z10*slope_by_z2_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z2_3_on_boundary_by_z20 + slope_by_z2_4*t35;
+    const double slope_by_v2_3 = cos_omega3_tau2*delay_tau2_by_z20 + delay_tau1_by_z10*slope_by_z2_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z2_3_on_boundary_by_z20 + slope_by_z2_4*t28;
     const double slope_by_v1_3 = delay_tau1_by_z10*slope_by_z1_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z1_3_on_boundary_by_z20;
-    const double t75 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10;
-    const double t76 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20;
-    const double t77 = delay_tau2_by_z20*t62 + t73*t75 + t73*t76;
-    const double slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t77;
-    const double slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t33 + t77;
+    const double t66 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10;
+    const double t67 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20;
+    const double t68 = delay_tau2_by_z20*t53 + t64*t66 + t64*t67;
+    const double slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t68;
+    const double slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t26 + t68;
     /* back through: functions of tau1 in slip-slip */
-    const double t78 = p2*z2_2_on_boundary_by_z10;
-    const double t79 = t13*z1_2_on_boundary_by_z10;
-    const double t80 = p2*z2_2_on_boundary_by_z20;
-    const double t81 = t13*z1_2_on_boundary_by_z20;
-    const double t82 = p2*z2_2;
-    const double t83 = t13*z1_2;
-    const double t84 = p1*z2_2;
-    const double t85 = p1*z2_2_on_boundary_by_z10;
-    const double t86 = p1*z2_2_on_boundary_by_z20;
-    const double t87 = V*p2;
-    const double t88 = V*p1;
-    const double t89 = p3*v1_2;
-    const double t90 = t13*t14;
-    const double t91 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10;
-    const double t92 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20;
-    const double t93 = p3*v1_2_on_boundary_by_z10;
-    const double t94 = slope_by_z2_3_on_boundary_by_z10*t93;
-    const double t95 = p3*v1_2_on_boundary_by_z20;
-    const double t96 = slope_by_z2_3_on_boundary_by_z20*t95;
-    const double slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t78 - omega2*t79) + slope_by_carried_v1_3_by_z20*(omega2*t80 - omega2*t81) + slope_by_v1_3*(omega2*t82 - omega2*t83) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t84) + slope_by_v2_3_on_boundary_by_z10*(omega2*p3*z1_2_on_boundary_by_z10 - omega2*t85) + slope_by_v2_3_on_boundary_by_z20*(omega2*p3*z1_2_on_boundary_by_z20 - omega2*t86) + slope_by_z1_3*(t13*t14*v1_2 - t14*t87) + slope_by_z2_3*(t14*t88 - t14*t89) - t14*t94 - t14*t96 + t90*t91 + t90*t92;
-    const double t97 = p3*z1_2;
-    const double t98 = p3*z1_2_on_boundary_by_z10;
-    const double t99 = p3*z1_2_on_boundary_by_z20;
-    const double t100 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10;
-    const double t101 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20;
-    const double t102 = slope_by_v2_3_on_boundary_by_z10*t93;
-    const double t103 = slope_by_v2_3_on_boundary_by_z20*t95;
-    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t87) + slope_by_v2_3*(t88 - t89) + slope_by_z1_3*(t13*z1_2 - t82) + slope_by_z1_3_on_boundary_by_z10*(t13*z1_2_on_boundary_by_z10 - t78) + slope_by_z1_3_on_boundary_by_z20*(t13*z1_2_on_boundary_by_z20 - t80) + slope_by_z2_3*(t84 - t97) + slope_by_z2_3_on_boundary_by_z10*(t85 - t98) + slope_by_z2_3_on_boundary_by_z20*(t86 - t99) + t100*t13 + t101*t13 - t102 - t103;
-    const double t104 = p1*z1_2_on_boundary_by_z10;
-    const double t105 = p1*z1_2_on_boundary_by_z20;
-    const double t106 = p1*z1_2;
-    const double t107 = t13*z2_2;
-    const double t108 = t13*z2_2_on_boundary_by_z10;
-    const double t109 = t13*z2_2_on_boundary_by_z20;
-    const double t110 = p1*v1_2;
-    const double t111 = V*t13;
-    const double t112 = p1*t11;
-    const double slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t104 - omega1*t78) + slope_by_carried_v1_3_by_z20*(-omega1*t105 - omega1*t80) + slope_by_v1_3*(-omega1*t106 - omega1*t82) + slope_by_v2_3*(-omega1*t107 - omega1*t97) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t108 - omega1*t98) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t109 - omega1*t99) + slope_by_z1_3*(t11*t110 + t11*t87) + slope_by_z2_3*(t11*t111 + t11*t89) + t11*t94 + t11*t96 + t112*t91 + t112*t92;
-    const double slope_by_cos_omega1_tau1 = p1*t100 + p1*t101 + slope_by_v1_3*(t110 + t87) + slope_by_v2_3*(t111 + t89) + slope_by_z1_3*(t106 + t82) + slope_by_z1_3_on_boundary_by_z10*(t104 + t78) + slope_by_z1_3_on_boundary_by_z20*(t105 + t80) + slope_by_z2_3*(t107 + t97) + slope_by_z2_3_on_boundary_by_z10*(t108 + t98) + slope_by_z2_3_on_boundary_by_z20*(t109 + t99) + t102 + t103;
+    const double t69 = p3*z1_2_on_boundary_by_z20;
+    const double t70 = p1*z2_2_on_boundary_by_z20;
+    const double t71 = p3*z1_2_on_boundary_by_z10;
+    const double t72 = p1*z2_2_on_boundary_by_z10;
+    const double t73 = p2*z2_2_on_boundary_by_z20;
+    const double t74 = t6*z1_2_on_boundary_by_z20;
+    const double t75 = p2*z2_2_on_boundary_by_z10;
+    const double t76 = t6*z1_2_on_boundary_by_z10;
+    const double t77 = p3*z1_2;
+    const double t78 = p1*z2_2;
+    const double t79 = p2*z2_2;
+    const double t80 = t6*z1_2;
+    const double t81 = V*p1;
+    const double t82 = p3*v1_2;
+    const double t83 = V*p2;
+    const double t84 = t11*t6;
+    const double t85 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10;
+    const double t86 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20;
+    const double t87 = p3*v1_2_on_boundary_by_z10;
+    const double t88 = slope_by_z2_3_on_boundary_by_z10*t87;
+    const double t89 = p3*v1_2_on_boundary_by_z20;
+    const double t90 = slope_by_z2_3_on_boundary_by_z20*t89;
+    const double slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t75 - omega2*t76) + slope_by_carried_v1_3_by_z20*(omega2*t73 - omega2*t74) + slope_by_v1_3*(omega2*t79 - omega2*t80) + slope_by_v2_3*(omega2*t77 - omega2*t78) + slope_by_v2_3_on_boundary_by_z10*(omega2*t71 - omega2*t72) + slope_by_v2_3_on_boundary_by_z20*(omega2*t69 - omega2*t70) + slope_by_z1_3*(t11*t6*v1_2 - t11*t83) + slope_by_z2_3*(t11*t81 - t11*t82) - t11*t88 - t11*t90 + t84*t85 + t84*t86;
+    const double t91 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10;
+    const double t92 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20;
+    const double t93 = slope_by_v2_3_on_boundary_by_z10*t87;
+    const double t94 = slope_by_v2_3_on_boundary_by_z20*t89;
+    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t6*v1_2 - t83) + slope_by_v2_3*(t81 - t82) + slope_by_z1_3*(t6*z1_2 - t79) + slope_by_z1_3_on_boundary_by_z10*(t6*z1_2_on_boundary_by_z10 - t75) + slope_by_z1_3_on_boundary_by_z20*(t6*z1_2_on_boundary_by_z20 - t73) + slope_by_z2_3*(p1*z2_2 - t77) + slope_by_z2_3_on_boundary_by_z10*(p1*z2_2_on_boundary_by_z10 - t71) + slope_by_z2_3_on_boundary_by_z20*(p1*z2_2_on_boundary_by_z20 - t69) + t6*t91 + t6*t92 - t93 - t94;
+    const double t95 = t6*z2_2_on_boundary_by_z20;
+    const double t96 = t6*z2_2_on_boundary_by_z10;
+    const double t97 = p1*z1_2_on_boundary_by_z20;
+    const double t98 = p1*z1_2_on_boundary_by_z10;
+    const double t99 = t6*z2_2;
+    const double t100 = p1*z1_2;
+    const double t101 = V*t6;
+    const double t102 = p1*v1_2;
+    const double t103 = p1*t9;
+    const double slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t75 - omega1*t98) + slope_by_carried_v1_3_by_z20*(-omega1*t73 - omega1*t97) + slope_by_v1_3*(-omega1*t100 - omega1*t79) + slope_by_v2_3*(-omega1*t77 - omega1*t99) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t71 - omega1*t96) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t69 - omega1*t95) + slope_by_z1_3*(t102*t9 + t83*t9) + slope_by_z2_3*(t101*t9 + t82*t9) + t103*t85 + t103*t86 + t88*t9 + t9*t90;
+    const double slope_by_cos_omega1_tau1 = p1*t91 + p1*t92 + slope_by_v1_3*(t102 + t83) + slope_by_v2_3*(t101 + t82) + slope_by_z1_3*(t100 + t79) + slope_by_z1_3_on_boundary_by_z10*(t75 + t98) + slope_by_z1_3_on_boundary_by_z20*(t73 + t97) + slope_by_z2_3*(t77 + t99) + slope_by_z2_3_on_boundary_by_z10*(t71 + t96) + slope_by_z2_3_on_boundary_by_z20*(t69 + t95) + t93 + t94;
     /* back through: slip-stick for tau, until second-breaks-forward */
-    const double t113 = chi*slope_by_rate_2;
-    const double slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t17 + slope_by_v2_3*t21 + slope_by_z1_3*t16 + slope_by_z2_3*t20 - t113;
-    const double t114 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10;
-    const double t115 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20;
-    const double slope_by_z2_2 = chi*t114 + chi*t115 + slope_by_v1_3*t27 + slope_by_v2_3*t29 + slope_by_z1_3*t18 + slope_by_z2_3*t22;
-    const double slope_by_z1_2 = slope_by_v1_3*t26 + slope_by_v2_3*t28 + slope_by_z1_3*t17 + slope_by_z2_3*t21 - t114 - t115;
+    const double t104 = chi*slope_by_rate_2;
+    const double slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t7 + slope_by_v2_3*t15 + slope_by_z1_3*t13 + slope_by_z2_3*t17 - t104;
+    const double t105 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10;
+    const double t106 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20;
+    const double slope_by_z2_2 = chi*t105 + chi*t106 + slope_by_v1_3*t22 + slope_by_v2_3*t24 + slope_by_z1_3*t8 + slope_by_z2_3*t16;
+    const double slope_by_z1_2 = slope_by_v1_3*t21 + slope_by_v2_3*t23 + slope_by_z1_3*t7 + slope_by_z2_3*t15 - t105 - t106;
     /* back through: functions of tau in slip-stick */
-    const double t116 = chi*z20 - z10;
-    const double t117 = t45 - z1_1_on_boundary_by_z10;
-    const double t118 = t47 - z1_1_on_boundary_by_z20;
-    const double slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t116 + slope_by_v1_2_on_boundary_by_z10*t117 + slope_by_v1_2_on_boundary_by_z20*t118;
-    const double slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t117 - slope_by_carried_z1_2_by_z20*t118 - slope_by_z1_2*t116;
+    const double t107 = t38 - z1_1_on_boundary_by_z20;
+    const double t108 = t36 - z1_1_on_boundary_by_z10;
+    const double t109 = chi*z20 - z10;
+    const double slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t109 + slope_by_v1_2_on_boundary_by_z10*t108 + slope_by_v1_2_on_boundary_by_z20*t107;
+    const double slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t108 - slope_by_carried_z1_2_by_z20*t107 - slope_by_z1_2*t109;
     /* trace_gradient */
-    const double t119 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
-    const double t120 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
-    const double t121 = cos_omega3_tau2*slope_by_sin_omega3_tau2;
-    const double t122 = sin_omega3_tau2*slope_by_cos_omega3_tau2;
-    const double t123 = sin_omega1_tau1/(omega1*omega1);
-    const double t124 = p1*t123;
-    const double t125 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t104 - sin_omega1_tau1*t78) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t105 - sin_omega1_tau1*t80) + slope_by_v1_3*(-sin_omega1_tau1*t106 - sin_omega1_tau1*t82) + slope_by_v2_3*(-sin_omega1_tau1*t107 - sin_omega1_tau1*t97) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t108 - sin_omega1_tau1*t98) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t109 - sin_omega1_tau1*t99) + slope_by_z1_3*(-t110*t123 - t123*t87) + slope_by_z2_3*(-t111*t123 - t123*t89) - t120*tau1 - t123*t94 - t123*t96 - t124*t91 - t124*t92;
-    const double t126 = (1.0/(omega2*omega2));
-    const double t127 = sin_omega2_tau1*t126;
-    const double t128 = t127*t13;
-    const double t129 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t78 - sin_omega2_tau1*t79) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t80 - sin_omega2_tau1*t81) + slope_by_v1_3*(sin_omega2_tau1*t82 - sin_omega2_tau1*t83) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t84) + slope_by_v2_3_on_boundary_by_z10*(p3*sin_omega2_tau1*z1_2_on_boundary_by_z10 - sin_omega2_tau1*t85) + slope_by_v2_3_on_boundary_by_z20*(p3*sin_omega2_tau1*z1_2_on_boundary_by_z20 - sin_omega2_tau1*t86) + slope_by_z1_3*(-t127*t13*v1_2 + t127*t87) + slope_by_z2_3*(p3*sin_omega2_tau1*t126*v1_2 - t127*t88) - t119*tau1 + t127*t94 + t127*t96 - t128*t91 - t128*t92;
-    const double t130 = sin_omega3_tau2/(omega3*omega3);
-    const double t131 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t130 - t130*v2_3) + t121*tau2 - t122*tau2 - t130*v2_3_on_boundary_by_z20;
-    const double t132 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t133 = -omega2*sin_omega2_tau1 + t25;
-    const double t135 = t132*v1_2_on_boundary_by_z10 - t133*z1_2_on_boundary_by_z10;
-    const double t136 = t132*v1_2_on_boundary_by_z20 - t133*z1_2_on_boundary_by_z20;
-    const double t137 = t132*v1_2 - t133*z1_2;
-    const double t139 = -sin_omega1_tau1*t11 + t15;
-    const double t141 = t132*z1_2 - t139*v1_2;
-    const double t142 = t132*z1_2_on_boundary_by_z10 - t139*v1_2_on_boundary_by_z10;
-    const double t143 = t132*z1_2_on_boundary_by_z20 - t139*v1_2_on_boundary_by_z20;
-    const double t144 = slope_by_carried_v1_3_by_z10*t135 + slope_by_carried_v1_3_by_z20*t136 + slope_by_v1_3*t137 + slope_by_v2_3*(-V*t132 + t133*z2_2) + slope_by_v2_3_on_boundary_by_z10*t133*z2_2_on_boundary_by_z10 + slope_by_v2_3_on_boundary_by_z20*t133*z2_2_on_boundary_by_z20 + slope_by_z1_3*t141 + slope_by_z1_3_on_boundary_by_z10*t142 + slope_by_z1_3_on_boundary_by_z20*t143 + slope_by_z2_3*(V*t139 - t132*z2_2) - slope_by_z2_3_on_boundary_by_z10*t132*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t132*z2_2_on_boundary_by_z20;
-    const double t145 = -slope_by_carried_v1_3_by_z10*t133*z2_2_on_boundary_by_z10 - slope_by_carried_v1_3_by_z20*t133*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t132 - t133*z2_2) + slope_by_z1_3*(-V*t139 + t132*z2_2) + slope_by_z1_3_on_boundary_by_z10*t132*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t132*z2_2_on_boundary_by_z20;
-    const double t146 = slope_by_v2_3*t137 + slope_by_v2_3_on_boundary_by_z10*t135 + slope_by_v2_3_on_boundary_by_z20*t136 + slope_by_z2_3*t141 + slope_by_z2_3_on_boundary_by_z10*t142 + slope_by_z2_3_on_boundary_by_z20*t143;
-    const double t147 = 1 - cos_tau;
-    const double t148 = -eta*z2_3 + t52;
-    const double t149 = chi*z1_3 - t50;
+    const double t110 = cos_omega2_tau1*slope_by_sin_omega2_tau1;
+    const double t111 = cos_omega1_tau1*slope_by_sin_omega1_tau1;
+    const double t112 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
+    const double t113 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
+    const double t114 = cos_omega3_tau2*slope_by_sin_omega3_tau2;
+    const double t115 = sin_omega3_tau2*slope_by_cos_omega3_tau2;
+    const double t116 = sin_omega3_tau2/(omega3*omega3);
+    const double t117 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t116 - t116*v2_3) + t114*tau2 - t115*tau2 - t116*v2_3_on_boundary_by_z20;
+    const double t118 = -t19 + t20;
+    const double t119 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t120 = t118*z1_2_on_boundary_by_z20 + t119*v1_2_on_boundary_by_z20;
+    const double t121 = t118*z1_2_on_boundary_by_z10 + t119*v1_2_on_boundary_by_z10;
+    const double t122 = t10 - t12;
+    const double t123 = t119*z1_2_on_boundary_by_z20 + t122*v1_2_on_boundary_by_z20;
+    const double t124 = t119*z1_2_on_boundary_by_z10 + t122*v1_2_on_boundary_by_z10;
+    const double t125 = t118*z1_2 + t119*v1_2;
+    const double t126 = t119*z1_2 + t122*v1_2;
+    const double t127 = slope_by_v2_3*t125 + slope_by_v2_3_on_boundary_by_z10*t121 + slope_by_v2_3_on_boundary_by_z20*t120 + slope_by_z2_3*t126 + slope_by_z2_3_on_boundary_by_z10*t124 + slope_by_z2_3_on_boundary_by_z20*t123;
+    const double t128 = slope_by_carried_v1_3_by_z10*t118*z2_2_on_boundary_by_z10 + slope_by_carried_v1_3_by_z20*t118*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t119 + t118*z2_2) + slope_by_z1_3*(V*t122 + t119*z2_2) + slope_by_z1_3_on_boundary_by_z10*t119*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t119*z2_2_on_boundary_by_z20;
+    const double t129 = slope_by_carried_v1_3_by_z10*t121 + slope_by_carried_v1_3_by_z20*t120 + slope_by_v1_3*t125 + slope_by_v2_3*(-V*t119 - t118*z2_2) - slope_by_v2_3_on_boundary_by_z10*t118*z2_2_on_boundary_by_z10 - slope_by_v2_3_on_boundary_by_z20*t118*z2_2_on_boundary_by_z20 + slope_by_z1_3*t126 + slope_by_z1_3_on_boundary_by_z10*t124 + slope_by_z1_3_on_boundary_by_z20*t123 + slope_by_z2_3*(-V*t122 - t119*z2_2) - slope_by_z2_3_on_boundary_by_z10*t119*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t119*z2_2_on_boundary_by_z20;
+    const double t130 = (1.0/(omega2*omega2));
+    const double t131 = sin_omega2_tau1*t130;
+    const double t132 = t131*t6;
+    const double t133 = slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t75 - sin_omega2_tau1*t76) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t73 - sin_omega2_tau1*t74) + slope_by_v1_3*(sin_omega2_tau1*t79 - sin_omega2_tau1*t80) + slope_by_v2_3*(sin_omega2_tau1*t77 - sin_omega2_tau1*t78) + slope_by_v2_3_on_boundary_by_z10*(sin_omega2_tau1*t71 - sin_omega2_tau1*t72) + slope_by_v2_3_on_boundary_by_z20*(sin_omega2_tau1*t69 - sin_omega2_tau1*t70) + slope_by_z1_3*(-t131*t6*v1_2 + t131*t83) + slope_by_z2_3*(p3*sin_omega2_tau1*t130*v1_2 - t131*t81) + t110*tau1 - t112*tau1 + t131*t88 + t131*t90 - t132*t85 - t132*t86;
+    const double t134 = sin_omega1_tau1/(omega1*omega1);
+    const double t135 = p1*t134;
+    const double t136 = slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t75 - sin_omega1_tau1*t98) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t73 - sin_omega1_tau1*t97) + slope_by_v1_3*(-sin_omega1_tau1*t100 - sin_omega1_tau1*t79) + slope_by_v2_3*(-sin_omega1_tau1*t77 - sin_omega1_tau1*t99) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t71 - sin_omega1_tau1*t96) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t69 - sin_omega1_tau1*t95) + slope_by_z1_3*(-t102*t134 - t134*t83) + slope_by_z2_3*(-t101*t134 - t134*t82) + t111*tau1 - t113*tau1 - t134*t88 - t134*t90 - t135*t85 - t135*t86;
+    const double t137 = 1 - cos_tau;
+    const double t138 = -eta*z2_3 + t43;
+    const double t139 = chi*z1_3 - t41;
     if (trace_gradient) {
         trace_gradient[lane] = cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2;
-        trace_gradient[1*lanes + lane] = slope_by_v1_2*t4 + slope_by_z1_2*t3 + slope_by_z2_2;
-        trace_gradient[2*lanes + lane] = V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t39;
-        trace_gradient[3*lanes + lane] = cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t120 - omega2*t119;
-        trace_gradient[4*lanes + lane] = V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t121 - omega3*t122;
+        trace_gradient[1*lanes + lane] = slope_by_v1_2*t2 + slope_by_z1_2*t1 + slope_by_z2_2;
+        trace_gradient[2*lanes + lane] = V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t32;
+        trace_gradient[3*lanes + lane] = omega1*t111 - omega1*t113 + omega2*t110 - omega2*t112;
+        trace_gradient[4*lanes + lane] = V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t114 - omega3*t115;
         trace_gradient[5*lanes + lane] = 0;
-        trace_gradient[6*lanes + lane] = -V*slope_by_rate_1 + omega1_by_chi*t125 + omega2_by_chi*t129 + omega3_by_chi*t131 + p1_by_chi*t144 + p2_by_chi*t145 + p3_by_chi*t146 + slope_by_carried_z1_2_by_z10*t147*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t147*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t41 + slope_by_delay_tau_by_z10*t44*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t44*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t58 - t59) + slope_by_v1_2*(V*t147 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t147*z20) + t114*z2_2 + t115*z2_2 + t148*t75 + t148*t76 + t70*z2_1_on_boundary_by_z20 + t71*z2_1_on_boundary_by_z10;
-        trace_gradient[7*lanes + lane] = omega1_by_eta*t125 + omega2_by_eta*t129 + omega3_by_eta*t131 + p1_by_eta*t144 + p2_by_eta*t145 + p3_by_eta*t146 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t149*t75 + t149*t76;
-        trace_gradient[8*lanes + lane] = delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t33 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t2) + slope_by_v1_3*t18 + slope_by_v2_3*t22 + slope_by_z1_2*(chi*tau + sin_tau - t4) + slope_by_z1_3*t19 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t23 + slope_by_z2_4*t36 + t113;
+        trace_gradient[6*lanes + lane] = -V*slope_by_rate_1 + omega1_by_chi*t136 + omega2_by_chi*t133 + omega3_by_chi*t117 + p1_by_chi*t129 + p2_by_chi*t128 + p3_by_chi*t127 + slope_by_carried_z1_2_by_z10*t137*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t137*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t33 + slope_by_delay_tau_by_z10*t35*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t35*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t49 - t50) + slope_by_v1_2*(V*t137 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t137*z20) + t105*z2_2 + t106*z2_2 + t138*t66 + t138*t67 + t61*z2_1_on_boundary_by_z20 + t62*z2_1_on_boundary_by_z10;
+        trace_gradient[7*lanes + lane] = omega1_by_eta*t136 + omega2_by_eta*t133 + omega3_by_eta*t117 + p1_by_eta*t129 + p2_by_eta*t128 + p3_by_eta*t127 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t139*t66 + t139*t67;
+        trace_gradient[8*lanes + lane] = delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t26 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t0) + slope_by_v1_3*t8 + slope_by_v2_3*t16 + slope_by_z1_2*(sin_tau + t3) + slope_by_z1_3*t14 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t18 + slope_by_z2_4*t29 + t104;
         trace_gradient[9*lanes + lane] = 0;
     }
 }
@@ -3863,7 +3861,7 @@ void dry_friction_solution_ii_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Operations: 186. Intermediate terms: 49. */
+ * Operations: 181. Intermediate terms: 50. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_passage(
     const double parameters[4], const double spectrum[7], const double unknowns[6], double *states,
@@ -3901,16 +3899,16 @@ void dry_friction_solution_ii_passage(
     const double cos_omega2_tau1 = cos(t3);
     const double sin_omega2_tau1 = sin(t3);
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t4 = (1.0/(omega1));
-    const double t5 = sin_omega1_tau1*t4;
-    const double t6 = 1 - p1;
-    const double t7 = sin_omega2_tau1/omega2;
-    const double z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + v1_2*(p1*t5 + t6*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t6) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
-    const double t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t9 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
-    const double z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7);
+    const double t4 = 1 - p1;
+    const double t5 = sin_omega1_tau1/omega1;
+    const double t6 = sin_omega2_tau1/omega2;
+    const double z1_3 = V*(p2*t5 - p2*t6) + v1_2*(p1*t5 + t4*t6) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t4) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2);
+    const double t7 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t8 = cos_omega1_tau1*t4 + cos_omega2_tau1*p1;
+    const double z2_3 = V*(p1*t6 + t4*t5) + t7*z1_2 + t8*z2_2 + v1_2*(p3*t5 - p3*t6);
+    const double t9 = omega2*sin_omega2_tau1;
     const double t10 = omega1*sin_omega1_tau1;
-    const double v2_3 = V*t9 + t8*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t10) + z2_2*(-omega2*p1*sin_omega2_tau1 - t10*t6);
+    const double v2_3 = V*t8 + t7*v1_2 + z1_2*(-p3*t10 + p3*t9) + z2_2*(-p1*t9 - t10*t4);
     /* functions of tau2 in stick-slip */
     const double t11 = omega3*tau2;
     const double cos_omega3_tau2 = cos(t11);
@@ -3947,64 +3945,65 @@ void dry_friction_solution_ii_passage(
     /* coefficients */
     const double t14 = chi*z20;
     const double t15 = t14 - z10;
-    const double t17 = V*chi;
-    const double t18 = -V + t17;
-    const double t21 = chi*z10;
-    const double t22 = e2 - t14;
-    const double t23 = e2 + t14;
-    const double t24 = (chi*chi);
-    const double t25 = t24*z20;
-    const double t26 = V*t24 - t17;
-    const double t27 = -chi*t15;
-    const double t28 = -chi*t18;
-    const double t29 = V*p2;
-    const double t30 = omega1*z1_2;
-    const double t31 = p2*z2_2;
-    const double t32 = p3*v1_2;
-    const double t33 = chi*z1_3;
-    const double t34 = chi*(-z1_3 + z2_3);
-    const double t35 = chi*(-V*t12 + t12*v2_3);
+    const double t16 = V*chi;
+    const double t17 = -V + t16;
+    const double t18 = chi*z10;
+    const double t19 = e2 - t14;
+    const double t20 = e2 + t14;
+    const double t21 = (chi*chi);
+    const double t22 = t21*z20;
+    const double t23 = V*t21 - t16;
+    const double t24 = -chi*t15;
+    const double t25 = -chi*t17;
+    const double t26 = V*p2;
+    const double t27 = p2*z2_2;
+    const double t28 = omega1*z1_2;
+    const double t29 = omega2*z1_2;
+    const double t30 = p3*v1_2;
+    const double t31 = chi*z1_3;
+    const double t32 = chi*(-z1_3 + z2_3);
+    const double t33 = chi*(-V*t12 + t12*v2_3);
     if (coefficients) {
         coefficients[0] = -e1 - t15;
-        coefficients[1] = -t18;
+        coefficients[1] = -t17;
         coefficients[2] = -e1 + t14 - z10;
-        coefficients[3] = t18;
-        coefficients[4] = -t21 - t22;
+        coefficients[3] = t17;
+        coefficients[4] = -t18 - t19;
         coefficients[5] = 0;
-        coefficients[6] = t21 - t23;
+        coefficients[6] = t18 - t20;
         coefficients[7] = 0;
-        coefficients[8] = t18;
+        coefficients[8] = t17;
         coefficients[9] = 0;
-        coefficients[10] = -t18;
+        coefficients[10] = -t17;
         coefficients[11] = t15;
-        coefficients[12] = -t22 - t25;
-        coefficients[13] = -t26;
-        coefficients[14] = -t27;
-        coefficients[15] = -t28;
-        coefficients[16] = -t23 + t25;
-        coefficients[17] = t26;
-        coefficients[18] = t27;
-        coefficients[19] = t28;
+        coefficients[12] = -t19 - t22;
+        coefficients[13] = -t23;
+        coefficients[14] = -t24;
+        coefficients[15] = -t25;
+        coefficients[16] = -t20 + t22;
+        coefficients[17] = t23;
+        coefficients[18] = t24;
+        coefficients[19] = t25;
         coefficients[20] = -V;
         coefficients[21] = 0;
-        coefficients[22] = p1*v1_2 + t29;
-        coefficients[23] = -t29 + t6*v1_2;
-        coefficients[24] = -omega1*t31 - p1*t30;
-        coefficients[25] = omega2*t31 - omega2*t6*z1_2;
+        coefficients[22] = p1*v1_2 + t26;
+        coefficients[23] = -t26 + t4*v1_2;
+        coefficients[24] = -omega1*t27 - p1*t28;
+        coefficients[25] = omega2*t27 - t29*t4;
         coefficients[26] = -V;
         coefficients[27] = 0;
-        coefficients[28] = V*t6 + t32;
-        coefficients[29] = V*p1 - t32;
-        coefficients[30] = -omega1*t6*z2_2 - p3*t30;
-        coefficients[31] = -omega2*p1*z2_2 + omega2*p3*z1_2;
-        coefficients[32] = -e1 - t33 + z1_3;
-        coefficients[33] = -t18;
-        coefficients[34] = -t34;
-        coefficients[35] = -t35;
-        coefficients[36] = -e1 + t33 - z1_3;
-        coefficients[37] = t18;
-        coefficients[38] = t34;
-        coefficients[39] = t35;
+        coefficients[28] = V*t4 + t30;
+        coefficients[29] = V*p1 - t30;
+        coefficients[30] = -omega1*t4*z2_2 - p3*t28;
+        coefficients[31] = -omega2*p1*z2_2 + p3*t29;
+        coefficients[32] = -e1 - t31 + z1_3;
+        coefficients[33] = -t17;
+        coefficients[34] = -t32;
+        coefficients[35] = -t33;
+        coefficients[36] = -e1 + t31 - z1_3;
+        coefficients[37] = t17;
+        coefficients[38] = t32;
+        coefficients[39] = t33;
         coefficients[40] = 0;
         coefficients[41] = 0;
         coefficients[42] = -V + v2_3;
@@ -4021,7 +4020,7 @@ void dry_friction_solution_ii_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 487. Intermediate terms: 182. */
+ * Operations: 479. Intermediate terms: 180. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
@@ -4047,124 +4046,123 @@ void dry_friction_solution_ii_linearisation(
     /* slip-stick for tau, until second-breaks-forward */
     const double t0 = chi*cos_tau;
     const double t1 = chi - t0;
-    const double t2 = chi*sin_tau;
-    const double t3 = chi*tau - t2;
-    const double z1_2 = V*sin_tau + V*t3 + cos_tau*z10 + t1*z20;
+    const double t2 = chi*tau;
+    const double t3 = chi*sin_tau;
+    const double t4 = t2 - t3;
+    const double z1_2 = V*sin_tau + V*t4 + cos_tau*z10 + t1*z20;
     const double z2_2 = V*tau + z20;
-    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t2*z20;
+    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t3*z20;
     /* functions of tau1 in slip-slip */
-    const double t4 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t4);
-    const double sin_omega1_tau1 = sin(t4);
-    const double t5 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t5);
-    const double sin_omega2_tau1 = sin(t5);
+    const double t5 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t5);
+    const double sin_omega1_tau1 = sin(t5);
+    const double t6 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t6);
+    const double sin_omega2_tau1 = sin(t6);
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t6 = (1.0/(omega1));
-    const double t7 = sin_omega1_tau1*t6;
-    const double t8 = 1 - p1;
-    const double t9 = sin_omega2_tau1/omega2;
-    const double t10 = p1*t7 + t8*t9;
-    const double t11 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
-    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t13 = p2*sin_omega1_tau1*t6 - p2*t9;
-    const double z1_3 = V*t13 + t10*v1_2 + t11*z1_2 + t12*z2_2;
-    const double t14 = p3*sin_omega1_tau1*t6 - p3*t9;
-    const double t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
-    const double t17 = p1*t9 + t7*t8;
-    const double z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2;
-    const double t18 = omega2*sin_omega2_tau1;
-    const double t19 = omega1*sin_omega1_tau1;
-    const double t20 = -p1*t19 - t18*t8;
-    const double t21 = p2*t19;
-    const double t22 = omega2*p2*sin_omega2_tau1 - t21;
-    const double v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2;
-    const double t23 = omega2*p3*sin_omega2_tau1 - p3*t19;
-    const double t24 = p1*t18;
-    const double t25 = t19*t8;
-    const double t26 = -t24 - t25;
-    const double v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t26*z2_2;
+    const double t7 = 1 - p1;
+    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t10 = sin_omega1_tau1/omega1;
+    const double t11 = sin_omega2_tau1/omega2;
+    const double t12 = p1*t10 + t11*t7;
+    const double t13 = p2*t10 - p2*t11;
+    const double z1_3 = V*t13 + t12*v1_2 + t8*z1_2 + t9*z2_2;
+    const double t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t15 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
+    const double t16 = p3*t10 - p3*t11;
+    const double t17 = p1*t11 + t10*t7;
+    const double z2_3 = V*t17 + t14*z1_2 + t15*z2_2 + t16*v1_2;
+    const double t18 = omega1*sin_omega1_tau1;
+    const double t19 = omega2*sin_omega2_tau1;
+    const double t20 = -p1*t18 - t19*t7;
+    const double t21 = -p2*t18 + p2*t19;
+    const double v1_3 = V*t9 + t20*z1_2 + t21*z2_2 + t8*v1_2;
+    const double t22 = -p3*t18 + p3*t19;
+    const double t23 = p1*t19;
+    const double t24 = t18*t7;
+    const double t25 = -t23 - t24;
+    const double v2_3 = V*t15 + t14*v1_2 + t22*z1_2 + t25*z2_2;
     /* functions of tau2 in stick-slip */
-    const double t27 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t27);
-    const double sin_omega3_tau2 = sin(t27);
+    const double t26 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t26);
+    const double sin_omega3_tau2 = sin(t26);
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t28 = 1 - cos_omega3_tau2;
-    const double t29 = sin_omega3_tau2/omega3;
-    const double z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3;
-    const double t30 = omega3*sin_omega3_tau2;
-    const double v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3;
+    const double t27 = 1 - cos_omega3_tau2;
+    const double t28 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t28 + tau2) + cos_omega3_tau2*z2_3 + t27*z1_3 + t28*v2_3;
+    const double t29 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t27 + cos_omega3_tau2*v2_3 + t29*z1_3 - t29*z2_3;
     /* rate of the exit boundary after ta */
-    const double t31 = V*chi;
-    const double rate_1 = V - t31;
+    const double t30 = V*chi;
+    const double rate_1 = V - t30;
     /* derivatives of the time to the boundary after ta */
-    const double t33 = (1.0/(rate_1));
-    const double delay_ta_by_z10 = -t33;
-    const double delay_ta_by_z20 = chi*t33;
+    const double t31 = (1.0/(rate_1));
+    const double delay_ta_by_z10 = -t31;
+    const double delay_ta_by_z20 = chi*t31;
     /* perturbation on the boundary after ta */
-    const double t34 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t34 + 1;
+    const double t32 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = t32 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t34;
+    const double z2_1_on_boundary_by_z10 = t32;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
     const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
     const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
-    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
-    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10;
+    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
-    const double rate_2 = -chi*v1_2 + t31;
+    const double rate_2 = -chi*v1_2 + t30;
     /* derivatives of the time to the boundary after tau */
-    const double t37 = (1.0/(rate_2));
-    const double delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double t33 = (1.0/(rate_2));
+    const double delay_tau_by_z10 = t33*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t38 = chi*z2_2;
-    const double t39 = t38 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39;
+    const double t34 = chi*z2_2;
+    const double t35 = t34 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t35;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t35;
     /* Phi along tau1 */
-    const double carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10;
-    const double carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20;
-    const double carried_z2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10;
-    const double carried_z2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20;
-    const double carried_v1_3_by_z10 = t11*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10;
-    const double carried_v1_3_by_z20 = t11*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20;
-    const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10;
-    const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
+    const double carried_z1_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t8*z1_2_on_boundary_by_z10 + t9*z2_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t8*z1_2_on_boundary_by_z20 + t9*z2_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t14*z1_2_on_boundary_by_z10 + t15*z2_2_on_boundary_by_z10 + t16*v1_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t14*z1_2_on_boundary_by_z20 + t15*z2_2_on_boundary_by_z20 + t16*v1_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t25*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t25*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t40 = chi*z2_3;
-    const double rate_3 = t40 - z1_3;
+    const double t36 = chi*z2_3;
+    const double rate_3 = t36 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t42 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t42;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t42;
+    const double t37 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t37;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t37;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t43 = chi*eta;
-    const double t44 = -eta*t40 + t43*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44;
+    const double t38 = chi*eta;
+    const double t39 = -eta*t36 + t38*z1_3;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t39;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t39;
     /* Phi along tau2 */
-    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10;
-    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 + t28*v2_3_on_boundary_by_z10;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t29*z1_3_on_boundary_by_z10 - t29*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t29*z1_3_on_boundary_by_z20 - t29*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
-    const double rate_4 = t43*z1_4 - t43*z2_4;
+    const double rate_4 = t38*z1_4 - t38*z2_4;
     /* derivatives of the time to the boundary after tau2 */
-    const double t46 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t46;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t46;
+    const double t40 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t40;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t40;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
@@ -4181,27 +4179,27 @@ void dry_friction_solution_ii_linearisation(
     /* vector fields at transition 1 */
     const double behind_v1_1 = chi*z20 - z10;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t39;
-    const double behind_v1_2 = t39;
-    const double behind_v2_2 = -eta*t38 + t43*z1_2;
+    const double before_v1_2 = t35;
+    const double behind_v1_2 = t35;
+    const double behind_v2_2 = -eta*t34 + t38*z1_2;
     /* vector fields at transition 3 */
     const double before_v1_3 = rate_3;
-    const double before_v2_3 = t44;
-    const double behind_v2_3 = t44;
+    const double before_v2_3 = t39;
+    const double behind_v2_3 = t39;
     /* vector fields at transition 4 */
     const double before_v2_4 = rate_4;
     /* saltations */
-    const double t47 = behind_v1_1/rate_1;
-    const double t48 = -chi*t47;
-    const double t49 = -before_v1_2 + behind_v1_2;
-    const double t50 = (1.0/(rate_2));
-    const double t51 = chi*t50;
-    const double t52 = t49*t51;
-    const double t55 = behind_v2_2*t51;
-    const double t58 = (1.0/(before_v1_3));
-    const double t59 = t58*(V - v1_3);
-    const double t60 = t58*(-before_v2_3 + behind_v2_3);
-    const double t61 = (V - v2_4)/before_v2_4;
+    const double t41 = behind_v1_1/rate_1;
+    const double t42 = -chi*t41;
+    const double t43 = -before_v1_2 + behind_v1_2;
+    const double t44 = (1.0/(rate_2));
+    const double t45 = chi*t44;
+    const double t46 = t43*t45;
+    const double t47 = behind_v2_2*t45;
+    const double t48 = (1.0/(before_v1_3));
+    const double t49 = t48*(V - v1_3);
+    const double t50 = t48*(-before_v2_3 + behind_v2_3);
+    const double t51 = (V - v2_4)/before_v2_4;
     if (saltations) {
         static const unsigned char nonsmooth_saltations_places[] = {
             0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
@@ -4211,82 +4209,81 @@ void dry_friction_solution_ii_linearisation(
         double nonsmooth_saltations_values[11];
         nonsmooth_saltations_values[0] = 1;
         nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = t47;
-        nonsmooth_saltations_values[3] = t48;
-        nonsmooth_saltations_values[4] = -t52;
-        nonsmooth_saltations_values[5] = t52;
-        nonsmooth_saltations_values[6] = -t55;
-        nonsmooth_saltations_values[7] = t55;
-        nonsmooth_saltations_values[8] = t59;
-        nonsmooth_saltations_values[9] = t60;
-        nonsmooth_saltations_values[10] = t61;
+        nonsmooth_saltations_values[2] = t41;
+        nonsmooth_saltations_values[3] = t42;
+        nonsmooth_saltations_values[4] = -t46;
+        nonsmooth_saltations_values[5] = t46;
+        nonsmooth_saltations_values[6] = -t47;
+        nonsmooth_saltations_values[7] = t47;
+        nonsmooth_saltations_values[8] = t49;
+        nonsmooth_saltations_values[9] = t50;
+        nonsmooth_saltations_values[10] = t51;
         for (int i = 0; i < 64; ++i)
             saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
     }
     if (!monodromy)
         return;
     /* saltation of phase 1 */
-    const double saltation_1_20 = t47;
-    const double saltation_1_21 = t48;
+    const double saltation_1_20 = t41;
+    const double saltation_1_21 = t42;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
     const double phi_2_01 = chi + saltation_1_21*sin_tau - t0;
-    const double phi_2_03 = t3;
+    const double phi_2_03 = t4;
     const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
-    const double phi_2_21 = cos_tau*saltation_1_21 + t2;
+    const double phi_2_21 = cos_tau*saltation_1_21 + t3;
     const double phi_2_23 = t1;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t52 + phi_2_20;
-    const double saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52;
-    const double t53 = t49*t50;
-    const double saltation_2_22 = cos_tau - t2*t53;
-    const double t54 = chi*tau;
-    const double saltation_2_23 = -phi_2_03*t52 + phi_2_23 + t53*t54;
-    const double saltation_2_30 = -phi_2_00*t55;
-    const double saltation_2_31 = -phi_2_01*t55 + t55;
-    const double t57 = behind_v2_2*t50;
-    const double saltation_2_32 = -t2*t57;
-    const double saltation_2_33 = -phi_2_03*t55 + t54*t57 + 1;
+    const double saltation_2_20 = -phi_2_00*t46 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t46 + phi_2_21 + t46;
+    const double t52 = t43*t44;
+    const double saltation_2_22 = cos_tau - t3*t52;
+    const double saltation_2_23 = -phi_2_03*t46 + phi_2_23 + t2*t52;
+    const double saltation_2_30 = -phi_2_00*t47;
+    const double saltation_2_31 = -phi_2_01*t47 + t47;
+    const double t53 = behind_v2_2*t44;
+    const double saltation_2_32 = -t3*t53;
+    const double saltation_2_33 = -phi_2_03*t47 + t2*t53 + 1;
     /* Phi of phase 3 */
-    const double phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13;
-    const double phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12;
-    const double phi_3_02 = saltation_2_22*t10 + saltation_2_32*t13 + sin_tau*t11;
-    const double phi_3_03 = phi_2_03*t11 + saltation_2_23*t10 + saltation_2_33*t13 + t12*tau;
-    const double phi_3_10 = phi_2_00*t15 + saltation_2_20*t14 + saltation_2_30*t17;
-    const double phi_3_11 = phi_2_01*t15 + saltation_2_21*t14 + saltation_2_31*t17 + t16;
-    const double phi_3_12 = saltation_2_22*t14 + saltation_2_32*t17 + sin_tau*t15;
-    const double phi_3_13 = phi_2_03*t15 + saltation_2_23*t14 + saltation_2_33*t17 + t16*tau;
-    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t11 + saltation_2_30*t12;
-    const double phi_3_21 = p2*t18 + phi_2_01*t20 + saltation_2_21*t11 + saltation_2_31*t12 - t21;
-    const double phi_3_22 = saltation_2_22*t11 + saltation_2_32*t12 + sin_tau*t20;
-    const double phi_3_23 = phi_2_03*t20 + saltation_2_23*t11 + saltation_2_33*t12 + t22*tau;
-    const double phi_3_30 = phi_2_00*t23 + saltation_2_20*t15 + saltation_2_30*t16;
-    const double phi_3_31 = phi_2_01*t23 + saltation_2_21*t15 + saltation_2_31*t16 - t24 - t25;
-    const double phi_3_32 = saltation_2_22*t15 + saltation_2_32*t16 + sin_tau*t23;
-    const double phi_3_33 = phi_2_03*t23 + saltation_2_23*t15 + saltation_2_33*t16 + t26*tau;
+    const double phi_3_00 = phi_2_00*t8 + saltation_2_20*t12 + saltation_2_30*t13;
+    const double phi_3_01 = phi_2_01*t8 + saltation_2_21*t12 + saltation_2_31*t13 + t9;
+    const double phi_3_02 = saltation_2_22*t12 + saltation_2_32*t13 + sin_tau*t8;
+    const double phi_3_03 = phi_2_03*t8 + saltation_2_23*t12 + saltation_2_33*t13 + t9*tau;
+    const double phi_3_10 = phi_2_00*t14 + saltation_2_20*t16 + saltation_2_30*t17;
+    const double phi_3_11 = phi_2_01*t14 + saltation_2_21*t16 + saltation_2_31*t17 + t15;
+    const double phi_3_12 = saltation_2_22*t16 + saltation_2_32*t17 + sin_tau*t14;
+    const double phi_3_13 = phi_2_03*t14 + saltation_2_23*t16 + saltation_2_33*t17 + t15*tau;
+    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t8 + saltation_2_30*t9;
+    const double phi_3_21 = phi_2_01*t20 + saltation_2_21*t8 + saltation_2_31*t9 + t21;
+    const double phi_3_22 = saltation_2_22*t8 + saltation_2_32*t9 + sin_tau*t20;
+    const double phi_3_23 = phi_2_03*t20 + saltation_2_23*t8 + saltation_2_33*t9 + t21*tau;
+    const double phi_3_30 = phi_2_00*t22 + saltation_2_20*t14 + saltation_2_30*t15;
+    const double phi_3_31 = phi_2_01*t22 + saltation_2_21*t14 + saltation_2_31*t15 - t23 - t24;
+    const double phi_3_32 = saltation_2_22*t14 + saltation_2_32*t15 + sin_tau*t22;
+    const double phi_3_33 = phi_2_03*t22 + saltation_2_23*t14 + saltation_2_33*t15 + t25*tau;
     /* saltation of phase 3 */
-    const double saltation_3_00 = phi_3_00 + phi_3_20*t59;
-    const double saltation_3_01 = phi_3_01 + phi_3_21*t59;
-    const double saltation_3_02 = phi_3_02 + phi_3_22*t59;
-    const double saltation_3_03 = phi_3_03 + phi_3_23*t59;
-    const double saltation_3_30 = phi_3_20*t60 + phi_3_30;
-    const double saltation_3_31 = phi_3_21*t60 + phi_3_31;
-    const double saltation_3_32 = phi_3_22*t60 + phi_3_32;
-    const double saltation_3_33 = phi_3_23*t60 + phi_3_33;
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t49;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t49;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t49;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t49;
+    const double saltation_3_30 = phi_3_20*t50 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t50 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t50 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t50 + phi_3_33;
     /* Phi of phase 4 */
-    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29;
-    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29;
-    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29;
-    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29;
-    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30;
-    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30;
-    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30;
-    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30;
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t27 + saltation_3_30*t28;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t27 + saltation_3_31*t28;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t27 + saltation_3_32*t28;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t27 + saltation_3_33*t28;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t29 + saltation_3_00*t29;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t29 + saltation_3_01*t29;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t29 + saltation_3_02*t29;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t29 + saltation_3_03*t29;
     /* saltation of phase 4 */
-    const double saltation_4_10 = phi_4_10 + phi_4_30*t61;
-    const double saltation_4_11 = phi_4_11 + phi_4_31*t61;
-    const double saltation_4_12 = phi_4_12 + phi_4_32*t61;
-    const double saltation_4_13 = phi_4_13 + phi_4_33*t61;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t51;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t51;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t51;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t51;
     if (monodromy) {
         monodromy[0] = saltation_3_00;
         monodromy[1] = saltation_3_01;
@@ -4353,7 +4350,7 @@ void dry_friction_solution_ii_flow_slip_stick(
 }
 
 /* State after a time in slip-slip.
- * Operations: 82. Intermediate terms: 16. */
+ * Operations: 77. Intermediate terms: 15. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_flow_slip_slip(
     const double parameters[4], const double spectrum[7], double time, const double state[4],
@@ -4371,26 +4368,25 @@ void dry_friction_solution_ii_flow_slip_slip(
     const double v1 = state[2];
     const double v2 = state[3];
     /* state_after */
-    const double t0 = (1.0/(omega1));
-    const double t1 = omega1*t;
-    const double t2 = sin(t1);
-    const double t3 = t0*t2;
-    const double t4 = 1 - p1;
-    const double t5 = omega2*t;
-    const double t6 = sin(t5);
-    const double t7 = t6/omega2;
-    const double t8 = cos(t1);
-    const double t9 = cos(t5);
-    const double t10 = p1*t8 + t4*t9;
-    const double t11 = p2*t8 - p2*t9;
-    const double t12 = p3*t8 - p3*t9;
-    const double t13 = p1*t9 + t4*t8;
-    const double t14 = omega2*t6;
-    const double t15 = omega1*t2;
-    state_after[0] = t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
-    state_after[1] = t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
-    state_after[2] = t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15);
-    state_after[3] = t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4);
+    const double t0 = omega1*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = 1 - p1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 + t6*t7;
+    const double t11 = p1*t7 + t6*t8;
+    const double t12 = -p3*t7 + p3*t8;
+    const double t13 = omega2*t4;
+    const double t14 = omega1*t1;
+    state_after[0] = t10*z1 + t9*z2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t11*z2 + t12*z1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6);
+    state_after[2] = t10*v1 + t9*v2 + z1*(-p1*t14 - t13*t6) + z2*(p2*t13 - p2*t14);
+    state_after[3] = t11*v2 + t12*v1 + z1*(p3*t13 - p3*t14) + z2*(-p1*t13 - t14*t6);
 }
 
 /* State after a time in stick-slip.
@@ -4421,7 +4417,7 @@ void dry_friction_solution_ii_flow_stick_slip(
 }
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
- * Operations: 303. Intermediate terms: 101. */
+ * Operations: 295. Intermediate terms: 103. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_reduced(
     const double parameters[4], const double spectrum[7], const double reduced[3], double *unknowns,
@@ -4444,60 +4440,59 @@ void dry_friction_solution_ii_reduced(
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
     /* z2_1: linear in second-breaks-forward */
-    const double t2 = V*tau;
-    const double t3 = (1.0/((chi - 1)));
-    const double t4 = cos_tau*t3;
-    const double z2_1 = V*sin_tau - e1*t4 - t2 - e2*t3/chi;
+    const double t0 = V*tau;
+    const double t1 = (1.0/((chi - 1)));
+    const double t2 = cos_tau*t1;
+    const double z2_1 = V*sin_tau - e1*t2 - t0 - e2*t1/chi;
     /* slip-stick for tau */
-    const double t5 = chi*z2_1;
-    const double t6 = e1 + t5;
-    const double t7 = -chi*cos_tau + chi;
-    const double z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t6 + t7*z2_1;
-    const double z2_2 = t2 + z2_1;
-    const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+    const double t3 = chi*z2_1;
+    const double t4 = e1 + t3;
+    const double t5 = -chi*cos_tau + chi;
+    const double z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t4 + t5*z2_1;
+    const double z2_2 = t0 + z2_1;
+    const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
     /* functions of tau1 in slip-slip */
-    const double t8 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t8);
-    const double sin_omega1_tau1 = sin(t8);
-    const double t9 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t9);
-    const double sin_omega2_tau1 = sin(t9);
+    const double t6 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t6);
+    const double sin_omega1_tau1 = sin(t6);
+    const double t7 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t7);
+    const double sin_omega2_tau1 = sin(t7);
     /* slip-slip for tau1 */
-    const double t10 = (1.0/(omega1));
-    const double t13 = sin_omega2_tau1/omega2;
-    const double t11 = sin_omega1_tau1*t10;
-    const double t12 = 1 - p1;
-    const double t14 = p1*t11 + t12*t13;
-    const double t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12;
-    const double t16 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double z1_3 = V*(p2*sin_omega1_tau1*t10 - p2*t13) + t14*v1_2 + t15*z1_2 + t16*z2_2;
-    const double t17 = p3*sin_omega1_tau1*t10 - p3*t13;
-    const double t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1;
-    const double z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2;
-    const double t21 = omega1*sin_omega1_tau1;
-    const double t24 = omega2*p3*sin_omega2_tau1 - p3*t21;
-    const double t20 = omega2*sin_omega2_tau1;
-    const double t25 = -p1*t20 - t12*t21;
-    const double v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2;
+    const double t8 = 1 - p1;
+    const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
+    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t11 = sin_omega1_tau1/omega1;
+    const double t12 = sin_omega2_tau1/omega2;
+    const double t13 = p1*t11 + t12*t8;
+    const double z1_3 = V*(p2*t11 - p2*t12) + t10*z2_2 + t13*v1_2 + t9*z1_2;
+    const double t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
+    const double t16 = p3*t11 - p3*t12;
+    const double z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2;
+    const double t17 = omega1*sin_omega1_tau1;
+    const double t18 = omega2*sin_omega2_tau1;
+    const double t19 = -p3*t17 + p3*t18;
+    const double t20 = -p1*t18 - t17*t8;
+    const double v2_3 = V*t15 + t14*v1_2 + t19*z1_2 + t20*z2_2;
     /* first return of tau2 */
     const double cosine_part_tau2 = -V + v2_3;
     const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
     /* first return of tau2 */
     const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
     /* first return of tau2 */
-    const double t26 = (1.0/(amplitude_tau2));
-    const double cos_tau2_return = sine_part_tau2*t26;
-    const double sin_tau2_return = -cosine_part_tau2*t26;
+    const double t21 = (1.0/(amplitude_tau2));
+    const double cos_tau2_return = sine_part_tau2*t21;
+    const double sin_tau2_return = -cosine_part_tau2*t21;
     /* tau2: first return */
-    const double t27 = (1.0/(omega3));
-    const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+    const double t22 = (1.0/(omega3));
+    const double tau2 = t22*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
     /* unknowns */
-    const double t28 = V*tau2 + sine_part_tau2*t27 + z2_3;
-    const double t29 = -amplitude_tau2*t27 + t28;
+    const double t23 = V*tau2 + sine_part_tau2*t22 + z2_3;
+    const double t24 = -amplitude_tau2*t22 + t23;
     if (unknowns) {
-        unknowns[0] = t28;
-        unknowns[1] = t29;
+        unknowns[0] = t23;
+        unknowns[1] = t24;
         unknowns[2] = tau;
         unknowns[3] = tau1;
         unknowns[4] = tau2;
@@ -4506,12 +4501,12 @@ void dry_friction_solution_ii_reduced(
     if (!reduced_residual && !reduced_jacobian)
         return;
     /* slip-slip for tau1 */
-    const double t22 = -p1*t21 - t12*t20;
-    const double t23 = omega2*p2*sin_omega2_tau1 - p2*t21;
-    const double v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
+    const double t25 = -p1*t17 - t18*t8;
+    const double t26 = -p2*t17 + p2*t18;
+    const double v1_3 = V*t10 + t25*z1_2 + t26*z2_2 + t9*v1_2;
     /* stick-stick for no time */
-    const double z1_5 = t28;
-    const double z2_5 = t29;
+    const double z1_5 = t23;
+    const double z2_5 = t24;
     if (reduced_residual) {
         reduced_residual[0] = -V + v1_3;
         reduced_residual[1] = -chi*z2_5 - e1 + z1_5;
@@ -4523,33 +4518,33 @@ void dry_friction_solution_ii_reduced(
     const double cos_tau_by_tau = -sin_tau;
     const double sin_tau_by_tau = cos_tau;
     /* d/dtau of: z2_1: linear in second-breaks-forward */
-    const double t30 = cos_tau_by_tau*e1;
-    const double z2_1_by_tau = V*sin_tau_by_tau - V - t3*t30;
+    const double t27 = cos_tau_by_tau*e1;
+    const double z2_1_by_tau = V*sin_tau_by_tau - V - t1*t27;
     /* d/de1 of: z2_1: linear in second-breaks-forward */
-    const double z2_1_by_e1 = -t4;
+    const double z2_1_by_e1 = -t2;
     /* d/dtau of: slip-stick for tau */
-    const double t31 = V*chi;
-    const double t32 = V - t31;
-    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t32 + t30 + t31;
+    const double t28 = V*chi;
+    const double t29 = V - t28;
+    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t29 + t27 + t28;
     const double z2_2_by_tau = V + z2_1_by_tau;
-    const double v1_2_by_tau = cos_tau_by_tau*t32 - e1*sin_tau_by_tau;
+    const double v1_2_by_tau = cos_tau_by_tau*t29 - e1*sin_tau_by_tau;
     /* d/de1 of: slip-stick for tau */
     const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
     const double v1_2_by_e1 = -sin_tau;
     /* d/dtau of: slip-slip for tau1 */
-    const double z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau;
-    const double z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau;
-    const double v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
-    const double v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau;
+    const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
+    const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
+    const double v1_3_by_tau = t25*z1_2_by_tau + t26*z2_2_by_tau + t9*v1_2_by_tau;
+    const double v2_3_by_tau = t14*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau;
     /* d/dtau1 of: slip-slip for tau1 */
-    const double t33 = chi*z2_3;
-    const double v1_3_by_tau1 = t33 - z1_3;
-    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t33;
+    const double t30 = chi*z2_3;
+    const double v1_3_by_tau1 = t30 - z1_3;
+    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t30;
     /* d/de1 of: slip-slip for tau1 */
-    const double z1_3_by_e1 = t14*v1_2_by_e1 + t15*z1_2_by_e1 + t16*z2_1_by_e1;
-    const double z2_3_by_e1 = t17*v1_2_by_e1 + t18*z1_2_by_e1 + t19*z2_1_by_e1;
-    const double v1_3_by_e1 = t15*v1_2_by_e1 + t22*z1_2_by_e1 + t23*z2_1_by_e1;
-    const double v2_3_by_e1 = t18*v1_2_by_e1 + t24*z1_2_by_e1 + t25*z2_1_by_e1;
+    const double z1_3_by_e1 = t10*z2_1_by_e1 + t13*v1_2_by_e1 + t9*z1_2_by_e1;
+    const double z2_3_by_e1 = t14*z1_2_by_e1 + t15*z2_1_by_e1 + t16*v1_2_by_e1;
+    const double v1_3_by_e1 = t25*z1_2_by_e1 + t26*z2_1_by_e1 + t9*v1_2_by_e1;
+    const double v2_3_by_e1 = t14*v1_2_by_e1 + t19*z1_2_by_e1 + t20*z2_1_by_e1;
     /* d/dtau of: first return of tau2 */
     const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
     /* d/dtau1 of: first return of tau2 */
@@ -4557,26 +4552,29 @@ void dry_friction_solution_ii_reduced(
     /* d/de1 of: first return of tau2 */
     const double sine_part_tau2_by_e1 = omega3*z1_3_by_e1 - omega3*z2_3_by_e1;
     /* d/dtau of: first return of tau2 */
-    const double t34 = 2*cosine_part_tau2;
-    const double t35 = 2*sine_part_tau2;
-    const double t36 = (1.0/2.0)*t26;
-    const double amplitude_tau2_by_tau = t36*(sine_part_tau2_by_tau*t35 + t34*v2_3_by_tau);
+    const double t31 = 2*cosine_part_tau2;
+    const double t32 = 2*sine_part_tau2;
+    const double t33 = (1.0/2.0)*t21;
+    const double amplitude_tau2_by_tau = t33*(sine_part_tau2_by_tau*t32 + t31*v2_3_by_tau);
     /* d/dtau1 of: first return of tau2 */
-    const double amplitude_tau2_by_tau1 = t36*(sine_part_tau2_by_tau1*t35 + t34*v2_3_by_tau1);
+    const double amplitude_tau2_by_tau1 = t33*(sine_part_tau2_by_tau1*t32 + t31*v2_3_by_tau1);
     /* d/de1 of: first return of tau2 */
-    const double amplitude_tau2_by_e1 = t36*(sine_part_tau2_by_e1*t35 + t34*v2_3_by_e1);
+    const double amplitude_tau2_by_e1 = t33*(sine_part_tau2_by_e1*t32 + t31*v2_3_by_e1);
     /* d/dtau of: first return of tau2 */
-    const double t37 = (1.0/(amplitude_tau2*amplitude_tau2));
-    const double cos_tau2_return_by_tau = -amplitude_tau2_by_tau*sine_part_tau2*t37 + sine_part_tau2_by_tau*t26;
-    const double sin_tau2_return_by_tau = amplitude_tau2_by_tau*cosine_part_tau2*t37 - t26*v2_3_by_tau;
+    const double t34 = (1.0/(amplitude_tau2*amplitude_tau2));
+    const double t35 = amplitude_tau2_by_tau*t34;
+    const double cos_tau2_return_by_tau = -sine_part_tau2*t35 + sine_part_tau2_by_tau*t21;
+    const double sin_tau2_return_by_tau = cosine_part_tau2*t35 - t21*v2_3_by_tau;
     /* d/dtau1 of: first return of tau2 */
-    const double cos_tau2_return_by_tau1 = -amplitude_tau2_by_tau1*sine_part_tau2*t37 + sine_part_tau2_by_tau1*t26;
-    const double sin_tau2_return_by_tau1 = amplitude_tau2_by_tau1*cosine_part_tau2*t37 - t26*v2_3_by_tau1;
+    const double t36 = amplitude_tau2_by_tau1*t34;
+    const double cos_tau2_return_by_tau1 = -sine_part_tau2*t36 + sine_part_tau2_by_tau1*t21;
+    const double sin_tau2_return_by_tau1 = cosine_part_tau2*t36 - t21*v2_3_by_tau1;
     /* d/de1 of: first return of tau2 */
-    const double cos_tau2_return_by_e1 = -amplitude_tau2_by_e1*sine_part_tau2*t37 + sine_part_tau2_by_e1*t26;
-    const double sin_tau2_return_by_e1 = amplitude_tau2_by_e1*cosine_part_tau2*t37 - t26*v2_3_by_e1;
+    const double t37 = amplitude_tau2_by_e1*t34;
+    const double cos_tau2_return_by_e1 = -sine_part_tau2*t37 + sine_part_tau2_by_e1*t21;
+    const double sin_tau2_return_by_e1 = cosine_part_tau2*t37 - t21*v2_3_by_e1;
     /* d/dtau of: tau2: first return */
-    const double t38 = t27/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
+    const double t38 = t22/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
     const double t39 = cos_tau2_return*t38;
     const double t40 = sin_tau2_return*t38;
     const double tau2_by_tau = -cos_tau2_return_by_tau*t40 + sin_tau2_return_by_tau*t39;
@@ -4585,14 +4583,14 @@ void dry_friction_solution_ii_reduced(
     /* d/de1 of: tau2: first return */
     const double tau2_by_e1 = -cos_tau2_return_by_e1*t40 + sin_tau2_return_by_e1*t39;
     /* d/dtau of: stick-stick for no time */
-    const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t27 + z2_3_by_tau;
-    const double z2_5_by_tau = -amplitude_tau2_by_tau*t27 + z1_5_by_tau;
+    const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t22 + z2_3_by_tau;
+    const double z2_5_by_tau = -amplitude_tau2_by_tau*t22 + z1_5_by_tau;
     /* d/dtau1 of: stick-stick for no time */
-    const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t27 + v2_3;
-    const double z2_5_by_tau1 = -amplitude_tau2_by_tau1*t27 + z1_5_by_tau1;
+    const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t22 + v2_3;
+    const double z2_5_by_tau1 = -amplitude_tau2_by_tau1*t22 + z1_5_by_tau1;
     /* d/de1 of: stick-stick for no time */
-    const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t27 + z2_3_by_e1;
-    const double z2_5_by_e1 = -amplitude_tau2_by_e1*t27 + z1_5_by_e1;
+    const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t22 + z2_3_by_e1;
+    const double z2_5_by_e1 = -amplitude_tau2_by_e1*t22 + z1_5_by_e1;
     if (reduced_jacobian) {
         reduced_jacobian[0] = v1_3_by_tau;
         reduced_jacobian[1] = v1_3_by_tau1;
@@ -4607,7 +4605,7 @@ void dry_friction_solution_ii_reduced(
 }
 
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
- * Operations: 249. Intermediate terms: 79. */
+ * Operations: 243. Intermediate terms: 78. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_period_map(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
@@ -4631,74 +4629,73 @@ void dry_friction_solution_ii_period_map(
     const double sin_tau = sin(tau);
     /* slip-stick after tau, by the start */
     const double z1_2_by_z20 = -chi*cos_tau + chi;
-    const double t1 = chi*sin_tau;
-    const double z1_2_by_v20 = chi*tau - t1;
+    const double t0 = chi*sin_tau;
+    const double z1_2_by_v20 = chi*tau - t0;
     const double v1_2_by_z10 = -sin_tau;
-    const double v1_2_by_z20 = t1;
+    const double v1_2_by_z20 = t0;
     const double v1_2_by_v20 = z1_2_by_z20;
     /* functions of tau1 in slip-slip */
-    const double t3 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t3);
-    const double sin_omega1_tau1 = sin(t3);
-    const double t4 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t4);
-    const double sin_omega2_tau1 = sin(t4);
+    const double t1 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t1);
+    const double sin_omega1_tau1 = sin(t1);
+    const double t2 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t2);
+    const double sin_omega2_tau1 = sin(t2);
     /* slip-slip after tau1, by the start */
-    const double t5 = 1 - p1;
-    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
-    const double t7 = cos_tau*t6;
-    const double t8 = (1.0/(omega1));
-    const double t9 = sin_omega1_tau1*t8;
-    const double t10 = sin_omega2_tau1/omega2;
-    const double t11 = p1*t9 + t10*t5;
-    const double z1_3_by_z10 = t11*v1_2_by_z10 + t7;
-    const double t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double z1_3_by_z20 = t11*v1_2_by_z20 + t12 + t6*z1_2_by_z20;
-    const double z1_3_by_v10 = cos_tau*t11 + sin_tau*t6;
-    const double z1_3_by_v20 = -p2*t10 + p2*t9 + t11*v1_2_by_v20 + t12*tau + t6*z1_2_by_v20;
-    const double t13 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t14 = cos_tau*t13;
-    const double t15 = p3*sin_omega1_tau1*t8 - p3*t10;
-    const double z2_3_by_z10 = t14 + t15*v1_2_by_z10;
-    const double t16 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
-    const double z2_3_by_z20 = t13*z1_2_by_z20 + t15*v1_2_by_z20 + t16;
-    const double z2_3_by_v10 = cos_tau*t15 + sin_tau*t13;
-    const double z2_3_by_v20 = p1*t10 + t13*z1_2_by_v20 + t15*v1_2_by_v20 + t16*tau + t5*t9;
-    const double t17 = omega2*sin_omega2_tau1;
-    const double t18 = omega1*sin_omega1_tau1;
-    const double t19 = -p1*t18 - t17*t5;
-    const double v1_3_by_z10 = cos_tau*t19 + t6*v1_2_by_z10;
-    const double t20 = p2*t18;
-    const double v1_3_by_z20 = p2*t17 + t19*z1_2_by_z20 - t20 + t6*v1_2_by_z20;
-    const double v1_3_by_v10 = sin_tau*t19 + t7;
-    const double v1_3_by_v20 = t12 + t19*z1_2_by_v20 + t6*v1_2_by_v20 + tau*(omega2*p2*sin_omega2_tau1 - t20);
-    const double t21 = omega2*p3*sin_omega2_tau1 - p3*t18;
-    const double v2_3_by_z10 = cos_tau*t21 + t13*v1_2_by_z10;
-    const double t22 = p1*t17 + t18*t5;
-    const double v2_3_by_z20 = t13*v1_2_by_z20 + t21*z1_2_by_z20 - t22;
-    const double v2_3_by_v10 = sin_tau*t21 + t14;
-    const double v2_3_by_v20 = t13*v1_2_by_v20 + t16 + t21*z1_2_by_v20 - t22*tau;
+    const double t3 = 1 - p1;
+    const double t4 = cos_omega1_tau1*p1 + cos_omega2_tau1*t3;
+    const double t5 = cos_tau*t4;
+    const double t6 = sin_omega1_tau1/omega1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double t8 = p1*t6 + t3*t7;
+    const double z1_3_by_z10 = t5 + t8*v1_2_by_z10;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t4*z1_2_by_z20 + t8*v1_2_by_z20 + t9;
+    const double z1_3_by_v10 = cos_tau*t8 + sin_tau*t4;
+    const double z1_3_by_v20 = p2*t6 - p2*t7 + t4*z1_2_by_v20 + t8*v1_2_by_v20 + t9*tau;
+    const double t10 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t11 = cos_tau*t10;
+    const double t12 = p3*t6 - p3*t7;
+    const double z2_3_by_z10 = t11 + t12*v1_2_by_z10;
+    const double t13 = cos_omega1_tau1*t3 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t10*z1_2_by_z20 + t12*v1_2_by_z20 + t13;
+    const double z2_3_by_v10 = cos_tau*t12 + sin_tau*t10;
+    const double z2_3_by_v20 = p1*t7 + t10*z1_2_by_v20 + t12*v1_2_by_v20 + t13*tau + t3*t6;
+    const double t14 = omega1*sin_omega1_tau1;
+    const double t15 = omega2*sin_omega2_tau1;
+    const double t16 = -p1*t14 - t15*t3;
+    const double v1_3_by_z10 = cos_tau*t16 + t4*v1_2_by_z10;
+    const double t17 = -p2*t14 + p2*t15;
+    const double v1_3_by_z20 = t16*z1_2_by_z20 + t17 + t4*v1_2_by_z20;
+    const double v1_3_by_v10 = sin_tau*t16 + t5;
+    const double v1_3_by_v20 = t16*z1_2_by_v20 + t17*tau + t4*v1_2_by_v20 + t9;
+    const double t18 = -p3*t14 + p3*t15;
+    const double v2_3_by_z10 = cos_tau*t18 + t10*v1_2_by_z10;
+    const double t19 = p1*t15 + t14*t3;
+    const double v2_3_by_z20 = t10*v1_2_by_z20 + t18*z1_2_by_z20 - t19;
+    const double v2_3_by_v10 = sin_tau*t18 + t11;
+    const double v2_3_by_v20 = t10*v1_2_by_v20 + t13 + t18*z1_2_by_v20 - t19*tau;
     /* functions of tau2 in stick-slip */
-    const double t23 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t23);
-    const double sin_omega3_tau2 = sin(t23);
+    const double t20 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t20);
+    const double sin_omega3_tau2 = sin(t20);
     /* stick-slip after tau2, by the start */
     const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
     const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
     const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
     const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
-    const double t24 = sin_omega3_tau2/omega3;
-    const double t25 = -t24 + tau2;
-    const double t26 = 1 - cos_omega3_tau2;
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t24*v2_3_by_z10 + t25*v1_3_by_z10 + t26*z1_3_by_z10;
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t24*v2_3_by_z20 + t25*v1_3_by_z20 + t26*z1_3_by_z20;
-    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t24*v2_3_by_v10 + t25*v1_3_by_v10 + t26*z1_3_by_v10;
-    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t24*v2_3_by_v20 + t25*v1_3_by_v20 + t26*z1_3_by_v20;
-    const double t27 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t26*v1_3_by_z10 + t27*z1_3_by_z10 - t27*z2_3_by_z10;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t26*v1_3_by_z20 + t27*z1_3_by_z20 - t27*z2_3_by_z20;
-    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t26*v1_3_by_v10 + t27*z1_3_by_v10 - t27*z2_3_by_v10;
-    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t26*v1_3_by_v20 + t27*z1_3_by_v20 - t27*z2_3_by_v20;
+    const double t21 = 1 - cos_omega3_tau2;
+    const double t22 = sin_omega3_tau2/omega3;
+    const double t23 = -t22 + tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t21*z1_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t21*z1_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t21*z1_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t21*z1_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20;
+    const double t24 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t21*v1_3_by_z10 + t24*z1_3_by_z10 - t24*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t21*v1_3_by_z20 + t24*z1_3_by_z20 - t24*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20;
     if (period_map) {
         period_map[0] = z1_4_by_z10;
         period_map[1] = z1_4_by_z20;
@@ -4735,9 +4732,9 @@ void dry_friction_solution_ii_period_map(
     const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
     const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
     /* z10, z20 by Cramer's rule */
-    const double t28 = (1.0/(determinant));
-    const double z1_0 = numerator1*t28;
-    const double z2_0 = numerator2*t28;
+    const double t25 = (1.0/(determinant));
+    const double z1_0 = numerator1*t25;
+    const double z2_0 = numerator2*t25;
     if (linear_start) {
         linear_start[0] = z1_0;
         linear_start[1] = z2_0;
@@ -4766,7 +4763,7 @@ void dry_friction_symmetric_solve(
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[4][lanes], x[2][lanes], fixed[42][lanes];
+        double parameter[4][lanes], x[2][lanes], fixed[37][lanes];
         double open[lanes];
         int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
@@ -4791,89 +4788,79 @@ void dry_friction_symmetric_solve(
             const double p2 = -chi/gap1;
             const double p3 = -chi*eta/gap1;
             /* coefficients of the linear equations */
-            const double t8 = (1.0/(omega2));
-            const double t10 = (1.0/(omega1));
-            const double t11 = p1*t10;
-            const double t15 = (1.0/(chi));
-            const double t19 = e2*t15;
-            const double t21 = V*t10;
-            const double h0 = -p1;
-            const double h1 = -p2;
-            const double h2 = e2*t15;
-            const double h3 = e2*p1*t15;
-            const double h4 = V*p1;
-            const double h5 = V*p2;
-            const double h6 = V*p2*t8;
-            const double t61 = p3*t19;
-            const double t56 = V*chi;
+            const double t2 = (1.0/(omega2));
+            const double t4 = (1.0/(omega1));
+            const double t5 = p1*t4;
+            /* right-hand sides of the linear equations */
+            const double t7 = e2/chi;
+            const double t11 = V*p2;
+            const double t12 = p1*t7;
+            const double t14 = V*t4;
+            const double h0 = -p2;
+            const double h1 = -p1;
+            const double t22 = p3*t7;
+            const double t23 = V*chi;
             /* d/dtau of: functions of half_tau in slip-slip */
-            const double t24 = (1.0/2.0)*omega1;
-            const double h7 = -t24;
-            const double t25 = (1.0/2.0)*omega2;
-            const double h8 = -t25;
+            const double t25 = (1.0/2.0)*omega1;
+            const double h2 = -t25;
+            const double t26 = (1.0/2.0)*omega2;
+            const double h3 = -t26;
             /* d/dtau of: coefficients of the linear equations */
-            const double t26 = p1*t8;
-            const double h9 = -t26 + t8;
-            const double h10 = -p1*t19;
-            const double h11 = -p2*t21;
+            const double t27 = p1*t2;
+            const double h4 = t2 - t27;
+            const double h5 = -t12;
+            const double h6 = t11*t2;
+            const double h7 = -p2*t14;
             /* d/dtau1 of: right-hand sides of the linear equations */
             const double t30 = (1.0/2.0)*V;
-            const double h12 = (1.0/2.0)*V*p1;
-            const double h13 = (1.0/2.0)*V*p2;
-            const double h14 = -p3;
-            const double h15 = p3*t10;
-            const double h16 = -t19;
-            const double t36 = p1 - 1;
-            const double h17 = -t36;
-            const double h18 = p2*t10;
-            const double h19 = -t10*t36;
-            const double h20 = -omega2*p2;
-            const double h21 = -omega2*p3;
-            const double h22 = -chi;
-            const double h23 = -eta;
-            const double h24 = chi*eta;
+            const double h8 = (1.0/2.0)*V*p2;
+            const double h9 = (1.0/2.0)*V*p1;
+            const double h10 = -p3;
+            const double h11 = p3*t4;
+            const double t39 = p1 - 1;
+            const double h12 = -t39;
+            const double h13 = -chi;
+            const double h14 = omega2*p2;
+            const double h15 = omega2*p3;
+            const double h16 = -eta;
+            const double h17 = chi*eta;
             fixed[0][lane] = omega1;
             fixed[1][lane] = omega2;
             fixed[2][lane] = p1;
             fixed[3][lane] = p2;
             fixed[4][lane] = p3;
-            fixed[5][lane] = t8;
-            fixed[6][lane] = t10;
-            fixed[7][lane] = t11;
-            fixed[8][lane] = t19;
-            fixed[9][lane] = t21;
-            fixed[10][lane] = h0;
-            fixed[11][lane] = h1;
-            fixed[12][lane] = h2;
-            fixed[13][lane] = h3;
-            fixed[14][lane] = h4;
-            fixed[15][lane] = h5;
-            fixed[16][lane] = h6;
-            fixed[17][lane] = t61;
-            fixed[18][lane] = t56;
-            fixed[19][lane] = t24;
-            fixed[20][lane] = h7;
-            fixed[21][lane] = t25;
-            fixed[22][lane] = h8;
-            fixed[23][lane] = t26;
-            fixed[24][lane] = h9;
-            fixed[25][lane] = h10;
-            fixed[26][lane] = h11;
-            fixed[27][lane] = t30;
-            fixed[28][lane] = h12;
-            fixed[29][lane] = h13;
-            fixed[30][lane] = h14;
-            fixed[31][lane] = h15;
-            fixed[32][lane] = h16;
-            fixed[33][lane] = t36;
-            fixed[34][lane] = h17;
-            fixed[35][lane] = h18;
-            fixed[36][lane] = h19;
-            fixed[37][lane] = h20;
-            fixed[38][lane] = h21;
-            fixed[39][lane] = h22;
-            fixed[40][lane] = h23;
-            fixed[41][lane] = h24;
+            fixed[5][lane] = t2;
+            fixed[6][lane] = t4;
+            fixed[7][lane] = t5;
+            fixed[8][lane] = t7;
+            fixed[9][lane] = t11;
+            fixed[10][lane] = t12;
+            fixed[11][lane] = t14;
+            fixed[12][lane] = h0;
+            fixed[13][lane] = h1;
+            fixed[14][lane] = t22;
+            fixed[15][lane] = t23;
+            fixed[16][lane] = t25;
+            fixed[17][lane] = h2;
+            fixed[18][lane] = t26;
+            fixed[19][lane] = h3;
+            fixed[20][lane] = t27;
+            fixed[21][lane] = h4;
+            fixed[22][lane] = h5;
+            fixed[23][lane] = h6;
+            fixed[24][lane] = h7;
+            fixed[25][lane] = t30;
+            fixed[26][lane] = h8;
+            fixed[27][lane] = h9;
+            fixed[28][lane] = h10;
+            fixed[29][lane] = h11;
+            fixed[30][lane] = t39;
+            fixed[31][lane] = h12;
+            fixed[32][lane] = h13;
+            fixed[33][lane] = h14;
+            fixed[34][lane] = h15;
+            fixed[35][lane] = h16;
+            fixed[36][lane] = h17;
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
@@ -4886,33 +4873,31 @@ void dry_friction_symmetric_solve(
                 const double p1 = fixed[2][lane];
                 const double p2 = fixed[3][lane];
                 const double p3 = fixed[4][lane];
-                const double t8 = fixed[5][lane];
-                const double t10 = fixed[6][lane];
-                const double t11 = fixed[7][lane];
-                const double t19 = fixed[8][lane];
-                const double t21 = fixed[9][lane];
-                const double h0 = fixed[10][lane];
-                const double h1 = fixed[11][lane];
-                const double h2 = fixed[12][lane];
-                const double h3 = fixed[13][lane];
-                const double h4 = fixed[14][lane];
-                const double h5 = fixed[15][lane];
-                const double h6 = fixed[16][lane];
-                const double t61 = fixed[17][lane];
-                const double t56 = fixed[18][lane];
-                const double t24 = fixed[19][lane];
-                const double h7 = fixed[20][lane];
-                const double t25 = fixed[21][lane];
-                const double h8 = fixed[22][lane];
-                const double t26 = fixed[23][lane];
-                const double h9 = fixed[24][lane];
-                const double h10 = fixed[25][lane];
-                const double h11 = fixed[26][lane];
-                const double t30 = fixed[27][lane];
-                const double h12 = fixed[28][lane];
-                const double h13 = fixed[29][lane];
-                const double h14 = fixed[30][lane];
-                const double h15 = fixed[31][lane];
+                const double t2 = fixed[5][lane];
+                const double t4 = fixed[6][lane];
+                const double t5 = fixed[7][lane];
+                const double t7 = fixed[8][lane];
+                const double t11 = fixed[9][lane];
+                const double t12 = fixed[10][lane];
+                const double t14 = fixed[11][lane];
+                const double h0 = fixed[12][lane];
+                const double h1 = fixed[13][lane];
+                const double t22 = fixed[14][lane];
+                const double t23 = fixed[15][lane];
+                const double t25 = fixed[16][lane];
+                const double h2 = fixed[17][lane];
+                const double t26 = fixed[18][lane];
+                const double h3 = fixed[19][lane];
+                const double t27 = fixed[20][lane];
+                const double h4 = fixed[21][lane];
+                const double h5 = fixed[22][lane];
+                const double h6 = fixed[23][lane];
+                const double h7 = fixed[24][lane];
+                const double t30 = fixed[25][lane];
+                const double h8 = fixed[26][lane];
+                const double h9 = fixed[27][lane];
+                const double h10 = fixed[28][lane];
+                const double h11 = fixed[29][lane];
                 const double tau = x[0][lane];
                 const double tau1 = x[1][lane];
                 /* half of tau */
@@ -4923,9 +4908,9 @@ void dry_friction_symmetric_solve(
                 nonsmooth_sincos(t0, &sine_0, &cosine_0);
                 const double cos_omega1_half_tau = cosine_0;
                 const double sin_omega1_half_tau = sine_0;
-                const double t3 = half_tau*omega2;
+                const double t1 = half_tau*omega2;
                 double sine_1, cosine_1;
-                nonsmooth_sincos(t3, &sine_1, &cosine_1);
+                nonsmooth_sincos(t1, &sine_1, &cosine_1);
                 const double cos_omega2_half_tau = cosine_1;
                 const double sin_omega2_half_tau = sine_1;
                 /* half of tau1 */
@@ -4934,57 +4919,56 @@ void dry_friction_symmetric_solve(
                 nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
                 const double cos_half_tau1 = cosine_2;
                 const double sin_half_tau1 = sine_2;
-                const double t9 = sin_omega2_half_tau*t8;
-                const double t12 = p1*t9;
-                const double coefficient11 = sin_omega1_half_tau*t11 - t12 + t9;
-                /* right-hand sides of the linear equations */
-                const double t13 = V*half_tau1;
-                const double t14 = cos_omega2_half_tau*t13;
-                const double t16 = p1*t13;
-                const double t17 = cos_omega1_half_tau*t16;
-                const double t18 = p2*t13;
-                const double t20 = cos_omega2_half_tau*t19;
-                const double t22 = sin_omega1_half_tau*t21;
-                const double right1 = cos_omega1_half_tau*h3 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*h2 + cos_omega2_half_tau*h4*half_tau1 + cos_omega2_half_tau*h5*half_tau1 + h0*t20 + h1*t22 + h6*sin_omega2_half_tau - t14 - t17;
+                const double t3 = sin_omega2_half_tau*t2;
+                const double t6 = p1*t3;
+                const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
+                const double t8 = cos_omega2_half_tau*t7;
+                const double t9 = V*half_tau1;
+                const double t10 = cos_omega2_half_tau*t9;
+                const double t13 = p2*t9;
+                const double t15 = sin_omega1_half_tau*t14;
+                const double t16 = p1*t9;
+                const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
+                const double right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 + h0*t15 + h1*t8 + p2*t10 - t10 + t11*t3 + t17 + t8;
                 /* determinant of the linear equations */
                 const double determinant = coefficient11;
                 /* v10 by Cramer's rule */
-                const double t23 = (1.0/(determinant));
-                const double v10 = right1*t23;
+                const double t18 = (1.0/(determinant));
+                const double v10 = right1*t18;
                 /* residual */
-                const double t58 = cos_omega1_half_tau*t13;
-                const double t59 = p3*v10;
-                const double t60 = t10*t59;
-                const double t62 = cos_half_tau1*t13;
-                const double cos_omega1_half_tau_by_tau = h7*sin_omega1_half_tau;
-                const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t24;
-                const double cos_omega2_half_tau_by_tau = h8*sin_omega2_half_tau;
-                const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t25;
+                const double t19 = cos_omega1_half_tau*t9;
+                const double t20 = p3*v10;
+                const double t21 = t20*t4;
+                const double t24 = cos_half_tau1*t9;
+                const double cos_omega1_half_tau_by_tau = h2*sin_omega1_half_tau;
+                const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t25;
+                const double cos_omega2_half_tau_by_tau = h3*sin_omega2_half_tau;
+                const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t26;
                 /* d/dtau1 of: functions of half_tau1 in slip-stick */
                 const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
                 const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
-                const double coefficient11_by_tau = h9*sin_omega2_half_tau_by_tau + sin_omega1_half_tau_by_tau*t11;
+                const double coefficient11_by_tau = h4*sin_omega2_half_tau_by_tau + sin_omega1_half_tau_by_tau*t5;
                 /* d/dtau of: right-hand sides of the linear equations */
-                const double t27 = h10 + t16 + t18;
-                const double t29 = -t13 + t19;
-                const double right1_by_tau = -cos_omega1_half_tau_by_tau*t27 + cos_omega2_half_tau_by_tau*(t27 + t29) + h11*sin_omega1_half_tau_by_tau + h6*sin_omega2_half_tau_by_tau;
+                const double t28 = t7 - t9;
+                const double t29 = h5 + t13 + t16;
+                const double right1_by_tau = -cos_omega1_half_tau_by_tau*t29 + cos_omega2_half_tau_by_tau*(t28 + t29) + h6*sin_omega2_half_tau_by_tau + h7*sin_omega1_half_tau_by_tau;
                 const double t31 = cos_omega2_half_tau*t30;
                 const double t32 = cos_omega1_half_tau*t30;
                 const double t33 = p1*t32;
-                const double right1_by_tau1 = cos_omega2_half_tau*h12 + cos_omega2_half_tau*h13 + h1*t32 - t31 - t33;
+                const double right1_by_tau1 = cos_omega2_half_tau*h8 + cos_omega2_half_tau*h9 + h0*t32 - t31 - t33;
                 /* d/dtau of: v10 by Cramer's rule */
-                const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t23;
+                const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t18;
                 /* d/dtau1 of: v10 by Cramer's rule */
-                const double v10_by_tau1 = right1_by_tau1*t23;
+                const double v10_by_tau1 = right1_by_tau1*t18;
                 /* jacobian */
-                const double t63 = h14*t13 + t16 + t61;
-                const double t64 = h14*t9 + h15*sin_omega1_half_tau;
-                const double residual_0 = V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9;
-                const double residual_1 = chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62;
-                const double jacobian_0 = cos_omega1_half_tau_by_tau*(t13 - t63) + cos_omega2_half_tau_by_tau*t63 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t60) + sin_omega2_half_tau_by_tau*(V*t26 - t59*t8) + t64*v10_by_tau;
-                const double jacobian_1 = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t64*v10_by_tau1;
+                const double t34 = h10*t9 + t16 + t22;
+                const double t35 = h10*t3 + h11*sin_omega1_half_tau;
+                const double residual_0 = V*t6 - cos_omega1_half_tau*t22 - p1*t15 - p3*t10 + p3*t19 + p3*t8 + sin_omega1_half_tau*t21 + t15 + t17 + t19 - t20*t3;
+                const double residual_1 = chi*t24 + cos_half_tau1*t7 - sin_half_tau1*t23 + sin_half_tau1*v10 - t24;
+                const double jacobian_0 = cos_omega1_half_tau_by_tau*(-t34 + t9) + cos_omega2_half_tau_by_tau*t34 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t21) + sin_omega2_half_tau_by_tau*(V*t27 - t2*t20) + t35*v10_by_tau;
+                const double jacobian_1 = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t35*v10_by_tau1;
                 const double jacobian_2 = sin_half_tau1*v10_by_tau;
-                const double jacobian_3 = -cos_half_tau1*t30 + (1.0/2.0)*cos_half_tau1*t56 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t56 + v10);
+                const double jacobian_3 = (1.0/2.0)*cos_half_tau1*t23 - cos_half_tau1*t30 + cos_half_tau1_by_tau1*(chi*t9 + t28) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t23 + v10);
                 const double inverse = (1.0/((jacobian_0*jacobian_3 - jacobian_1*jacobian_2)));
                 const double wanted_0 = tau - (-jacobian_1*residual_1 + jacobian_3*residual_0)*inverse;
                 const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
@@ -5013,33 +4997,26 @@ void dry_friction_symmetric_solve(
             const double p1 = fixed[2][lane];
             const double p2 = fixed[3][lane];
             const double p3 = fixed[4][lane];
-            const double t8 = fixed[5][lane];
-            const double t10 = fixed[6][lane];
-            const double t11 = fixed[7][lane];
-            const double t19 = fixed[8][lane];
-            const double t21 = fixed[9][lane];
-            const double h0 = fixed[10][lane];
-            const double h1 = fixed[11][lane];
-            const double h2 = fixed[12][lane];
-            const double h3 = fixed[13][lane];
-            const double h4 = fixed[14][lane];
-            const double h5 = fixed[15][lane];
-            const double h6 = fixed[16][lane];
-            const double t61 = fixed[17][lane];
-            const double t56 = fixed[18][lane];
-            const double t26 = fixed[23][lane];
-            const double h14 = fixed[30][lane];
-            const double h15 = fixed[31][lane];
-            const double h16 = fixed[32][lane];
-            const double t36 = fixed[33][lane];
-            const double h17 = fixed[34][lane];
-            const double h18 = fixed[35][lane];
-            const double h19 = fixed[36][lane];
-            const double h20 = fixed[37][lane];
-            const double h21 = fixed[38][lane];
-            const double h22 = fixed[39][lane];
-            const double h23 = fixed[40][lane];
-            const double h24 = fixed[41][lane];
+            const double t2 = fixed[5][lane];
+            const double t4 = fixed[6][lane];
+            const double t5 = fixed[7][lane];
+            const double t7 = fixed[8][lane];
+            const double t11 = fixed[9][lane];
+            const double t12 = fixed[10][lane];
+            const double t14 = fixed[11][lane];
+            const double h0 = fixed[12][lane];
+            const double h1 = fixed[13][lane];
+            const double t22 = fixed[14][lane];
+            const double t23 = fixed[15][lane];
+            const double t27 = fixed[20][lane];
+            const double h10 = fixed[28][lane];
+            const double t39 = fixed[30][lane];
+            const double h12 = fixed[31][lane];
+            const double h13 = fixed[32][lane];
+            const double h14 = fixed[33][lane];
+            const double h15 = fixed[34][lane];
+            const double h16 = fixed[35][lane];
+            const double h17 = fixed[36][lane];
             const double tau = x[0][lane];
             const double tau1 = x[1][lane];
             /* half of tau */
@@ -5050,9 +5027,9 @@ void dry_friction_symmetric_solve(
             nonsmooth_sincos(t0, &sine_0, &cosine_0);
             const double cos_omega1_half_tau = cosine_0;
             const double sin_omega1_half_tau = sine_0;
-            const double t3 = half_tau*omega2;
+            const double t1 = half_tau*omega2;
             double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            nonsmooth_sincos(t1, &sine_1, &cosine_1);
             const double cos_omega2_half_tau = cosine_1;
             const double sin_omega2_half_tau = sine_1;
             /* half of tau1 */
@@ -5061,111 +5038,113 @@ void dry_friction_symmetric_solve(
             nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
             const double cos_half_tau1 = cosine_2;
             const double sin_half_tau1 = sine_2;
-            const double t9 = sin_omega2_half_tau*t8;
-            const double t12 = p1*t9;
-            const double coefficient11 = sin_omega1_half_tau*t11 - t12 + t9;
-            /* right-hand sides of the linear equations */
-            const double t13 = V*half_tau1;
-            const double t14 = cos_omega2_half_tau*t13;
-            const double t16 = p1*t13;
-            const double t17 = cos_omega1_half_tau*t16;
-            const double t18 = p2*t13;
-            const double t20 = cos_omega2_half_tau*t19;
-            const double t22 = sin_omega1_half_tau*t21;
-            const double right1 = cos_omega1_half_tau*h3 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*h2 + cos_omega2_half_tau*h4*half_tau1 + cos_omega2_half_tau*h5*half_tau1 + h0*t20 + h1*t22 + h6*sin_omega2_half_tau - t14 - t17;
+            const double t3 = sin_omega2_half_tau*t2;
+            const double t6 = p1*t3;
+            const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
+            const double t8 = cos_omega2_half_tau*t7;
+            const double t9 = V*half_tau1;
+            const double t10 = cos_omega2_half_tau*t9;
+            const double t13 = p2*t9;
+            const double t15 = sin_omega1_half_tau*t14;
+            const double t16 = p1*t9;
+            const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
+            const double right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 + h0*t15 + h1*t8 + p2*t10 - t10 + t11*t3 + t17 + t8;
             /* determinant of the linear equations */
             const double determinant = coefficient11;
             /* v10 by Cramer's rule */
-            const double t23 = (1.0/(determinant));
-            const double v10 = right1*t23;
+            const double t18 = (1.0/(determinant));
+            const double v10 = right1*t18;
             /* residual */
-            const double t58 = cos_omega1_half_tau*t13;
-            const double t59 = p3*v10;
-            const double t60 = t10*t59;
-            const double t62 = cos_half_tau1*t13;
+            const double t19 = cos_omega1_half_tau*t9;
+            const double t20 = p3*v10;
+            const double t21 = t20*t4;
+            const double t24 = cos_half_tau1*t9;
+            /* d/dtau of: right-hand sides of the linear equations */
+            const double t28 = t7 - t9;
             /* z10: linear in: second-breaks-forward ends slip-stick */
-            const double z10 = h16 + t13;
+            const double z10 = -t28;
             /* z20: linear in: z2 vanishes halfway through slip-stick */
-            const double z20 = t13;
+            const double z20 = t9;
             /* functions of tau in slip-slip */
-            const double t34 = omega1*tau;
+            const double t36 = omega1*tau;
             double sine_3, cosine_3;
-            nonsmooth_sincos(t34, &sine_3, &cosine_3);
+            nonsmooth_sincos(t36, &sine_3, &cosine_3);
             const double cos_omega1_tau = cosine_3;
             const double sin_omega1_tau = sine_3;
-            const double t35 = omega2*tau;
+            const double t37 = omega2*tau;
             double sine_4, cosine_4;
-            nonsmooth_sincos(t35, &sine_4, &cosine_4);
+            nonsmooth_sincos(t37, &sine_4, &cosine_4);
             const double cos_omega2_tau = cosine_4;
             const double sin_omega2_tau = sine_4;
             /* slip-slip for tau, until second-reaches-belt */
-            const double t38 = sin_omega2_tau*t8;
-            const double t39 = h17*t38 + sin_omega1_tau*t11;
-            const double t40 = cos_omega1_tau*p1 + cos_omega2_tau*h17;
-            const double t41 = cos_omega1_tau*p2 + cos_omega2_tau*h1;
-            const double z1_1 = V*(h1*t38 + h18*sin_omega1_tau) + t39*v10 + t40*z10 + t41*z20;
-            const double t42 = h14*t38 + h15*sin_omega1_tau;
-            const double t43 = cos_omega1_tau*p3 + cos_omega2_tau*h14;
-            const double t44 = cos_omega1_tau*h17 + cos_omega2_tau*p1;
-            const double z2_1 = V*(h19*sin_omega1_tau + sin_omega2_tau*t26) + t42*v10 + t43*z10 + t44*z20;
-            const double t45 = omega2*sin_omega2_tau;
-            const double t46 = omega1*sin_omega1_tau;
-            const double t47 = h17*t45 + p1*t46;
-            const double t48 = h20*sin_omega2_tau + p2*t46;
-            const double v1_1 = V*t41 + t40*v10 - t47*z10 - t48*z20;
-            const double t49 = h21*sin_omega2_tau + p3*t46;
-            const double t50 = h17*t46 + p1*t45;
-            const double v2_1 = V*t44 + t43*v10 - t49*z10 - t50*z20;
+            const double t38 = sin_omega2_tau*t2;
+            const double t40 = h12*t38 + sin_omega1_tau*t5;
+            const double t41 = cos_omega1_tau*p1 + cos_omega2_tau*h12;
+            const double t42 = cos_omega1_tau*p2 + cos_omega2_tau*h0;
+            const double t43 = sin_omega1_tau*t4;
+            const double z1_1 = V*(h0*t38 + p2*t43) + t40*v10 + t41*z10 + t42*z20;
+            const double t44 = h10*t38 + p3*t43;
+            const double t45 = cos_omega1_tau*p3 + cos_omega2_tau*h10;
+            const double t46 = cos_omega1_tau*h12 + cos_omega2_tau*p1;
+            const double z2_1 = V*(h12*t43 + sin_omega2_tau*t27) + t44*v10 + t45*z10 + t46*z20;
+            const double t47 = omega2*sin_omega2_tau;
+            const double t48 = omega1*sin_omega1_tau;
+            const double t49 = h12*t47 + p1*t48;
+            const double t50 = p2*t48;
+            const double v1_1 = V*t42 + t41*v10 - t49*z10 + z20*(p2*t47 - t50);
+            const double t51 = p3*t48;
+            const double t52 = h12*t48 + p1*t47;
+            const double v2_1 = V*t46 + t45*v10 - t52*z20 + z10*(p3*t47 - t51);
             double sine_5, cosine_5;
             nonsmooth_sincos(tau1, &sine_5, &cosine_5);
             const double cos_tau1 = cosine_5;
             const double sin_tau1 = sine_5;
             /* slip-stick for tau1, until second-breaks-forward */
-            const double t51 = chi + cos_tau1*h22;
-            const double t52 = chi*sin_tau1;
-            const double z1_2 = V*(chi*tau1 - t52) + cos_tau1*z1_1 + sin_tau1*v1_1 + t51*z2_1;
+            const double t53 = chi + cos_tau1*h13;
+            const double t54 = chi*sin_tau1;
+            const double z1_2 = V*(chi*tau1 - t54) + cos_tau1*z1_1 + sin_tau1*v1_1 + t53*z2_1;
             const double z2_2 = V*tau1 + z2_1;
-            const double v1_2 = V*t51 + cos_tau1*v1_1 - sin_tau1*z1_1 + t52*z2_1;
+            const double v1_2 = V*t53 + cos_tau1*v1_1 - sin_tau1*z1_1 + t54*z2_1;
             /* Phi along tau */
-            const double carried_z1_1_by_z20 = t40 + t41;
-            const double carried_z1_1_by_v10 = t39;
-            const double carried_z2_1_by_z20 = t43 + t44;
-            const double carried_z2_1_by_v10 = t42;
-            const double carried_v1_1_by_z20 = -t47 - t48;
-            const double carried_v1_1_by_v10 = t40;
-            const double carried_v2_1_by_z20 = -t49 - t50;
-            const double carried_v2_1_by_v10 = t43;
+            const double carried_z1_1_by_z20 = t41 + t42;
+            const double carried_z1_1_by_v10 = t40;
+            const double carried_z2_1_by_z20 = t45 + t46;
+            const double carried_z2_1_by_v10 = t44;
+            const double carried_v1_1_by_z20 = h14*sin_omega2_tau - t49 - t50;
+            const double carried_v1_1_by_v10 = t41;
+            const double carried_v2_1_by_z20 = h15*sin_omega2_tau - t51 - t52;
+            const double carried_v2_1_by_v10 = t45;
             /* rate of the exit boundary after tau */
-            const double t53 = chi*z2_1;
-            const double rate_1 = h23*t53 + h24*z1_1;
+            const double t55 = chi*z2_1;
+            const double rate_1 = h16*t55 + h17*z1_1;
             /* derivatives of the time to the boundary after tau */
-            const double t54 = (1.0/(rate_1));
-            const double delay_tau_by_z20 = -carried_v2_1_by_z20*t54;
-            const double delay_tau_by_v10 = -carried_v2_1_by_v10*t54;
+            const double t56 = (1.0/(rate_1));
+            const double delay_tau_by_z20 = -carried_v2_1_by_z20*t56;
+            const double delay_tau_by_v10 = -carried_v2_1_by_v10*t56;
             /* perturbation on the boundary after tau */
             const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
             const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
             const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
             const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-            const double t55 = t53 - z1_1;
-            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t55;
-            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t55;
+            const double t57 = t55 - z1_1;
+            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t57;
+            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t57;
             /* Phi along tau1 */
-            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t51*z2_1_on_boundary_by_z20;
-            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t51*z2_1_on_boundary_by_v10;
-            const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t52*z2_1_on_boundary_by_v10;
+            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t53*z2_1_on_boundary_by_z20;
+            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t53*z2_1_on_boundary_by_v10;
+            const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t54*z2_1_on_boundary_by_v10;
             /* rate of the exit boundary after tau1 */
-            const double rate_2 = h22*v1_2 + t56;
+            const double rate_2 = h13*v1_2 + t23;
             /* derivatives of the time to the boundary after tau1 */
-            const double t57 = (1.0/(rate_2));
-            const double delay_tau1_by_z20 = t57*(carried_z1_2_by_z20*chi + h22*z2_1_on_boundary_by_z20);
-            const double delay_tau1_by_v10 = t57*(carried_z1_2_by_v10*chi + h22*z2_1_on_boundary_by_v10);
+            const double t58 = (1.0/(rate_2));
+            const double delay_tau1_by_z20 = t58*(carried_z1_2_by_z20*chi + h13*z2_1_on_boundary_by_z20);
+            const double delay_tau1_by_v10 = t58*(carried_z1_2_by_v10*chi + h13*z2_1_on_boundary_by_v10);
             /* perturbation on the boundary after tau1 */
             const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
             const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*(chi*z2_2 - z1_2);
             /* determinants */
-            const double t65 = (half_tau*half_tau);
-            const double t66 = 2*t65;
+            const double t59 = (half_tau*half_tau);
+            const double t60 = 2*t59;
             result[0][lane] = z10;
             result[1][lane] = z20;
             result[2][lane] = v10;
@@ -5173,14 +5152,14 @@ void dry_friction_symmetric_solve(
             result[4][lane] = tau1;
             slope[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
             double largest = 0.0;
-            largest = fabs(V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9) > largest ? fabs(V*t12 - cos_omega1_half_tau*t61 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t58 + sin_omega1_half_tau*t60 - t17 + t22 + t58 - t59*t9) : largest;
-            largest = fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) > largest ? fabs(chi*t62 + cos_half_tau1*t19 - sin_half_tau1*t56 + sin_half_tau1*v10 - t62) : largest;
+            largest = fabs(V*t6 - cos_omega1_half_tau*t22 - p1*t15 - p3*t10 + p3*t19 + p3*t8 + sin_omega1_half_tau*t21 + t15 + t17 + t19 - t20*t3) > largest ? fabs(V*t6 - cos_omega1_half_tau*t22 - p1*t15 - p3*t10 + p3*t19 + p3*t8 + sin_omega1_half_tau*t21 + t15 + t17 + t19 - t20*t3) : largest;
+            largest = fabs(chi*t24 + cos_half_tau1*t7 - sin_half_tau1*t23 + sin_half_tau1*v10 - t24) > largest ? fabs(chi*t24 + cos_half_tau1*t7 - sin_half_tau1*t23 + sin_half_tau1*v10 - t24) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]);
             int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
             ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
             ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
-            ending = ((fabs(determinant/sqrt((p1*p1)*t66/((omega1*omega1)*t65 + 1) + (t36*t36)*t66/((omega2*omega2)*t65 + 1))) <= 1e-12)) ? DRY_FRICTION_SINGULAR : ending;
+            ending = ((fabs(determinant/sqrt((p1*p1)*t60/((omega1*omega1)*t59 + 1) + (t39*t39)*t60/((omega2*omega2)*t59 + 1))) <= 1e-12)) ? DRY_FRICTION_SINGULAR : ending;
             ended[lane] = ending;
         }
         for (int i = 0; i < 5; ++i)
@@ -5317,7 +5296,7 @@ void dry_friction_global_stick_solve(
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[5][lanes], x[2][lanes], fixed[33][lanes];
+        double parameter[5][lanes], x[2][lanes], fixed[30][lanes];
         double open[lanes];
         int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
@@ -5343,70 +5322,63 @@ void dry_friction_global_stick_solve(
             const double p2 = -chi/gap1;
             const double p3 = -chi*eta/gap1;
             const double omega3 = sqrt(chi)*sqrt(eta);
-            const double t3 = (1.0/((chi - 1)));
-            const double t4 = e1*t3;
-            const double h0 = -t4;
-            const double h1 = -e2*t3/chi;
+            const double t1 = (1.0/((chi - 1)));
+            const double t2 = e1*t1;
+            const double h0 = -t2;
+            const double h1 = -e2*t1/chi;
             const double h2 = -chi;
             /* slip-slip for tau1 */
-            const double t10 = (1.0/(omega1));
-            const double h3 = (1.0/(omega2));
-            const double t12 = 1 - p1;
-            const double h4 = -p2;
-            const double h5 = p2*t10;
+            const double t8 = 1 - p1;
+            const double h3 = -p2;
+            const double h4 = (1.0/(omega1));
+            const double h5 = (1.0/(omega2));
             const double h6 = -p3;
-            const double h7 = p3*t10;
-            const double h8 = -p1;
-            const double h9 = -t12;
-            const double h10 = omega2*p2;
-            const double h11 = omega2*p3;
-            const double h12 = -V;
-            const double h13 = -omega3;
+            const double h7 = -p1;
+            const double h8 = -t8;
+            const double h9 = -V;
+            const double h10 = -omega3;
             /* residual */
-            const double t27 = (1.0/(omega3));
-            const double h14 = -t3;
+            const double t23 = (1.0/(omega3));
+            const double h11 = -t1;
             /* d/dtau of: slip-stick for tau */
-            const double t33 = V*chi;
-            const double t34 = V - t33;
-            const double h15 = -e1;
-            const double h16 = -eta;
-            const double h17 = chi*eta;
-            /* jacobian */
-            const double t38 = t27*t3;
-            const double h18 = -t3/V;
+            const double t25 = V*chi;
+            const double t26 = V - t25;
+            const double h12 = -e1;
+            const double h13 = -eta;
+            const double h14 = chi*eta;
+            const double h15 = -t1*t23;
+            const double h16 = t1*t23;
+            const double h17 = -t1/V;
             fixed[0][lane] = omega1;
             fixed[1][lane] = omega2;
             fixed[2][lane] = p1;
             fixed[3][lane] = p2;
             fixed[4][lane] = p3;
             fixed[5][lane] = omega3;
-            fixed[6][lane] = t3;
-            fixed[7][lane] = t4;
+            fixed[6][lane] = t1;
+            fixed[7][lane] = t2;
             fixed[8][lane] = h0;
             fixed[9][lane] = h1;
             fixed[10][lane] = h2;
-            fixed[11][lane] = t10;
+            fixed[11][lane] = t8;
             fixed[12][lane] = h3;
-            fixed[13][lane] = t12;
-            fixed[14][lane] = h4;
-            fixed[15][lane] = h5;
-            fixed[16][lane] = h6;
-            fixed[17][lane] = h7;
-            fixed[18][lane] = h8;
-            fixed[19][lane] = h9;
-            fixed[20][lane] = h10;
+            fixed[13][lane] = h4;
+            fixed[14][lane] = h5;
+            fixed[15][lane] = h6;
+            fixed[16][lane] = h7;
+            fixed[17][lane] = h8;
+            fixed[18][lane] = h9;
+            fixed[19][lane] = h10;
+            fixed[20][lane] = t23;
             fixed[21][lane] = h11;
-            fixed[22][lane] = h12;
-            fixed[23][lane] = h13;
-            fixed[24][lane] = t27;
-            fixed[25][lane] = h14;
-            fixed[26][lane] = t33;
-            fixed[27][lane] = t34;
-            fixed[28][lane] = h15;
-            fixed[29][lane] = h16;
-            fixed[30][lane] = h17;
-            fixed[31][lane] = t38;
-            fixed[32][lane] = h18;
+            fixed[22][lane] = t25;
+            fixed[23][lane] = t26;
+            fixed[24][lane] = h12;
+            fixed[25][lane] = h13;
+            fixed[26][lane] = h14;
+            fixed[27][lane] = h15;
+            fixed[28][lane] = h16;
+            fixed[29][lane] = h17;
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
@@ -5421,32 +5393,29 @@ void dry_friction_global_stick_solve(
                 const double p2 = fixed[3][lane];
                 const double p3 = fixed[4][lane];
                 const double omega3 = fixed[5][lane];
-                const double t3 = fixed[6][lane];
-                const double t4 = fixed[7][lane];
+                const double t1 = fixed[6][lane];
+                const double t2 = fixed[7][lane];
                 const double h0 = fixed[8][lane];
                 const double h1 = fixed[9][lane];
                 const double h2 = fixed[10][lane];
-                const double t10 = fixed[11][lane];
+                const double t8 = fixed[11][lane];
                 const double h3 = fixed[12][lane];
-                const double t12 = fixed[13][lane];
-                const double h4 = fixed[14][lane];
-                const double h5 = fixed[15][lane];
-                const double h6 = fixed[16][lane];
-                const double h7 = fixed[17][lane];
-                const double h8 = fixed[18][lane];
-                const double h9 = fixed[19][lane];
-                const double h10 = fixed[20][lane];
+                const double h4 = fixed[13][lane];
+                const double h5 = fixed[14][lane];
+                const double h6 = fixed[15][lane];
+                const double h7 = fixed[16][lane];
+                const double h8 = fixed[17][lane];
+                const double h9 = fixed[18][lane];
+                const double h10 = fixed[19][lane];
+                const double t23 = fixed[20][lane];
                 const double h11 = fixed[21][lane];
-                const double h12 = fixed[22][lane];
-                const double h13 = fixed[23][lane];
-                const double t27 = fixed[24][lane];
-                const double h14 = fixed[25][lane];
-                const double t33 = fixed[26][lane];
-                const double t34 = fixed[27][lane];
-                const double h15 = fixed[28][lane];
-                const double h16 = fixed[29][lane];
-                const double h17 = fixed[30][lane];
-                const double t38 = fixed[31][lane];
+                const double t25 = fixed[22][lane];
+                const double t26 = fixed[23][lane];
+                const double h12 = fixed[24][lane];
+                const double h13 = fixed[25][lane];
+                const double h14 = fixed[26][lane];
+                const double h15 = fixed[27][lane];
+                const double h16 = fixed[28][lane];
                 const double tau = x[0][lane];
                 const double tau1 = x[1][lane];
                 double sine_0, cosine_0;
@@ -5454,87 +5423,88 @@ void dry_friction_global_stick_solve(
                 const double cos_tau = cosine_0;
                 const double sin_tau = sine_0;
                 /* z2_1: linear in second-breaks-forward */
-                const double t2 = V*tau;
-                const double z2_1 = V*sin_tau + cos_tau*h0 + h1 - t2;
+                const double t0 = V*tau;
+                const double z2_1 = V*sin_tau + cos_tau*h0 + h1 - t0;
                 /* slip-stick for tau */
-                const double t5 = chi*z2_1;
-                const double t6 = e1 + t5;
-                const double t7 = chi + cos_tau*h2;
-                const double z1_2 = V*sin_tau + V*(chi*tau + h2*sin_tau) + cos_tau*t6 + t7*z2_1;
-                const double z2_2 = t2 + z2_1;
-                const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+                const double t3 = chi*z2_1;
+                const double t4 = e1 + t3;
+                const double t5 = chi + cos_tau*h2;
+                const double z1_2 = V*sin_tau + V*(chi*tau + h2*sin_tau) + cos_tau*t4 + t5*z2_1;
+                const double z2_2 = t0 + z2_1;
+                const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
                 /* functions of tau1 in slip-slip */
-                const double t8 = omega1*tau1;
+                const double t6 = omega1*tau1;
                 double sine_1, cosine_1;
-                nonsmooth_sincos(t8, &sine_1, &cosine_1);
+                nonsmooth_sincos(t6, &sine_1, &cosine_1);
                 const double cos_omega1_tau1 = cosine_1;
                 const double sin_omega1_tau1 = sine_1;
-                const double t9 = omega2*tau1;
+                const double t7 = omega2*tau1;
                 double sine_2, cosine_2;
-                nonsmooth_sincos(t9, &sine_2, &cosine_2);
+                nonsmooth_sincos(t7, &sine_2, &cosine_2);
                 const double cos_omega2_tau1 = cosine_2;
                 const double sin_omega2_tau1 = sine_2;
-                const double t13 = h3*sin_omega2_tau1;
-                const double t11 = sin_omega1_tau1*t10;
-                const double t14 = p1*t11 + t12*t13;
-                const double t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12;
-                const double t16 = cos_omega1_tau1*p2 + cos_omega2_tau1*h4;
-                const double z1_3 = V*(h4*t13 + h5*sin_omega1_tau1) + t14*v1_2 + t15*z1_2 + t16*z2_2;
-                const double t17 = h6*t13 + h7*sin_omega1_tau1;
-                const double t18 = cos_omega1_tau1*p3 + cos_omega2_tau1*h6;
-                const double t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1;
-                const double z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2;
-                const double t20 = omega2*sin_omega2_tau1;
-                const double t21 = omega1*sin_omega1_tau1;
-                const double t22 = h8*t21 + h9*t20;
-                const double t23 = h10*sin_omega2_tau1 + h4*t21;
-                const double v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
-                const double t24 = h11*sin_omega2_tau1 + h6*t21;
-                const double t25 = h8*t20 + h9*t21;
-                const double v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2;
+                const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
+                const double t10 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
+                const double t11 = h4*sin_omega1_tau1;
+                const double t12 = h5*sin_omega2_tau1;
+                const double t13 = p1*t11 + t12*t8;
+                const double z1_3 = V*(h3*t12 + p2*t11) + t10*z2_2 + t13*v1_2 + t9*z1_2;
+                const double t14 = cos_omega1_tau1*p3 + cos_omega2_tau1*h6;
+                const double t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
+                const double t16 = h6*t12 + p3*t11;
+                const double z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2;
+                const double t17 = omega1*sin_omega1_tau1;
+                const double t18 = omega2*sin_omega2_tau1;
+                const double t19 = h7*t17 + h8*t18;
+                const double t20 = h3*t17 + p2*t18;
+                const double v1_3 = V*t10 + t19*z1_2 + t20*z2_2 + t9*v1_2;
+                const double t21 = h6*t17 + p3*t18;
+                const double t22 = h7*t18 + h8*t17;
+                const double v2_3 = V*t15 + t14*v1_2 + t21*z1_2 + t22*z2_2;
                 /* first return of tau2 */
-                const double cosine_part_tau2 = h12 + v2_3;
-                const double sine_part_tau2 = h13*z2_3 + omega3*z1_3;
+                const double cosine_part_tau2 = h9 + v2_3;
+                const double sine_part_tau2 = h10*z2_3 + omega3*z1_3;
                 /* first return of tau2 */
                 const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
                 /* d/dtau of: functions of tau in slip-stick */
                 const double cos_tau_by_tau = -sin_tau;
                 const double sin_tau_by_tau = cos_tau;
                 /* d/dtau of: z2_1: linear in second-breaks-forward */
-                const double t32 = cos_tau_by_tau*e1;
-                const double z2_1_by_tau = V*sin_tau_by_tau + h12 + h14*t32;
-                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t34 + t32 + t33;
+                const double t24 = cos_tau_by_tau*e1;
+                const double z2_1_by_tau = V*sin_tau_by_tau + h11*t24 + h9;
+                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t26 + t24 + t25;
                 const double z2_2_by_tau = V + z2_1_by_tau;
-                const double v1_2_by_tau = cos_tau_by_tau*t34 + h15*sin_tau_by_tau;
+                const double v1_2_by_tau = cos_tau_by_tau*t26 + h12*sin_tau_by_tau;
                 /* d/dtau of: slip-slip for tau1 */
-                const double z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau;
-                const double z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau;
-                const double v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
-                const double v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau;
+                const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
+                const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
+                const double v1_3_by_tau = t19*z1_2_by_tau + t20*z2_2_by_tau + t9*v1_2_by_tau;
+                const double v2_3_by_tau = t14*v1_2_by_tau + t21*z1_2_by_tau + t22*z2_2_by_tau;
                 /* d/dtau1 of: slip-slip for tau1 */
-                const double t28 = chi*z2_3;
-                const double v1_3_by_tau1 = t28 - z1_3;
-                const double v2_3_by_tau1 = h16*t28 + h17*z1_3;
+                const double t27 = chi*z2_3;
+                const double v1_3_by_tau1 = t27 - z1_3;
+                const double v2_3_by_tau1 = h13*t27 + h14*z1_3;
                 /* d/dtau of: first return of tau2 */
-                const double sine_part_tau2_by_tau = h13*z2_3_by_tau + omega3*z1_3_by_tau;
+                const double sine_part_tau2_by_tau = h10*z2_3_by_tau + omega3*z1_3_by_tau;
                 /* d/dtau1 of: first return of tau2 */
-                const double sine_part_tau2_by_tau1 = h13*v2_3 + omega3*v1_3;
+                const double sine_part_tau2_by_tau1 = h10*v2_3 + omega3*v1_3;
                 /* d/dtau of: first return of tau2 */
-                const double t35 = 2*cosine_part_tau2;
-                const double t36 = 2*sine_part_tau2;
-                const double t26 = (1.0/(amplitude_tau2));
-                const double t37 = (1.0/2.0)*t26;
-                const double amplitude_tau2_by_tau = t37*(sine_part_tau2_by_tau*t36 + t35*v2_3_by_tau);
+                const double t28 = 2*cosine_part_tau2;
+                const double t29 = 2*sine_part_tau2;
+                const double t30 = (1.0/(amplitude_tau2));
+                const double t31 = (1.0/2.0)*t30;
+                const double amplitude_tau2_by_tau = t31*(sine_part_tau2_by_tau*t29 + t28*v2_3_by_tau);
                 /* d/dtau1 of: first return of tau2 */
-                const double amplitude_tau2_by_tau1 = t37*(sine_part_tau2_by_tau1*t36 + t35*v2_3_by_tau1);
-                const double t39 = amplitude_tau2_by_tau*t38;
-                const double t40 = amplitude_tau2_by_tau1*t38;
+                const double amplitude_tau2_by_tau1 = t31*(sine_part_tau2_by_tau1*t29 + t28*v2_3_by_tau1);
+                /* jacobian */
+                const double t32 = amplitude_tau2_by_tau*h15;
+                const double t33 = amplitude_tau2_by_tau1*h16;
                 const double residual_0 = -V + v1_3;
-                const double residual_1 = amplitude_tau2*t27*t3 - t4 - z2_1;
+                const double residual_1 = amplitude_tau2*t1*t23 - t2 - z2_1;
                 const double jacobian_0 = v1_3_by_tau;
                 const double jacobian_1 = v1_3_by_tau1;
-                const double jacobian_2 = t39 - z2_1_by_tau;
-                const double jacobian_3 = t40;
+                const double jacobian_2 = -t32 - z2_1_by_tau;
+                const double jacobian_3 = t33;
                 const double inverse = (1.0/((jacobian_0*jacobian_3 - jacobian_1*jacobian_2)));
                 const double wanted_0 = tau - (-jacobian_1*residual_1 + jacobian_3*residual_0)*inverse;
                 const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
@@ -5565,33 +5535,30 @@ void dry_friction_global_stick_solve(
             const double p2 = fixed[3][lane];
             const double p3 = fixed[4][lane];
             const double omega3 = fixed[5][lane];
-            const double t3 = fixed[6][lane];
-            const double t4 = fixed[7][lane];
+            const double t1 = fixed[6][lane];
+            const double t2 = fixed[7][lane];
             const double h0 = fixed[8][lane];
             const double h1 = fixed[9][lane];
             const double h2 = fixed[10][lane];
-            const double t10 = fixed[11][lane];
+            const double t8 = fixed[11][lane];
             const double h3 = fixed[12][lane];
-            const double t12 = fixed[13][lane];
-            const double h4 = fixed[14][lane];
-            const double h5 = fixed[15][lane];
-            const double h6 = fixed[16][lane];
-            const double h7 = fixed[17][lane];
-            const double h8 = fixed[18][lane];
-            const double h9 = fixed[19][lane];
-            const double h10 = fixed[20][lane];
+            const double h4 = fixed[13][lane];
+            const double h5 = fixed[14][lane];
+            const double h6 = fixed[15][lane];
+            const double h7 = fixed[16][lane];
+            const double h8 = fixed[17][lane];
+            const double h9 = fixed[18][lane];
+            const double h10 = fixed[19][lane];
+            const double t23 = fixed[20][lane];
             const double h11 = fixed[21][lane];
-            const double h12 = fixed[22][lane];
-            const double h13 = fixed[23][lane];
-            const double t27 = fixed[24][lane];
-            const double h14 = fixed[25][lane];
-            const double t33 = fixed[26][lane];
-            const double t34 = fixed[27][lane];
-            const double h15 = fixed[28][lane];
-            const double h16 = fixed[29][lane];
-            const double h17 = fixed[30][lane];
-            const double t38 = fixed[31][lane];
-            const double h18 = fixed[32][lane];
+            const double t25 = fixed[22][lane];
+            const double t26 = fixed[23][lane];
+            const double h12 = fixed[24][lane];
+            const double h13 = fixed[25][lane];
+            const double h14 = fixed[26][lane];
+            const double h15 = fixed[27][lane];
+            const double h16 = fixed[28][lane];
+            const double h17 = fixed[29][lane];
             const double tau = x[0][lane];
             const double tau1 = x[1][lane];
             double sine_0, cosine_0;
@@ -5599,103 +5566,104 @@ void dry_friction_global_stick_solve(
             const double cos_tau = cosine_0;
             const double sin_tau = sine_0;
             /* z2_1: linear in second-breaks-forward */
-            const double t2 = V*tau;
-            const double z2_1 = V*sin_tau + cos_tau*h0 + h1 - t2;
+            const double t0 = V*tau;
+            const double z2_1 = V*sin_tau + cos_tau*h0 + h1 - t0;
             /* slip-stick for tau */
-            const double t5 = chi*z2_1;
-            const double t6 = e1 + t5;
-            const double t7 = chi + cos_tau*h2;
-            const double z1_2 = V*sin_tau + V*(chi*tau + h2*sin_tau) + cos_tau*t6 + t7*z2_1;
-            const double z2_2 = t2 + z2_1;
-            const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+            const double t3 = chi*z2_1;
+            const double t4 = e1 + t3;
+            const double t5 = chi + cos_tau*h2;
+            const double z1_2 = V*sin_tau + V*(chi*tau + h2*sin_tau) + cos_tau*t4 + t5*z2_1;
+            const double z2_2 = t0 + z2_1;
+            const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
             /* functions of tau1 in slip-slip */
-            const double t8 = omega1*tau1;
+            const double t6 = omega1*tau1;
             double sine_1, cosine_1;
-            nonsmooth_sincos(t8, &sine_1, &cosine_1);
+            nonsmooth_sincos(t6, &sine_1, &cosine_1);
             const double cos_omega1_tau1 = cosine_1;
             const double sin_omega1_tau1 = sine_1;
-            const double t9 = omega2*tau1;
+            const double t7 = omega2*tau1;
             double sine_2, cosine_2;
-            nonsmooth_sincos(t9, &sine_2, &cosine_2);
+            nonsmooth_sincos(t7, &sine_2, &cosine_2);
             const double cos_omega2_tau1 = cosine_2;
             const double sin_omega2_tau1 = sine_2;
-            const double t13 = h3*sin_omega2_tau1;
-            const double t11 = sin_omega1_tau1*t10;
-            const double t14 = p1*t11 + t12*t13;
-            const double t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12;
-            const double t16 = cos_omega1_tau1*p2 + cos_omega2_tau1*h4;
-            const double z1_3 = V*(h4*t13 + h5*sin_omega1_tau1) + t14*v1_2 + t15*z1_2 + t16*z2_2;
-            const double t17 = h6*t13 + h7*sin_omega1_tau1;
-            const double t18 = cos_omega1_tau1*p3 + cos_omega2_tau1*h6;
-            const double t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1;
-            const double z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2;
-            const double t20 = omega2*sin_omega2_tau1;
-            const double t21 = omega1*sin_omega1_tau1;
-            const double t22 = h8*t21 + h9*t20;
-            const double t23 = h10*sin_omega2_tau1 + h4*t21;
-            const double v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
-            const double t24 = h11*sin_omega2_tau1 + h6*t21;
-            const double t25 = h8*t20 + h9*t21;
-            const double v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2;
+            const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
+            const double t10 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
+            const double t11 = h4*sin_omega1_tau1;
+            const double t12 = h5*sin_omega2_tau1;
+            const double t13 = p1*t11 + t12*t8;
+            const double z1_3 = V*(h3*t12 + p2*t11) + t10*z2_2 + t13*v1_2 + t9*z1_2;
+            const double t14 = cos_omega1_tau1*p3 + cos_omega2_tau1*h6;
+            const double t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
+            const double t16 = h6*t12 + p3*t11;
+            const double z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2;
+            const double t17 = omega1*sin_omega1_tau1;
+            const double t18 = omega2*sin_omega2_tau1;
+            const double t19 = h7*t17 + h8*t18;
+            const double t20 = h3*t17 + p2*t18;
+            const double v1_3 = V*t10 + t19*z1_2 + t20*z2_2 + t9*v1_2;
+            const double t21 = h6*t17 + p3*t18;
+            const double t22 = h7*t18 + h8*t17;
+            const double v2_3 = V*t15 + t14*v1_2 + t21*z1_2 + t22*z2_2;
             /* first return of tau2 */
-            const double cosine_part_tau2 = h12 + v2_3;
-            const double sine_part_tau2 = h13*z2_3 + omega3*z1_3;
+            const double cosine_part_tau2 = h9 + v2_3;
+            const double sine_part_tau2 = h10*z2_3 + omega3*z1_3;
             /* first return of tau2 */
             const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
             /* d/dtau of: functions of tau in slip-stick */
             const double cos_tau_by_tau = -sin_tau;
             const double sin_tau_by_tau = cos_tau;
             /* d/dtau of: z2_1: linear in second-breaks-forward */
-            const double t32 = cos_tau_by_tau*e1;
-            const double z2_1_by_tau = V*sin_tau_by_tau + h12 + h14*t32;
-            const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t34 + t32 + t33;
+            const double t24 = cos_tau_by_tau*e1;
+            const double z2_1_by_tau = V*sin_tau_by_tau + h11*t24 + h9;
+            const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t26 + t24 + t25;
             const double z2_2_by_tau = V + z2_1_by_tau;
-            const double v1_2_by_tau = cos_tau_by_tau*t34 + h15*sin_tau_by_tau;
+            const double v1_2_by_tau = cos_tau_by_tau*t26 + h12*sin_tau_by_tau;
             /* d/dtau of: slip-slip for tau1 */
-            const double z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau;
-            const double z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau;
-            const double v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
-            const double v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau;
+            const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
+            const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
+            const double v1_3_by_tau = t19*z1_2_by_tau + t20*z2_2_by_tau + t9*v1_2_by_tau;
+            const double v2_3_by_tau = t14*v1_2_by_tau + t21*z1_2_by_tau + t22*z2_2_by_tau;
             /* d/dtau1 of: slip-slip for tau1 */
-            const double t28 = chi*z2_3;
-            const double v1_3_by_tau1 = t28 - z1_3;
-            const double v2_3_by_tau1 = h16*t28 + h17*z1_3;
+            const double t27 = chi*z2_3;
+            const double v1_3_by_tau1 = t27 - z1_3;
+            const double v2_3_by_tau1 = h13*t27 + h14*z1_3;
             /* d/dtau of: first return of tau2 */
-            const double sine_part_tau2_by_tau = h13*z2_3_by_tau + omega3*z1_3_by_tau;
+            const double sine_part_tau2_by_tau = h10*z2_3_by_tau + omega3*z1_3_by_tau;
             /* d/dtau1 of: first return of tau2 */
-            const double sine_part_tau2_by_tau1 = h13*v2_3 + omega3*v1_3;
+            const double sine_part_tau2_by_tau1 = h10*v2_3 + omega3*v1_3;
             /* d/dtau of: first return of tau2 */
-            const double t35 = 2*cosine_part_tau2;
-            const double t36 = 2*sine_part_tau2;
-            const double t26 = (1.0/(amplitude_tau2));
-            const double t37 = (1.0/2.0)*t26;
-            const double amplitude_tau2_by_tau = t37*(sine_part_tau2_by_tau*t36 + t35*v2_3_by_tau);
+            const double t28 = 2*cosine_part_tau2;
+            const double t29 = 2*sine_part_tau2;
+            const double t30 = (1.0/(amplitude_tau2));
+            const double t31 = (1.0/2.0)*t30;
+            const double amplitude_tau2_by_tau = t31*(sine_part_tau2_by_tau*t29 + t28*v2_3_by_tau);
             /* d/dtau1 of: first return of tau2 */
-            const double amplitude_tau2_by_tau1 = t37*(sine_part_tau2_by_tau1*t36 + t35*v2_3_by_tau1);
-            const double t39 = amplitude_tau2_by_tau*t38;
-            const double t40 = amplitude_tau2_by_tau1*t38;
+            const double amplitude_tau2_by_tau1 = t31*(sine_part_tau2_by_tau1*t29 + t28*v2_3_by_tau1);
+            /* jacobian */
+            const double t32 = amplitude_tau2_by_tau*h15;
+            const double t33 = amplitude_tau2_by_tau1*h16;
             /* first return of tau2 */
-            const double cos_tau2_return = sine_part_tau2*t26;
-            const double sin_tau2_return = -cosine_part_tau2*t26;
+            const double cos_tau2_return = sine_part_tau2*t30;
+            const double sin_tau2_return = -cosine_part_tau2*t30;
             /* tau2: first return */
-            const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+            const double tau2 = t23*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
             /* ta: linear in time */
-            const double t29 = sine_part_tau2*t27;
-            const double t30 = V*tau2;
-            const double t31 = amplitude_tau2*t27;
-            const double ta = h18*(chi*t29 + chi*t30 + e1 + h2*t31 + t28 - t29 - t30 - z2_3);
+            const double t34 = sine_part_tau2*t23;
+            const double t35 = V*tau2;
+            const double t36 = amplitude_tau2*t23;
+            const double ta = h17*(chi*t34 + chi*t35 + e1 + h2*t36 + t27 - t34 - t35 - z2_3);
             /* unknowns */
-            const double t41 = t29 + t30 + z2_3;
-            result[0][lane] = t41;
-            result[1][lane] = -t31 + t41;
+            const double t37 = t34 + t35 + z2_3;
+            result[0][lane] = t37;
+            result[1][lane] = -t36 + t37;
             result[2][lane] = ta;
             result[3][lane] = tau;
             result[4][lane] = tau1;
             result[5][lane] = tau2;
-            slope[lane] = (t39 - t40*v1_3_by_tau/v1_3_by_tau1)/z2_1_by_tau;
+            slope[lane] = (-t32 - t33*v1_3_by_tau/v1_3_by_tau1)/z2_1_by_tau;
             double largest = 0.0;
             largest = fabs(-V + v1_3) > largest ? fabs(-V + v1_3) : largest;
-            largest = fabs(amplitude_tau2*t27*t3 - t4 - z2_1) > largest ? fabs(amplitude_tau2*t27*t3 - t4 - z2_1) : largest;
+            largest = fabs(amplitude_tau2*t1*t23 - t2 - z2_1) > largest ? fabs(amplitude_tau2*t1*t23 - t2 - z2_1) : largest;
             defect[lane] = largest;
             const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
             int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
@@ -5837,7 +5805,7 @@ void dry_friction_solution_ii_solve(
     enum { lanes = 16, most = 32 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[4][lanes], x[3][lanes], fixed[38][lanes];
+        double parameter[4][lanes], x[3][lanes], fixed[34][lanes];
         double open[lanes];
         int32_t taken[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
@@ -5862,87 +5830,79 @@ void dry_friction_solution_ii_solve(
             const double p2 = -chi/gap1;
             const double p3 = -chi*eta/gap1;
             const double omega3 = sqrt(chi)*sqrt(eta);
-            const double t3 = (1.0/((chi - 1)));
-            const double h0 = -e2*t3/chi;
+            const double t1 = (1.0/((chi - 1)));
+            const double h0 = -e2*t1/chi;
             const double h1 = -chi;
             /* slip-slip for tau1 */
-            const double t11 = (1.0/(omega1));
-            const double h2 = (1.0/(omega2));
-            const double t13 = 1 - p1;
-            const double h3 = -p2;
-            const double h4 = p2*t11;
+            const double t9 = 1 - p1;
+            const double h2 = -p2;
+            const double h3 = (1.0/(omega1));
+            const double h4 = (1.0/(omega2));
             const double h5 = -p3;
-            const double h6 = p3*t11;
-            const double h7 = -p1;
-            const double h8 = -t13;
-            const double h9 = omega2*p2;
-            const double h10 = omega2*p3;
-            const double h11 = -V;
+            const double h6 = -p1;
+            const double h7 = -t9;
+            const double h8 = -V;
             /* tau2: first return */
-            const double t30 = (1.0/(omega3));
-            const double h12 = -t30;
-            const double h13 = -t3;
+            const double t27 = (1.0/(omega3));
+            const double h9 = -t27;
+            const double h10 = -t1;
             /* d/dtau of: slip-stick for tau */
-            const double t35 = V*chi;
-            const double t36 = V - t35;
-            const double t39 = chi*eta;
-            const double h14 = -eta;
-            const double h15 = -omega3;
+            const double t30 = V*chi;
+            const double t31 = V - t30;
+            const double t33 = chi*eta;
+            const double h11 = -eta;
+            const double h12 = -omega3;
             /* rate of the exit boundary after ta */
-            const double rate_1 = t36;
+            const double rate_1 = t31;
             /* derivatives of the time to the boundary after ta */
-            const double t54 = (1.0/(rate_1));
-            const double delay_ta_by_z10 = -t54;
-            const double delay_ta_by_z20 = chi*t54;
+            const double t47 = (1.0/(rate_1));
+            const double delay_ta_by_z10 = -t47;
+            const double delay_ta_by_z20 = chi*t47;
             /* perturbation on the boundary after ta */
-            const double t55 = V*delay_ta_by_z10;
-            const double z1_1_on_boundary_by_z10 = t55 + 1;
+            const double t48 = V*delay_ta_by_z10;
+            const double z1_1_on_boundary_by_z10 = t48 + 1;
             const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-            const double z2_1_on_boundary_by_z10 = t55;
+            const double z2_1_on_boundary_by_z10 = t48;
             const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
-            const double h16 = -z1_1_on_boundary_by_z10;
-            const double h17 = -z1_1_on_boundary_by_z20;
-            const double h18 = -chi*z2_1_on_boundary_by_z10;
-            const double h19 = -chi*z2_1_on_boundary_by_z20;
-            const double h20 = -t39;
+            const double h13 = -z1_1_on_boundary_by_z10;
+            const double h14 = -z1_1_on_boundary_by_z20;
+            const double h15 = -chi*z2_1_on_boundary_by_z10;
+            const double h16 = -chi*z2_1_on_boundary_by_z20;
+            const double h17 = -t33;
             fixed[0][lane] = omega1;
             fixed[1][lane] = omega2;
             fixed[2][lane] = p1;
             fixed[3][lane] = p2;
             fixed[4][lane] = p3;
             fixed[5][lane] = omega3;
-            fixed[6][lane] = t3;
+            fixed[6][lane] = t1;
             fixed[7][lane] = h0;
             fixed[8][lane] = h1;
-            fixed[9][lane] = t11;
+            fixed[9][lane] = t9;
             fixed[10][lane] = h2;
-            fixed[11][lane] = t13;
-            fixed[12][lane] = h3;
-            fixed[13][lane] = h4;
-            fixed[14][lane] = h5;
-            fixed[15][lane] = h6;
-            fixed[16][lane] = h7;
-            fixed[17][lane] = h8;
+            fixed[11][lane] = h3;
+            fixed[12][lane] = h4;
+            fixed[13][lane] = h5;
+            fixed[14][lane] = h6;
+            fixed[15][lane] = h7;
+            fixed[16][lane] = h8;
+            fixed[17][lane] = t27;
             fixed[18][lane] = h9;
             fixed[19][lane] = h10;
-            fixed[20][lane] = h11;
-            fixed[21][lane] = t30;
-            fixed[22][lane] = h12;
-            fixed[23][lane] = h13;
-            fixed[24][lane] = t35;
-            fixed[25][lane] = t36;
-            fixed[26][lane] = t39;
-            fixed[27][lane] = h14;
-            fixed[28][lane] = h15;
-            fixed[29][lane] = z1_1_on_boundary_by_z10;
-            fixed[30][lane] = z1_1_on_boundary_by_z20;
-            fixed[31][lane] = z2_1_on_boundary_by_z10;
-            fixed[32][lane] = z2_1_on_boundary_by_z20;
-            fixed[33][lane] = h16;
-            fixed[34][lane] = h17;
-            fixed[35][lane] = h18;
-            fixed[36][lane] = h19;
-            fixed[37][lane] = h20;
+            fixed[20][lane] = t30;
+            fixed[21][lane] = t31;
+            fixed[22][lane] = t33;
+            fixed[23][lane] = h11;
+            fixed[24][lane] = h12;
+            fixed[25][lane] = z1_1_on_boundary_by_z10;
+            fixed[26][lane] = z1_1_on_boundary_by_z20;
+            fixed[27][lane] = z2_1_on_boundary_by_z10;
+            fixed[28][lane] = z2_1_on_boundary_by_z20;
+            fixed[29][lane] = h13;
+            fixed[30][lane] = h14;
+            fixed[31][lane] = h15;
+            fixed[32][lane] = h16;
+            fixed[33][lane] = h17;
         }
         for (int iteration = 0; iteration < most; ++iteration) {
             double running = 0.0;
@@ -5956,29 +5916,25 @@ void dry_friction_solution_ii_solve(
                 const double p2 = fixed[3][lane];
                 const double p3 = fixed[4][lane];
                 const double omega3 = fixed[5][lane];
-                const double t3 = fixed[6][lane];
+                const double t1 = fixed[6][lane];
                 const double h0 = fixed[7][lane];
                 const double h1 = fixed[8][lane];
-                const double t11 = fixed[9][lane];
+                const double t9 = fixed[9][lane];
                 const double h2 = fixed[10][lane];
-                const double t13 = fixed[11][lane];
-                const double h3 = fixed[12][lane];
-                const double h4 = fixed[13][lane];
-                const double h5 = fixed[14][lane];
-                const double h6 = fixed[15][lane];
-                const double h7 = fixed[16][lane];
-                const double h8 = fixed[17][lane];
+                const double h3 = fixed[11][lane];
+                const double h4 = fixed[12][lane];
+                const double h5 = fixed[13][lane];
+                const double h6 = fixed[14][lane];
+                const double h7 = fixed[15][lane];
+                const double h8 = fixed[16][lane];
+                const double t27 = fixed[17][lane];
                 const double h9 = fixed[18][lane];
                 const double h10 = fixed[19][lane];
-                const double h11 = fixed[20][lane];
-                const double t30 = fixed[21][lane];
-                const double h12 = fixed[22][lane];
-                const double h13 = fixed[23][lane];
-                const double t35 = fixed[24][lane];
-                const double t36 = fixed[25][lane];
-                const double t39 = fixed[26][lane];
-                const double h14 = fixed[27][lane];
-                const double h15 = fixed[28][lane];
+                const double t30 = fixed[20][lane];
+                const double t31 = fixed[21][lane];
+                const double t33 = fixed[22][lane];
+                const double h11 = fixed[23][lane];
+                const double h12 = fixed[24][lane];
                 const double tau = x[0][lane];
                 const double tau1 = x[1][lane];
                 const double e1 = x[2][lane];
@@ -5987,133 +5943,136 @@ void dry_friction_solution_ii_solve(
                 const double cos_tau = cosine_0;
                 const double sin_tau = sine_0;
                 /* z2_1: linear in second-breaks-forward */
-                const double t2 = V*tau;
-                const double t4 = cos_tau*t3;
-                const double z2_1 = V*sin_tau - e1*t4 + h0 - t2;
+                const double t0 = V*tau;
+                const double t2 = cos_tau*t1;
+                const double z2_1 = V*sin_tau - e1*t2 + h0 - t0;
                 /* slip-stick for tau */
-                const double t5 = chi*z2_1;
-                const double t6 = e1 + t5;
-                const double t7 = chi + cos_tau*h1;
-                const double t8 = chi*sin_tau;
-                const double z1_2 = V*sin_tau + V*(chi*tau - t8) + cos_tau*t6 + t7*z2_1;
-                const double z2_2 = t2 + z2_1;
-                const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+                const double t3 = chi*z2_1;
+                const double t4 = e1 + t3;
+                const double t5 = chi + cos_tau*h1;
+                const double t6 = chi*sin_tau;
+                const double z1_2 = V*sin_tau + V*(chi*tau - t6) + cos_tau*t4 + t5*z2_1;
+                const double z2_2 = t0 + z2_1;
+                const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
                 /* functions of tau1 in slip-slip */
-                const double t9 = omega1*tau1;
+                const double t7 = omega1*tau1;
                 double sine_1, cosine_1;
-                nonsmooth_sincos(t9, &sine_1, &cosine_1);
+                nonsmooth_sincos(t7, &sine_1, &cosine_1);
                 const double cos_omega1_tau1 = cosine_1;
                 const double sin_omega1_tau1 = sine_1;
-                const double t10 = omega2*tau1;
+                const double t8 = omega2*tau1;
                 double sine_2, cosine_2;
-                nonsmooth_sincos(t10, &sine_2, &cosine_2);
+                nonsmooth_sincos(t8, &sine_2, &cosine_2);
                 const double cos_omega2_tau1 = cosine_2;
                 const double sin_omega2_tau1 = sine_2;
-                const double t14 = h2*sin_omega2_tau1;
-                const double t12 = sin_omega1_tau1*t11;
-                const double t15 = p1*t12 + t13*t14;
-                const double t16 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13;
-                const double t17 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
-                const double z1_3 = V*(h3*t14 + h4*sin_omega1_tau1) + t15*v1_2 + t16*z1_2 + t17*z2_2;
-                const double t18 = h5*t14 + h6*sin_omega1_tau1;
-                const double t19 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
-                const double t20 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1;
-                const double z2_3 = V*(p1*t14 + t12*t13) + t18*v1_2 + t19*z1_2 + t20*z2_2;
-                const double t21 = omega2*sin_omega2_tau1;
-                const double t22 = omega1*sin_omega1_tau1;
-                const double t23 = h7*t22 + h8*t21;
-                const double t24 = h3*t22 + h9*sin_omega2_tau1;
-                const double v1_3 = V*t17 + t16*v1_2 + t23*z1_2 + t24*z2_2;
-                const double t25 = h10*sin_omega2_tau1 + h5*t22;
-                const double t26 = h7*t21 + h8*t22;
-                const double v2_3 = V*t20 + t19*v1_2 + t25*z1_2 + t26*z2_2;
+                const double t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9;
+                const double t11 = cos_omega1_tau1*p2 + cos_omega2_tau1*h2;
+                const double t12 = h3*sin_omega1_tau1;
+                const double t13 = h4*sin_omega2_tau1;
+                const double t14 = p1*t12 + t13*t9;
+                const double z1_3 = V*(h2*t13 + p2*t12) + t10*z1_2 + t11*z2_2 + t14*v1_2;
+                const double t15 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
+                const double t16 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
+                const double t17 = h5*t13 + p3*t12;
+                const double z2_3 = V*(p1*t13 + t12*t9) + t15*z1_2 + t16*z2_2 + t17*v1_2;
+                const double t18 = omega1*sin_omega1_tau1;
+                const double t19 = omega2*sin_omega2_tau1;
+                const double t20 = h6*t18 + h7*t19;
+                const double t21 = h2*t18 + p2*t19;
+                const double v1_3 = V*t11 + t10*v1_2 + t20*z1_2 + t21*z2_2;
+                const double t22 = h5*t18 + p3*t19;
+                const double t23 = h6*t19 + h7*t18;
+                const double v2_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
                 /* first return of tau2 */
-                const double cosine_part_tau2 = h11 + v2_3;
-                const double t27 = omega3*z1_3;
-                const double t28 = omega3*z2_3;
-                const double sine_part_tau2 = t27 - t28;
+                const double cosine_part_tau2 = h8 + v2_3;
+                const double t24 = omega3*z1_3;
+                const double t25 = omega3*z2_3;
+                const double sine_part_tau2 = t24 - t25;
                 /* first return of tau2 */
                 const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
                 /* first return of tau2 */
-                const double t29 = (1.0/(amplitude_tau2));
-                const double cos_tau2_return = sine_part_tau2*t29;
-                const double sin_tau2_return = -cosine_part_tau2*t29;
-                const double tau2 = t30*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+                const double t26 = (1.0/(amplitude_tau2));
+                const double cos_tau2_return = sine_part_tau2*t26;
+                const double sin_tau2_return = -cosine_part_tau2*t26;
+                const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
                 /* stick-stick for no time */
-                const double t31 = V*tau2;
-                const double z1_5 = sine_part_tau2*t30 + t31 + z2_3;
-                const double z2_5 = amplitude_tau2*h12 + z1_5;
+                const double t28 = V*tau2;
+                const double z1_5 = sine_part_tau2*t27 + t28 + z2_3;
+                const double z2_5 = amplitude_tau2*h9 + z1_5;
                 /* d/dtau of: functions of tau in slip-stick */
                 const double cos_tau_by_tau = -sin_tau;
                 const double sin_tau_by_tau = cos_tau;
                 /* d/dtau of: z2_1: linear in second-breaks-forward */
-                const double t34 = cos_tau_by_tau*e1;
-                const double z2_1_by_tau = V*sin_tau_by_tau + h11 + h13*t34;
+                const double t29 = cos_tau_by_tau*e1;
+                const double z2_1_by_tau = V*sin_tau_by_tau + h10*t29 + h8;
                 /* d/de1 of: z2_1: linear in second-breaks-forward */
-                const double z2_1_by_e1 = -t4;
-                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t36 + t34 + t35;
+                const double z2_1_by_e1 = -t2;
+                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t31 + t29 + t30;
                 const double z2_2_by_tau = V + z2_1_by_tau;
-                const double v1_2_by_tau = cos_tau_by_tau*t36 - e1*sin_tau_by_tau;
+                const double v1_2_by_tau = cos_tau_by_tau*t31 - e1*sin_tau_by_tau;
                 /* d/de1 of: slip-stick for tau */
                 const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
                 const double v1_2_by_e1 = -sin_tau;
                 /* d/dtau of: slip-slip for tau1 */
-                const double z1_3_by_tau = t15*v1_2_by_tau + t16*z1_2_by_tau + t17*z2_2_by_tau;
-                const double z2_3_by_tau = t18*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau;
-                const double v1_3_by_tau = t16*v1_2_by_tau + t23*z1_2_by_tau + t24*z2_2_by_tau;
-                const double v2_3_by_tau = t19*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau;
+                const double z1_3_by_tau = t10*z1_2_by_tau + t11*z2_2_by_tau + t14*v1_2_by_tau;
+                const double z2_3_by_tau = t15*z1_2_by_tau + t16*z2_2_by_tau + t17*v1_2_by_tau;
+                const double v1_3_by_tau = t10*v1_2_by_tau + t20*z1_2_by_tau + t21*z2_2_by_tau;
+                const double v2_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
                 /* d/dtau1 of: slip-slip for tau1 */
-                const double t37 = chi*z2_3;
-                const double v1_3_by_tau1 = t37 - z1_3;
-                const double v2_3_by_tau1 = h14*t37 + t39*z1_3;
+                const double t32 = chi*z2_3;
+                const double v1_3_by_tau1 = t32 - z1_3;
+                const double v2_3_by_tau1 = h11*t32 + t33*z1_3;
                 /* d/de1 of: slip-slip for tau1 */
-                const double z1_3_by_e1 = t15*v1_2_by_e1 + t16*z1_2_by_e1 + t17*z2_1_by_e1;
-                const double z2_3_by_e1 = t18*v1_2_by_e1 + t19*z1_2_by_e1 + t20*z2_1_by_e1;
-                const double v1_3_by_e1 = t16*v1_2_by_e1 + t23*z1_2_by_e1 + t24*z2_1_by_e1;
-                const double v2_3_by_e1 = t19*v1_2_by_e1 + t25*z1_2_by_e1 + t26*z2_1_by_e1;
+                const double z1_3_by_e1 = t10*z1_2_by_e1 + t11*z2_1_by_e1 + t14*v1_2_by_e1;
+                const double z2_3_by_e1 = t15*z1_2_by_e1 + t16*z2_1_by_e1 + t17*v1_2_by_e1;
+                const double v1_3_by_e1 = t10*v1_2_by_e1 + t20*z1_2_by_e1 + t21*z2_1_by_e1;
+                const double v2_3_by_e1 = t15*v1_2_by_e1 + t22*z1_2_by_e1 + t23*z2_1_by_e1;
                 /* d/dtau of: first return of tau2 */
-                const double sine_part_tau2_by_tau = h15*z2_3_by_tau + omega3*z1_3_by_tau;
+                const double sine_part_tau2_by_tau = h12*z2_3_by_tau + omega3*z1_3_by_tau;
                 /* d/dtau1 of: first return of tau2 */
-                const double sine_part_tau2_by_tau1 = h15*v2_3 + omega3*v1_3;
+                const double sine_part_tau2_by_tau1 = h12*v2_3 + omega3*v1_3;
                 /* d/de1 of: first return of tau2 */
-                const double sine_part_tau2_by_e1 = h15*z2_3_by_e1 + omega3*z1_3_by_e1;
+                const double sine_part_tau2_by_e1 = h12*z2_3_by_e1 + omega3*z1_3_by_e1;
                 /* d/dtau of: first return of tau2 */
-                const double t41 = 2*cosine_part_tau2;
-                const double t42 = 2*sine_part_tau2;
-                const double t43 = (1.0/2.0)*t29;
-                const double amplitude_tau2_by_tau = t43*(sine_part_tau2_by_tau*t42 + t41*v2_3_by_tau);
+                const double t34 = 2*cosine_part_tau2;
+                const double t35 = 2*sine_part_tau2;
+                const double t36 = (1.0/2.0)*t26;
+                const double amplitude_tau2_by_tau = t36*(sine_part_tau2_by_tau*t35 + t34*v2_3_by_tau);
                 /* d/dtau1 of: first return of tau2 */
-                const double amplitude_tau2_by_tau1 = t43*(sine_part_tau2_by_tau1*t42 + t41*v2_3_by_tau1);
+                const double amplitude_tau2_by_tau1 = t36*(sine_part_tau2_by_tau1*t35 + t34*v2_3_by_tau1);
                 /* d/de1 of: first return of tau2 */
-                const double amplitude_tau2_by_e1 = t43*(sine_part_tau2_by_e1*t42 + t41*v2_3_by_e1);
+                const double amplitude_tau2_by_e1 = t36*(sine_part_tau2_by_e1*t35 + t34*v2_3_by_e1);
                 /* d/dtau of: first return of tau2 */
-                const double t44 = (1.0/(amplitude_tau2*amplitude_tau2));
-                const double cos_tau2_return_by_tau = -amplitude_tau2_by_tau*sine_part_tau2*t44 + sine_part_tau2_by_tau*t29;
-                const double sin_tau2_return_by_tau = amplitude_tau2_by_tau*cosine_part_tau2*t44 - t29*v2_3_by_tau;
+                const double t37 = (1.0/(amplitude_tau2*amplitude_tau2));
+                const double t38 = amplitude_tau2_by_tau*t37;
+                const double cos_tau2_return_by_tau = -sine_part_tau2*t38 + sine_part_tau2_by_tau*t26;
+                const double sin_tau2_return_by_tau = cosine_part_tau2*t38 - t26*v2_3_by_tau;
                 /* d/dtau1 of: first return of tau2 */
-                const double cos_tau2_return_by_tau1 = -amplitude_tau2_by_tau1*sine_part_tau2*t44 + sine_part_tau2_by_tau1*t29;
-                const double sin_tau2_return_by_tau1 = amplitude_tau2_by_tau1*cosine_part_tau2*t44 - t29*v2_3_by_tau1;
+                const double t39 = amplitude_tau2_by_tau1*t37;
+                const double cos_tau2_return_by_tau1 = -sine_part_tau2*t39 + sine_part_tau2_by_tau1*t26;
+                const double sin_tau2_return_by_tau1 = cosine_part_tau2*t39 - t26*v2_3_by_tau1;
                 /* d/de1 of: first return of tau2 */
-                const double cos_tau2_return_by_e1 = -amplitude_tau2_by_e1*sine_part_tau2*t44 + sine_part_tau2_by_e1*t29;
-                const double sin_tau2_return_by_e1 = amplitude_tau2_by_e1*cosine_part_tau2*t44 - t29*v2_3_by_e1;
+                const double t40 = amplitude_tau2_by_e1*t37;
+                const double cos_tau2_return_by_e1 = -sine_part_tau2*t40 + sine_part_tau2_by_e1*t26;
+                const double sin_tau2_return_by_e1 = cosine_part_tau2*t40 - t26*v2_3_by_e1;
                 /* d/dtau of: tau2: first return */
-                const double t45 = t30/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
-                const double t46 = cos_tau2_return*t45;
-                const double t47 = sin_tau2_return*t45;
-                const double tau2_by_tau = -cos_tau2_return_by_tau*t47 + sin_tau2_return_by_tau*t46;
+                const double t41 = t27/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
+                const double t42 = cos_tau2_return*t41;
+                const double t43 = sin_tau2_return*t41;
+                const double tau2_by_tau = -cos_tau2_return_by_tau*t43 + sin_tau2_return_by_tau*t42;
                 /* d/dtau1 of: tau2: first return */
-                const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t47 + sin_tau2_return_by_tau1*t46;
+                const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t43 + sin_tau2_return_by_tau1*t42;
                 /* d/de1 of: tau2: first return */
-                const double tau2_by_e1 = -cos_tau2_return_by_e1*t47 + sin_tau2_return_by_e1*t46;
+                const double tau2_by_e1 = -cos_tau2_return_by_e1*t43 + sin_tau2_return_by_e1*t42;
                 /* d/dtau of: stick-stick for no time */
-                const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t30 + z2_3_by_tau;
-                const double z2_5_by_tau = amplitude_tau2_by_tau*h12 + z1_5_by_tau;
+                const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t27 + z2_3_by_tau;
+                const double z2_5_by_tau = amplitude_tau2_by_tau*h9 + z1_5_by_tau;
                 /* d/dtau1 of: stick-stick for no time */
-                const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t30 + v2_3;
-                const double z2_5_by_tau1 = amplitude_tau2_by_tau1*h12 + z1_5_by_tau1;
+                const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t27 + v2_3;
+                const double z2_5_by_tau1 = amplitude_tau2_by_tau1*h9 + z1_5_by_tau1;
                 /* d/de1 of: stick-stick for no time */
-                const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t30 + z2_3_by_e1;
-                const double z2_5_by_e1 = amplitude_tau2_by_e1*h12 + z1_5_by_e1;
+                const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t27 + z2_3_by_e1;
+                const double z2_5_by_e1 = amplitude_tau2_by_e1*h9 + z1_5_by_e1;
                 const double residual_0 = -V + v1_3;
                 const double residual_1 = -chi*z2_5 - e1 + z1_5;
                 const double residual_2 = -z2_1 + z2_5;
@@ -6159,35 +6118,31 @@ void dry_friction_solution_ii_solve(
             const double p2 = fixed[3][lane];
             const double p3 = fixed[4][lane];
             const double omega3 = fixed[5][lane];
-            const double t3 = fixed[6][lane];
+            const double t1 = fixed[6][lane];
             const double h0 = fixed[7][lane];
             const double h1 = fixed[8][lane];
-            const double t11 = fixed[9][lane];
+            const double t9 = fixed[9][lane];
             const double h2 = fixed[10][lane];
-            const double t13 = fixed[11][lane];
-            const double h3 = fixed[12][lane];
-            const double h4 = fixed[13][lane];
-            const double h5 = fixed[14][lane];
-            const double h6 = fixed[15][lane];
-            const double h7 = fixed[16][lane];
-            const double h8 = fixed[17][lane];
+            const double h3 = fixed[11][lane];
+            const double h4 = fixed[12][lane];
+            const double h5 = fixed[13][lane];
+            const double h6 = fixed[14][lane];
+            const double h7 = fixed[15][lane];
+            const double h8 = fixed[16][lane];
+            const double t27 = fixed[17][lane];
             const double h9 = fixed[18][lane];
-            const double h10 = fixed[19][lane];
-            const double h11 = fixed[20][lane];
-            const double t30 = fixed[21][lane];
-            const double h12 = fixed[22][lane];
-            const double t35 = fixed[24][lane];
-            const double t39 = fixed[26][lane];
-            const double h14 = fixed[27][lane];
-            const double z1_1_on_boundary_by_z10 = fixed[29][lane];
-            const double z1_1_on_boundary_by_z20 = fixed[30][lane];
-            const double z2_1_on_boundary_by_z10 = fixed[31][lane];
-            const double z2_1_on_boundary_by_z20 = fixed[32][lane];
-            const double h16 = fixed[33][lane];
-            const double h17 = fixed[34][lane];
-            const double h18 = fixed[35][lane];
-            const double h19 = fixed[36][lane];
-            const double h20 = fixed[37][lane];
+            const double t30 = fixed[20][lane];
+            const double t33 = fixed[22][lane];
+            const double h11 = fixed[23][lane];
+            const double z1_1_on_boundary_by_z10 = fixed[25][lane];
+            const double z1_1_on_boundary_by_z20 = fixed[26][lane];
+            const double z2_1_on_boundary_by_z10 = fixed[27][lane];
+            const double z2_1_on_boundary_by_z20 = fixed[28][lane];
+            const double h13 = fixed[29][lane];
+            const double h14 = fixed[30][lane];
+            const double h15 = fixed[31][lane];
+            const double h16 = fixed[32][lane];
+            const double h17 = fixed[33][lane];
             const double tau = x[0][lane];
             const double tau1 = x[1][lane];
             const double e1 = x[2][lane];
@@ -6196,112 +6151,112 @@ void dry_friction_solution_ii_solve(
             const double cos_tau = cosine_0;
             const double sin_tau = sine_0;
             /* z2_1: linear in second-breaks-forward */
-            const double t2 = V*tau;
-            const double t4 = cos_tau*t3;
-            const double z2_1 = V*sin_tau - e1*t4 + h0 - t2;
+            const double t0 = V*tau;
+            const double t2 = cos_tau*t1;
+            const double z2_1 = V*sin_tau - e1*t2 + h0 - t0;
             /* slip-stick for tau */
-            const double t5 = chi*z2_1;
-            const double t6 = e1 + t5;
-            const double t7 = chi + cos_tau*h1;
-            const double t8 = chi*sin_tau;
-            const double z1_2 = V*sin_tau + V*(chi*tau - t8) + cos_tau*t6 + t7*z2_1;
-            const double z2_2 = t2 + z2_1;
-            const double v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6;
+            const double t3 = chi*z2_1;
+            const double t4 = e1 + t3;
+            const double t5 = chi + cos_tau*h1;
+            const double t6 = chi*sin_tau;
+            const double z1_2 = V*sin_tau + V*(chi*tau - t6) + cos_tau*t4 + t5*z2_1;
+            const double z2_2 = t0 + z2_1;
+            const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
             /* functions of tau1 in slip-slip */
-            const double t9 = omega1*tau1;
+            const double t7 = omega1*tau1;
             double sine_1, cosine_1;
-            nonsmooth_sincos(t9, &sine_1, &cosine_1);
+            nonsmooth_sincos(t7, &sine_1, &cosine_1);
             const double cos_omega1_tau1 = cosine_1;
             const double sin_omega1_tau1 = sine_1;
-            const double t10 = omega2*tau1;
+            const double t8 = omega2*tau1;
             double sine_2, cosine_2;
-            nonsmooth_sincos(t10, &sine_2, &cosine_2);
+            nonsmooth_sincos(t8, &sine_2, &cosine_2);
             const double cos_omega2_tau1 = cosine_2;
             const double sin_omega2_tau1 = sine_2;
-            const double t14 = h2*sin_omega2_tau1;
-            const double t12 = sin_omega1_tau1*t11;
-            const double t15 = p1*t12 + t13*t14;
-            const double t16 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13;
-            const double t17 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
-            const double z1_3 = V*(h3*t14 + h4*sin_omega1_tau1) + t15*v1_2 + t16*z1_2 + t17*z2_2;
-            const double t18 = h5*t14 + h6*sin_omega1_tau1;
-            const double t19 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
-            const double t20 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1;
-            const double z2_3 = V*(p1*t14 + t12*t13) + t18*v1_2 + t19*z1_2 + t20*z2_2;
-            const double t21 = omega2*sin_omega2_tau1;
-            const double t22 = omega1*sin_omega1_tau1;
-            const double t23 = h7*t22 + h8*t21;
-            const double t24 = h3*t22 + h9*sin_omega2_tau1;
-            const double v1_3 = V*t17 + t16*v1_2 + t23*z1_2 + t24*z2_2;
-            const double t25 = h10*sin_omega2_tau1 + h5*t22;
-            const double t26 = h7*t21 + h8*t22;
-            const double v2_3 = V*t20 + t19*v1_2 + t25*z1_2 + t26*z2_2;
+            const double t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9;
+            const double t11 = cos_omega1_tau1*p2 + cos_omega2_tau1*h2;
+            const double t12 = h3*sin_omega1_tau1;
+            const double t13 = h4*sin_omega2_tau1;
+            const double t14 = p1*t12 + t13*t9;
+            const double z1_3 = V*(h2*t13 + p2*t12) + t10*z1_2 + t11*z2_2 + t14*v1_2;
+            const double t15 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
+            const double t16 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
+            const double t17 = h5*t13 + p3*t12;
+            const double z2_3 = V*(p1*t13 + t12*t9) + t15*z1_2 + t16*z2_2 + t17*v1_2;
+            const double t18 = omega1*sin_omega1_tau1;
+            const double t19 = omega2*sin_omega2_tau1;
+            const double t20 = h6*t18 + h7*t19;
+            const double t21 = h2*t18 + p2*t19;
+            const double v1_3 = V*t11 + t10*v1_2 + t20*z1_2 + t21*z2_2;
+            const double t22 = h5*t18 + p3*t19;
+            const double t23 = h6*t19 + h7*t18;
+            const double v2_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
             /* first return of tau2 */
-            const double cosine_part_tau2 = h11 + v2_3;
-            const double t27 = omega3*z1_3;
-            const double t28 = omega3*z2_3;
-            const double sine_part_tau2 = t27 - t28;
+            const double cosine_part_tau2 = h8 + v2_3;
+            const double t24 = omega3*z1_3;
+            const double t25 = omega3*z2_3;
+            const double sine_part_tau2 = t24 - t25;
             /* first return of tau2 */
             const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
             /* first return of tau2 */
-            const double t29 = (1.0/(amplitude_tau2));
-            const double cos_tau2_return = sine_part_tau2*t29;
-            const double sin_tau2_return = -cosine_part_tau2*t29;
-            const double tau2 = t30*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
+            const double t26 = (1.0/(amplitude_tau2));
+            const double cos_tau2_return = sine_part_tau2*t26;
+            const double sin_tau2_return = -cosine_part_tau2*t26;
+            const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
             /* stick-stick for no time */
-            const double t31 = V*tau2;
-            const double z1_5 = sine_part_tau2*t30 + t31 + z2_3;
-            const double z2_5 = amplitude_tau2*h12 + z1_5;
+            const double t28 = V*tau2;
+            const double z1_5 = sine_part_tau2*t27 + t28 + z2_3;
+            const double z2_5 = amplitude_tau2*h9 + z1_5;
             /* d/dtau1 of: slip-slip for tau1 */
-            const double t37 = chi*z2_3;
-            const double v1_3_by_tau1 = t37 - z1_3;
-            const double v2_3_by_tau1 = h14*t37 + t39*z1_3;
+            const double t32 = chi*z2_3;
+            const double v1_3_by_tau1 = t32 - z1_3;
+            const double v2_3_by_tau1 = h11*t32 + t33*z1_3;
             /* functions of tau2 in stick-slip */
-            const double t51 = omega3*tau2;
+            const double t44 = omega3*tau2;
             double sine_3, cosine_3;
-            nonsmooth_sincos(t51, &sine_3, &cosine_3);
+            nonsmooth_sincos(t44, &sine_3, &cosine_3);
             const double cos_omega3_tau2 = cosine_3;
             const double sin_omega3_tau2 = sine_3;
             /* stick-slip for tau2, until second-reaches-belt */
-            const double z1_4 = t31 + z1_3;
-            const double t52 = 1 - cos_omega3_tau2;
-            const double t53 = sin_omega3_tau2*t30;
-            const double z2_4 = V*(-t53 + tau2) + cos_omega3_tau2*z2_3 + t52*z1_3 + t53*v2_3;
-            const double v2_4 = V*t52 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t27 - sin_omega3_tau2*t28;
+            const double z1_4 = t28 + z1_3;
+            const double t45 = 1 - cos_omega3_tau2;
+            const double t46 = sin_omega3_tau2*t27;
+            const double z2_4 = V*(-t46 + tau2) + cos_omega3_tau2*z2_3 + t45*z1_3 + t46*v2_3;
+            const double v2_4 = V*t45 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t24 - sin_omega3_tau2*t25;
             /* Phi along tau */
-            const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t7*z2_1_on_boundary_by_z10;
-            const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t7*z2_1_on_boundary_by_z20;
-            const double carried_v1_2_by_z10 = h16*sin_tau + t8*z2_1_on_boundary_by_z10;
-            const double carried_v1_2_by_z20 = h17*sin_tau + t8*z2_1_on_boundary_by_z20;
+            const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t5*z2_1_on_boundary_by_z10;
+            const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20;
+            const double carried_v1_2_by_z10 = h13*sin_tau + t6*z2_1_on_boundary_by_z10;
+            const double carried_v1_2_by_z20 = h14*sin_tau + t6*z2_1_on_boundary_by_z20;
             /* rate of the exit boundary after tau */
-            const double rate_2 = h1*v1_2 + t35;
+            const double rate_2 = h1*v1_2 + t30;
             /* derivatives of the time to the boundary after tau */
-            const double t57 = (1.0/(rate_2));
-            const double delay_tau_by_z10 = t57*(carried_z1_2_by_z10*chi + h18);
-            const double delay_tau_by_z20 = t57*(carried_z1_2_by_z20*chi + h19);
+            const double t49 = (1.0/(rate_2));
+            const double delay_tau_by_z10 = t49*(carried_z1_2_by_z10*chi + h15);
+            const double delay_tau_by_z20 = t49*(carried_z1_2_by_z20*chi + h16);
             /* perturbation on the boundary after tau */
             const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
             const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
             const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
             const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-            const double t58 = chi*z2_2 - z1_2;
-            const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t58;
-            const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t58;
+            const double t50 = chi*z2_2 - z1_2;
+            const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t50;
+            const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t50;
             /* Phi along tau1 */
-            const double carried_z1_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t16*z1_2_on_boundary_by_z10 + t17*z2_2_on_boundary_by_z10;
-            const double carried_z1_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t16*z1_2_on_boundary_by_z20 + t17*z2_2_on_boundary_by_z20;
-            const double carried_z2_3_by_z10 = t18*v1_2_on_boundary_by_z10 + t19*z1_2_on_boundary_by_z10 + t20*z2_2_on_boundary_by_z10;
-            const double carried_z2_3_by_z20 = t18*v1_2_on_boundary_by_z20 + t19*z1_2_on_boundary_by_z20 + t20*z2_2_on_boundary_by_z20;
-            const double carried_v1_3_by_z10 = t16*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t24*z2_2_on_boundary_by_z10;
-            const double carried_v1_3_by_z20 = t16*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t24*z2_2_on_boundary_by_z20;
-            const double carried_v2_3_by_z10 = t19*v1_2_on_boundary_by_z10 + t25*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10;
-            const double carried_v2_3_by_z20 = t19*v1_2_on_boundary_by_z20 + t25*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20;
+            const double carried_z1_3_by_z10 = t10*z1_2_on_boundary_by_z10 + t11*z2_2_on_boundary_by_z10 + t14*v1_2_on_boundary_by_z10;
+            const double carried_z1_3_by_z20 = t10*z1_2_on_boundary_by_z20 + t11*z2_2_on_boundary_by_z20 + t14*v1_2_on_boundary_by_z20;
+            const double carried_z2_3_by_z10 = t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10 + t17*v1_2_on_boundary_by_z10;
+            const double carried_z2_3_by_z20 = t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20 + t17*v1_2_on_boundary_by_z20;
+            const double carried_v1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10;
+            const double carried_v1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20;
+            const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t23*z2_2_on_boundary_by_z10;
+            const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t23*z2_2_on_boundary_by_z20;
             /* rate of the exit boundary after tau1 */
             const double rate_3 = v1_3_by_tau1;
             /* derivatives of the time to the boundary after tau1 */
-            const double t59 = (1.0/(rate_3));
-            const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t59;
-            const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t59;
+            const double t51 = (1.0/(rate_3));
+            const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t51;
+            const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t51;
             /* perturbation on the boundary after tau1 */
             const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
             const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
@@ -6310,16 +6265,16 @@ void dry_friction_solution_ii_solve(
             const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*v2_3_by_tau1;
             const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*v2_3_by_tau1;
             /* Phi along tau2 */
-            const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t52*z1_3_on_boundary_by_z20 + t53*v2_3_on_boundary_by_z20;
-            const double t60 = omega3*sin_omega3_tau2;
-            const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t60*z1_3_on_boundary_by_z10 - t60*z2_3_on_boundary_by_z10;
-            const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t60*z1_3_on_boundary_by_z20 - t60*z2_3_on_boundary_by_z20;
+            const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t45*z1_3_on_boundary_by_z20 + t46*v2_3_on_boundary_by_z20;
+            const double t52 = omega3*sin_omega3_tau2;
+            const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t52*z1_3_on_boundary_by_z10 - t52*z2_3_on_boundary_by_z10;
+            const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t52*z1_3_on_boundary_by_z20 - t52*z2_3_on_boundary_by_z20;
             /* rate of the exit boundary after tau2 */
-            const double rate_4 = h20*z2_4 + t39*z1_4;
+            const double rate_4 = h17*z2_4 + t33*z1_4;
             /* derivatives of the time to the boundary after tau2 */
-            const double t61 = (1.0/(rate_4));
-            const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t61;
-            const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t61;
+            const double t53 = (1.0/(rate_4));
+            const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t53;
+            const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t53;
             /* perturbation on the boundary after tau2 */
             const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
             const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 10e857581e62d2f8 */
+ * SymPy 1.14.0, derivation 5e0449e5958d6d2d */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

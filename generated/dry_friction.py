@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 10e857581e62d2f8
+# SymPy 1.14.0, derivation 5e0449e5958d6d2d
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "10e857581e62d2f8"
+DERIVATION = "5e0449e5958d6d2d"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",
@@ -848,8 +848,8 @@ def spectrum(parameters, *, lib, outputs=2):
     omega1 = lib.sqrt(gap1/2 + t0/2 + lib.rational(1, 2))
     t3 = 1/omega1
     t4 = lib.sqrt(1 - chi)
-    t5 = lib.sqrt(chi)
-    t6 = lib.sqrt(eta)
+    t5 = lib.sqrt(eta)
+    t6 = lib.sqrt(chi)
     t7 = t5*t6
     t8 = t4*t7
     omega2 = t3*t8
@@ -864,33 +864,33 @@ def spectrum(parameters, *, lib, outputs=2):
     if outputs == 1:
         return spectrum
     # d/dchi of: spectrum
-    t13 = 2*t1
-    gap1_by_chi = t10*(-eta*t13 + 8*t0)
-    t14 = gap1_by_chi/2
-    t15 = eta/2
-    t16 = t3/2
-    omega1_by_chi = t16*(t14 + t15)
-    t17 = 1/t5
-    t18 = t8/omega1**2
-    omega2_by_chi = -omega1_by_chi*t18 - t16*t7/t4 + t17*t3*t4*t6/2
-    t19 = 1/gap1**2
-    t20 = t1*t19
-    p1_by_chi = -t14*t20 - t15*t9
-    t21 = chi*t19
-    p2_by_chi = gap1_by_chi*t21 - t9
-    t22 = t0*t19
-    p3_by_chi = -eta*t9 + gap1_by_chi*t22
-    omega3_by_chi = t17*t6/2
+    t12 = 2*t1
+    gap1_by_chi = t10*(-eta*t12 + 8*t0)
+    t13 = gap1_by_chi/2
+    t14 = eta/2
+    t15 = t3/2
+    omega1_by_chi = t15*(t13 + t14)
+    t16 = 1/t6
+    t17 = t8/omega1**2
+    omega2_by_chi = -omega1_by_chi*t17 - t15*t7/t4 + t16*t3*t4*t5/2
+    t18 = 1/gap1**2
+    t19 = t1*t18
+    p1_by_chi = -t13*t19 - t14*t9
+    t20 = chi*t18
+    p2_by_chi = gap1_by_chi*t20 - t9
+    t21 = t0*t18
+    p3_by_chi = -eta*t9 + gap1_by_chi*t21
+    omega3_by_chi = t16*t5/2
     # d/deta of: spectrum
-    gap1_by_eta = t10*(-chi*t13 + t2)
-    t23 = gap1_by_eta/2
-    omega1_by_eta = t16*(chi/2 + t23)
-    t24 = 1/t6
-    omega2_by_eta = -omega1_by_eta*t18 + t24*t3*t4*t5/2
-    p1_by_eta = -t11/2 - t20*t23
-    p2_by_eta = gap1_by_eta*t21
-    p3_by_eta = gap1_by_eta*t22 - t11
-    omega3_by_eta = t24*t5/2
+    gap1_by_eta = t10*(-chi*t12 + t2)
+    t22 = gap1_by_eta/2
+    omega1_by_eta = t15*(chi/2 + t22)
+    t23 = 1/t5
+    omega2_by_eta = -omega1_by_eta*t17 + t23*t3*t4*t6/2
+    p1_by_eta = -t11/2 - t19*t22
+    p2_by_eta = gap1_by_eta*t20
+    p3_by_eta = gap1_by_eta*t21 - t11
+    omega3_by_eta = t23*t6/2
     spectrum_derivatives = [[gap1_by_chi, gap1_by_eta], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]]
     return spectrum, spectrum_derivatives
 
@@ -903,7 +903,7 @@ def flow_slip_slip(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
-    Operations: 138. Intermediate terms: 26.
+    Operations: 135. Intermediate terms: 24.
     """
     [chi, _, _, us1, _, us2, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -912,31 +912,29 @@ def flow_slip_slip(parameters, spectrum, time, state, *, lib):
     # state_after
     t0 = omega1*t
     t1 = lib.sin(t0)
-    t2 = 1/omega1
-    t3 = t1*t2
-    t4 = p1 - 1
-    t6 = omega2*t
-    t7 = lib.sin(t6)
-    t8 = t7/omega2
-    t9 = lib.cos(t0)
-    t10 = lib.cos(t6)
-    t11 = p1*t9 - t10*t4
-    t12 = -p2*t10 + p2*t9
-    t13 = 1/(chi - 1)
-    t14 = -us1 - us2
-    t15 = t13*t14
-    t16 = 1/(chi**2 - chi)
-    t17 = -chi*us1 - us2
-    t18 = t16*t17
-    t19 = p2*t18
-    t20 = p1*t15
-    t21 = -p3*t10 + p3*t9
-    t22 = p1*t10 - t4*t9
-    t23 = p1*t18
-    t24 = p3*t15
-    t25 = omega2*t7
-    t26 = omega1*t1
-    return [t10*(t15*t4 + t19) + t11*x1 + t12*x2 + t15 + t9*(-t19 - t20) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8), t10*(-t23 + t24) + t18 + t21*x1 + t22*x2 + t9*(t16*t17*t4 - t24) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4), t1*(omega1*t19 + omega1*t20) + t11*v1 + t12*v2 + t7*(-omega2*t13*t14*t4 - omega2*t19) + x1*(-p1*t26 + t25*t4) + x2*(omega2*p2*t7 - p2*t26), t1*(-omega1*t18*t4 + omega1*t24) + t21*v1 + t22*v2 + t7*(omega2*t23 - omega2*t24) + x1*(omega2*p3*t7 - p3*t26) + x2*(-p1*t25 + t26*t4)]
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = p1 - 1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 - t6*t7
+    t11 = 1/(chi - 1)
+    t12 = -us1 - us2
+    t13 = t11*t12
+    t14 = 1/(chi**2 - chi)
+    t15 = -chi*us1 - us2
+    t16 = t14*t15
+    t17 = p2*t16
+    t18 = p1*t13
+    t19 = p1*t7 - t6*t8
+    t20 = -p3*t7 + p3*t8
+    t21 = p3*t13
+    t22 = omega2*t4
+    t23 = omega1*t1
+    return [t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5), t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6), t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23), t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6)]
 
 
 def flow_slip_stick(parameters, spectrum, time, state, *, lib):
@@ -968,7 +966,7 @@ def flow_slip_overshoot(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
-    Operations: 136. Intermediate terms: 26.
+    Operations: 133. Intermediate terms: 24.
     """
     [chi, _, _, us1, _, us2, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -977,31 +975,29 @@ def flow_slip_overshoot(parameters, spectrum, time, state, *, lib):
     # state_after
     t0 = omega1*t
     t1 = lib.sin(t0)
-    t2 = 1/omega1
-    t3 = t1*t2
-    t4 = p1 - 1
-    t6 = omega2*t
-    t7 = lib.sin(t6)
-    t8 = t7/omega2
-    t9 = lib.cos(t0)
-    t10 = lib.cos(t6)
-    t11 = p1*t9 - t10*t4
-    t12 = -p2*t10 + p2*t9
-    t13 = 1/(chi - 1)
-    t15 = -us1 + us2
-    t16 = t13*t15
-    t17 = 1/(chi**2 - chi)
-    t18 = -chi*us1 + us2
-    t19 = t17*t18
-    t20 = p2*t19
-    t21 = p1*t16
-    t22 = -p3*t10 + p3*t9
-    t23 = p1*t10 - t4*t9
-    t24 = p1*t19
-    t25 = p3*t16
-    t26 = omega2*t7
-    t27 = omega1*t1
-    return [t10*(t16*t4 + t20) + t11*x1 + t12*x2 + t16 + t9*(-t20 - t21) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8), t10*(-t24 + t25) + t19 + t22*x1 + t23*x2 + t9*(t17*t18*t4 - t25) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4), t1*(omega1*t20 + omega1*t21) + t11*v1 + t12*v2 + t7*(-omega2*t13*t15*t4 - omega2*t20) + x1*(-p1*t27 + t26*t4) + x2*(omega2*p2*t7 - p2*t27), t1*(-omega1*t19*t4 + omega1*t25) + t22*v1 + t23*v2 + t7*(omega2*t24 - omega2*t25) + x1*(omega2*p3*t7 - p3*t27) + x2*(-p1*t26 + t27*t4)]
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = p1 - 1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 - t6*t7
+    t11 = 1/(chi - 1)
+    t12 = -us1 + us2
+    t13 = t11*t12
+    t14 = 1/(chi**2 - chi)
+    t15 = -chi*us1 + us2
+    t16 = t14*t15
+    t17 = p2*t16
+    t18 = p1*t13
+    t19 = p1*t7 - t6*t8
+    t20 = -p3*t7 + p3*t8
+    t21 = p3*t13
+    t22 = omega2*t4
+    t23 = omega1*t1
+    return [t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5), t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6), t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23), t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6)]
 
 
 def flow_stick_slip(parameters, spectrum, time, state, *, lib):
@@ -1077,7 +1073,7 @@ def flow_overshoot_slip(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
-    Operations: 136. Intermediate terms: 26.
+    Operations: 133. Intermediate terms: 24.
     """
     [chi, _, _, us1, _, us2, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1086,31 +1082,29 @@ def flow_overshoot_slip(parameters, spectrum, time, state, *, lib):
     # state_after
     t0 = omega1*t
     t1 = lib.sin(t0)
-    t2 = 1/omega1
-    t3 = t1*t2
-    t4 = p1 - 1
-    t6 = omega2*t
-    t7 = lib.sin(t6)
-    t8 = t7/omega2
-    t9 = lib.cos(t0)
-    t10 = lib.cos(t6)
-    t11 = p1*t9 - t10*t4
-    t12 = -p2*t10 + p2*t9
-    t13 = 1/(chi - 1)
-    t15 = us1 - us2
-    t16 = t13*t15
-    t17 = 1/(chi**2 - chi)
-    t18 = chi*us1 - us2
-    t19 = t17*t18
-    t20 = p2*t19
-    t21 = p1*t16
-    t22 = -p3*t10 + p3*t9
-    t23 = p1*t10 - t4*t9
-    t24 = p1*t19
-    t25 = p3*t16
-    t26 = omega2*t7
-    t27 = omega1*t1
-    return [t10*(t16*t4 + t20) + t11*x1 + t12*x2 + t16 + t9*(-t20 - t21) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8), t10*(-t24 + t25) + t19 + t22*x1 + t23*x2 + t9*(t17*t18*t4 - t25) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4), t1*(omega1*t20 + omega1*t21) + t11*v1 + t12*v2 + t7*(-omega2*t13*t15*t4 - omega2*t20) + x1*(-p1*t27 + t26*t4) + x2*(omega2*p2*t7 - p2*t27), t1*(-omega1*t19*t4 + omega1*t25) + t22*v1 + t23*v2 + t7*(omega2*t24 - omega2*t25) + x1*(omega2*p3*t7 - p3*t27) + x2*(-p1*t26 + t27*t4)]
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = p1 - 1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 - t6*t7
+    t11 = 1/(chi - 1)
+    t12 = us1 - us2
+    t13 = t11*t12
+    t14 = 1/(chi**2 - chi)
+    t15 = chi*us1 - us2
+    t16 = t14*t15
+    t17 = p2*t16
+    t18 = p1*t13
+    t19 = p1*t7 - t6*t8
+    t20 = -p3*t7 + p3*t8
+    t21 = p3*t13
+    t22 = omega2*t4
+    t23 = omega1*t1
+    return [t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5), t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6), t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23), t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6)]
 
 
 def flow_overshoot_stick(parameters, spectrum, time, state, *, lib):
@@ -1142,7 +1136,7 @@ def flow_overshoot_overshoot(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
-    Operations: 136. Intermediate terms: 26.
+    Operations: 133. Intermediate terms: 24.
     """
     [chi, _, _, us1, _, us2, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1151,31 +1145,29 @@ def flow_overshoot_overshoot(parameters, spectrum, time, state, *, lib):
     # state_after
     t0 = omega1*t
     t1 = lib.sin(t0)
-    t2 = 1/omega1
-    t3 = t1*t2
-    t4 = p1 - 1
-    t6 = omega2*t
-    t7 = lib.sin(t6)
-    t8 = t7/omega2
-    t9 = lib.cos(t0)
-    t10 = lib.cos(t6)
-    t11 = p1*t9 - t10*t4
-    t12 = -p2*t10 + p2*t9
-    t13 = 1/(chi - 1)
-    t14 = us1 + us2
-    t15 = t13*t14
-    t16 = 1/(chi**2 - chi)
-    t17 = chi*us1 + us2
-    t18 = t16*t17
-    t19 = p2*t18
-    t20 = p1*t15
-    t21 = -p3*t10 + p3*t9
-    t22 = p1*t10 - t4*t9
-    t23 = p1*t18
-    t24 = p3*t15
-    t25 = omega2*t7
-    t26 = omega1*t1
-    return [t10*(t15*t4 + t19) + t11*x1 + t12*x2 + t15 + t9*(-t19 - t20) + v1*(p1*t3 - t4*t8) + v2*(p2*t1*t2 - p2*t8), t10*(-t23 + t24) + t18 + t21*x1 + t22*x2 + t9*(t16*t17*t4 - t24) + v1*(p3*t1*t2 - p3*t8) + v2*(p1*t8 - t3*t4), t1*(omega1*t19 + omega1*t20) + t11*v1 + t12*v2 + t7*(-omega2*t13*t14*t4 - omega2*t19) + x1*(-p1*t26 + t25*t4) + x2*(omega2*p2*t7 - p2*t26), t1*(-omega1*t18*t4 + omega1*t24) + t21*v1 + t22*v2 + t7*(omega2*t23 - omega2*t24) + x1*(omega2*p3*t7 - p3*t26) + x2*(-p1*t25 + t26*t4)]
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = p1 - 1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 - t6*t7
+    t11 = 1/(chi - 1)
+    t12 = us1 + us2
+    t13 = t11*t12
+    t14 = 1/(chi**2 - chi)
+    t15 = chi*us1 + us2
+    t16 = t14*t15
+    t17 = p2*t16
+    t18 = p1*t13
+    t19 = p1*t7 - t6*t8
+    t20 = -p3*t7 + p3*t8
+    t21 = p3*t13
+    t22 = omega2*t4
+    t23 = omega1*t1
+    return [t10*x1 + t13 + t7*(t13*t6 + t17) + t8*(-t17 - t18) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5), t16 + t19*x2 + t20*x1 + t7*(-p1*t16 + t21) + t8*(t14*t15*t6 - t21) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6), t1*(omega1*t17 + omega1*t18) + t10*v1 + t4*(-omega2*t11*t12*t6 - omega2*t17) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23), t1*(-omega1*t16*t6 + omega1*t21) + t19*v2 + t20*v1 + t4*(omega2*p1*t14*t15 - omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6)]
 
 
 def fields(parameters, *, lib):
@@ -1188,8 +1180,8 @@ def fields(parameters, *, lib):
     [chi, eta, _, us1, _, us2, _] = parameters
     # fields
     t0 = chi*eta
-    t2 = eta*us2
-    return [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, us1], [t0, -t0, 0, 0, t2], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, us1], [0, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, us1], [t0, -t0, 0, 0, -t2], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [t0, -t0, 0, 0, t2], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [t0, -t0, 0, 0, -t2], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, -us1], [t0, -t0, 0, 0, t2], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, -us1], [0, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, -us1], [t0, -t0, 0, 0, -t2]]
+    t1 = eta*us2
+    return [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, us1], [t0, -t0, 0, 0, t1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, us1], [0, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, us1], [t0, -t0, 0, 0, -t1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [t0, -t0, 0, 0, t1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [t0, -t0, 0, 0, -t1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, -us1], [t0, -t0, 0, 0, t1], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, -us1], [0, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, chi, 0, 0, -us1], [t0, -t0, 0, 0, -t1]]
 
 
 def rows(parameters, *, lib):
@@ -1221,7 +1213,7 @@ def modes(parameters, spectrum, *, lib, outputs=2):
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Gives exponents (21, 2).
     Gives coefficients (152, 5).
-    Operations: 231. Intermediate terms: 45.
+    Operations: 238. Intermediate terms: 45.
     """
     [chi, _, _, us1, _, us2, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -1231,50 +1223,50 @@ def modes(parameters, spectrum, *, lib, outputs=2):
     # coefficients
     t0 = 1/(chi - 1)
     t1 = us1 + us2
-    t3 = -t0*t1
-    t5 = 1/(chi**2 - chi)
-    t6 = chi*us1
-    t7 = t6 + us2
-    t9 = -t5*t7
-    t10 = p2*t9
-    t11 = p1 - 1
-    t13 = p3*t3
-    t14 = 1/omega1
-    t15 = p1*t14
-    t16 = p2*t14
-    t17 = p3*t14
-    t18 = -t11*t14
-    t19 = omega1*p1
-    t21 = omega1*p2
-    t23 = omega1*p3
-    t25 = -omega1*t11
-    t29 = 1/omega2
-    t30 = -t11*t29
-    t31 = -p2*t29
-    t32 = -p3*t29
-    t33 = p1*t29
-    t34 = omega2*t11
-    t35 = omega2*p2
-    t36 = omega2*p3
-    t37 = omega2*p1
-    t41 = us1 - us2
-    t43 = -t0*t41
-    t44 = t6 - us2
-    t46 = -t44*t5
-    t47 = p2*t46
-    t48 = p3*t43
-    t49 = us2/chi
-    t51 = 1/omega3
-    t54 = omega3*t49
-    t55 = t0*t41
-    t56 = t44*t5
-    t57 = p2*t56
-    t58 = p3*t55
-    t59 = t0*t1
-    t60 = t5*t7
-    t61 = p2*t60
-    t62 = p3*t59
-    coefficients = [[0, 0, 0, 0, t3], [0, 0, 0, 0, t9], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t3 - t10], [p3, -t11, 0, 0, -t11*t5*t7 - t13], [0, 0, p1, p2, 0], [0, 0, p3, -t11, 0], [0, 0, t15, t16, 0], [0, 0, t17, t18, 0], [-t19, -t21, 0, 0, t19*t3 + t21*t9], [-t23, -t25, 0, 0, t23*t3 + t25*t9], [-t11, -p2, 0, 0, t10 + t11*t3], [-p3, p1, 0, 0, -p1*t9 + t13], [0, 0, -t11, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t30, t31, 0], [0, 0, t32, t33, 0], [t34, t35, 0, 0, omega2*t0*t1*t11 - t35*t9], [t36, -t37, 0, 0, -t3*t36 + t37*t9], [0, chi, 0, 0, us1], [0, 1, 0, 0, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [1, -chi, 0, 0, -us1], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [-1, chi, 0, 0, us1], [0, 0, 0, 0, 0], [0, 0, 0, 0, t43], [0, 0, 0, 0, t46], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t43 - t47], [p3, -t11, 0, 0, -t11*t44*t5 - t48], [0, 0, p1, p2, 0], [0, 0, p3, -t11, 0], [0, 0, t15, t16, 0], [0, 0, t17, t18, 0], [-t19, -t21, 0, 0, t19*t43 + t21*t46], [-t23, -t25, 0, 0, t23*t43 + t25*t46], [-t11, -p2, 0, 0, t11*t43 + t47], [-p3, p1, 0, 0, -p1*t46 + t48], [0, 0, -t11, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t30, t31, 0], [0, 0, t32, t33, 0], [t34, t35, 0, 0, omega2*t0*t11*t41 - t35*t46], [t36, -t37, 0, 0, -t36*t43 + t37*t46], [1, 0, 0, 0, 0], [1, 0, 0, 0, t49], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-1, 1, 0, 0, -t49], [0, 0, 0, 0, 0], [0, 0, -1, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t51, t51, 0], [0, 0, 0, 0, 0], [omega3, -omega3, 0, 0, t54], [1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [1, 0, 0, 0, -t49], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-1, 1, 0, 0, t49], [0, 0, 0, 0, 0], [0, 0, -1, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t51, t51, 0], [0, 0, 0, 0, 0], [omega3, -omega3, 0, 0, -t54], [0, 0, 0, 0, t55], [0, 0, 0, 0, t56], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t55 - t57], [p3, -t11, 0, 0, t11*t44*t5 - t58], [0, 0, p1, p2, 0], [0, 0, p3, -t11, 0], [0, 0, t15, t16, 0], [0, 0, t17, t18, 0], [-t19, -t21, 0, 0, t19*t55 + t21*t56], [-t23, -t25, 0, 0, t23*t55 + t25*t56], [-t11, -p2, 0, 0, t11*t55 + t57], [-p3, p1, 0, 0, -p1*t56 + t58], [0, 0, -t11, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t30, t31, 0], [0, 0, t32, t33, 0], [t34, t35, 0, 0, -omega2*t0*t11*t41 - t35*t56], [t36, -t37, 0, 0, -t36*t55 + t37*t56], [0, chi, 0, 0, -us1], [0, 1, 0, 0, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [1, -chi, 0, 0, us1], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [-1, chi, 0, 0, -us1], [0, 0, 0, 0, 0], [0, 0, 0, 0, t59], [0, 0, 0, 0, t60], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t59 - t61], [p3, -t11, 0, 0, t11*t5*t7 - t62], [0, 0, p1, p2, 0], [0, 0, p3, -t11, 0], [0, 0, t15, t16, 0], [0, 0, t17, t18, 0], [-t19, -t21, 0, 0, t19*t59 + t21*t60], [-t23, -t25, 0, 0, t23*t59 + t25*t60], [-t11, -p2, 0, 0, t11*t59 + t61], [-p3, p1, 0, 0, -p1*t60 + t62], [0, 0, -t11, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t30, t31, 0], [0, 0, t32, t33, 0], [t34, t35, 0, 0, -omega2*t0*t1*t11 - t35*t60], [t36, -t37, 0, 0, -t36*t59 + t37*t60]]
+    t2 = -t0*t1
+    t3 = 1/(chi**2 - chi)
+    t4 = chi*us1
+    t5 = t4 + us2
+    t6 = -t3*t5
+    t7 = p2*t6
+    t8 = p1 - 1
+    t9 = p3*t2
+    t10 = 1/omega1
+    t11 = p1*t10
+    t12 = p2*t10
+    t13 = p3*t10
+    t14 = -t10*t8
+    t15 = omega1*p1
+    t16 = omega1*p2
+    t17 = omega1*p3
+    t18 = -omega1*t8
+    t19 = 1/omega2
+    t20 = -t19*t8
+    t21 = -p2*t19
+    t22 = -p3*t19
+    t23 = p1*t19
+    t24 = omega2*t8
+    t25 = omega2*p2
+    t26 = omega2*p3
+    t27 = -omega2*p1
+    t28 = -us1 + us2
+    t29 = t0*t28
+    t30 = -t4 + us2
+    t31 = t3*t30
+    t32 = p2*t31
+    t33 = p3*t29
+    t34 = us2/chi
+    t35 = 1/omega3
+    t36 = omega3*t34
+    t37 = -t0*t28
+    t38 = -t3*t30
+    t39 = p2*t38
+    t40 = p3*t37
+    t41 = t0*t1
+    t42 = t3*t5
+    t43 = p2*t42
+    t44 = p3*t41
+    coefficients = [[0, 0, 0, 0, t2], [0, 0, 0, 0, t6], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t2 - t7], [p3, -t8, 0, 0, -t3*t5*t8 - t9], [0, 0, p1, p2, 0], [0, 0, p3, -t8, 0], [0, 0, t11, t12, 0], [0, 0, t13, t14, 0], [-t15, -t16, 0, 0, t15*t2 + t16*t6], [-t17, -t18, 0, 0, t17*t2 + t18*t6], [-t8, -p2, 0, 0, t2*t8 + t7], [-p3, p1, 0, 0, -p1*t6 + t9], [0, 0, -t8, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t20, t21, 0], [0, 0, t22, t23, 0], [t24, t25, 0, 0, omega2*t0*t1*t8 - t25*t6], [t26, t27, 0, 0, -omega2*p1*t3*t5 - t2*t26], [0, chi, 0, 0, us1], [0, 1, 0, 0, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [1, -chi, 0, 0, -us1], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [-1, chi, 0, 0, us1], [0, 0, 0, 0, 0], [0, 0, 0, 0, t29], [0, 0, 0, 0, t31], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t29 - t32], [p3, -t8, 0, 0, t3*t30*t8 - t33], [0, 0, p1, p2, 0], [0, 0, p3, -t8, 0], [0, 0, t11, t12, 0], [0, 0, t13, t14, 0], [-t15, -t16, 0, 0, t15*t29 + t16*t31], [-t17, -t18, 0, 0, t17*t29 + t18*t31], [-t8, -p2, 0, 0, t29*t8 + t32], [-p3, p1, 0, 0, -p1*t31 + t33], [0, 0, -t8, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t20, t21, 0], [0, 0, t22, t23, 0], [t24, t25, 0, 0, -omega2*t0*t28*t8 - t25*t31], [t26, t27, 0, 0, omega2*p1*t3*t30 - t26*t29], [1, 0, 0, 0, 0], [1, 0, 0, 0, t34], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-1, 1, 0, 0, -t34], [0, 0, 0, 0, 0], [0, 0, -1, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t35, t35, 0], [0, 0, 0, 0, 0], [omega3, -omega3, 0, 0, t36], [1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [1, 0, 0, 0, -t34], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-1, 1, 0, 0, t34], [0, 0, 0, 0, 0], [0, 0, -1, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t35, t35, 0], [0, 0, 0, 0, 0], [omega3, -omega3, 0, 0, -t36], [0, 0, 0, 0, t37], [0, 0, 0, 0, t38], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t37 - t39], [p3, -t8, 0, 0, -t3*t30*t8 - t40], [0, 0, p1, p2, 0], [0, 0, p3, -t8, 0], [0, 0, t11, t12, 0], [0, 0, t13, t14, 0], [-t15, -t16, 0, 0, t15*t37 + t16*t38], [-t17, -t18, 0, 0, t17*t37 + t18*t38], [-t8, -p2, 0, 0, t37*t8 + t39], [-p3, p1, 0, 0, -p1*t38 + t40], [0, 0, -t8, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t20, t21, 0], [0, 0, t22, t23, 0], [t24, t25, 0, 0, omega2*t0*t28*t8 - t25*t38], [t26, t27, 0, 0, -omega2*p1*t3*t30 - t26*t37], [0, chi, 0, 0, -us1], [0, 1, 0, 0, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, chi, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [1, -chi, 0, 0, us1], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [0, 0, 1, -chi, 0], [0, 0, 0, 0, 0], [-1, chi, 0, 0, -us1], [0, 0, 0, 0, 0], [0, 0, 0, 0, t41], [0, 0, 0, 0, t42], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, -p1*t41 - t43], [p3, -t8, 0, 0, t3*t5*t8 - t44], [0, 0, p1, p2, 0], [0, 0, p3, -t8, 0], [0, 0, t11, t12, 0], [0, 0, t13, t14, 0], [-t15, -t16, 0, 0, t15*t41 + t16*t42], [-t17, -t18, 0, 0, t17*t41 + t18*t42], [-t8, -p2, 0, 0, t41*t8 + t43], [-p3, p1, 0, 0, -p1*t42 + t44], [0, 0, -t8, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t20, t21, 0], [0, 0, t22, t23, 0], [t24, t25, 0, 0, -omega2*t0*t1*t8 - t25*t42], [t26, t27, 0, 0, omega2*p1*t3*t5 - t26*t41]]
     return exponents, coefficients
 
 
@@ -1292,7 +1284,7 @@ def symmetric_equations(parameters, spectrum, unknowns, spectrum_derivatives=Non
     Gives residual (5).
     Gives jacobian (5, 5).
     Gives parameter_jacobian (5, 4).
-    Operations: 240. Intermediate terms: 65.
+    Operations: 235. Intermediate terms: 63.
     """
     [chi, _, V, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1303,84 +1295,82 @@ def symmetric_equations(parameters, spectrum, unknowns, spectrum_derivatives=Non
     t0 = half_tau*omega1
     cos_omega1_half_tau = lib.cos(t0)
     sin_omega1_half_tau = lib.sin(t0)
-    t3 = half_tau*omega2
-    cos_omega2_half_tau = lib.cos(t3)
-    sin_omega2_half_tau = lib.sin(t3)
+    t1 = half_tau*omega2
+    cos_omega2_half_tau = lib.cos(t1)
+    sin_omega2_half_tau = lib.sin(t1)
     # half of tau1
     half_tau1 = tau1/2
     # functions of half_tau1 in slip-stick
     cos_half_tau1 = lib.cos(half_tau1)
     sin_half_tau1 = lib.sin(half_tau1)
     # residual
-    t14 = p1*z10 + p2*z20
-    t16 = -t14 + z10
-    t17 = V*p2 + p1*v10
-    t18 = 1/omega1
-    t19 = sin_omega1_half_tau*t18
-    t21 = t17 - v10
-    t22 = 1/omega2
-    t23 = sin_omega2_half_tau*t22
-    t24 = p3*z10
-    t25 = p1*z20
-    t26 = t24 - t25 + z20
-    t27 = -t24 + t25
-    t28 = p3*v10
-    t29 = V*p1 - t28
-    t30 = V*p1 - V - t28
-    t31 = chi*z20
-    t32 = t31 - z10
-    t33 = V*chi
-    t34 = -t33 + v10
-    t37 = V*half_tau1 - z20
-    residual = [cos_omega1_half_tau*t14 + cos_omega2_half_tau*t16 + t17*t19 - t21*t23, cos_omega1_half_tau*t26 + cos_omega2_half_tau*t27 - t19*t30 + t23*t29, cos_half_tau1*t32 + half_tau1*t33 + sin_half_tau1*t34 - t31, t37, -chi*z10 - e2 + t31]
+    t2 = p1*z10 + p2*z20
+    t3 = -t2 + z10
+    t4 = V*p2 + p1*v10
+    t5 = 1/omega1
+    t6 = sin_omega1_half_tau*t5
+    t7 = t4 - v10
+    t8 = 1/omega2
+    t9 = sin_omega2_half_tau*t8
+    t10 = -p1*z20 + p3*z10
+    t11 = t10 + z20
+    t12 = p3*v10
+    t13 = V*p1 - t12
+    t14 = V*p1 - V - t12
+    t15 = chi*z20
+    t16 = t15 - z10
+    t17 = V*chi
+    t18 = -t17 + v10
+    t19 = V*half_tau1 - z20
+    residual = [cos_omega1_half_tau*t2 + cos_omega2_half_tau*t3 + t4*t6 - t7*t9, cos_omega1_half_tau*t11 - cos_omega2_half_tau*t10 + t13*t9 - t14*t6, cos_half_tau1*t16 + half_tau1*t17 + sin_half_tau1*t18 - t15, t19, -chi*z10 - e2 + t15]
     if outputs == 1:
         return residual
     # d/dtau of: functions of half_tau in slip-slip
-    t8 = omega1/2
-    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t8
-    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t8
-    t9 = omega2/2
-    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t9
-    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t9
+    t20 = omega1/2
+    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t20
+    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t20
+    t21 = omega2/2
+    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t21
+    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t21
     # d/dtau1 of: functions of half_tau1 in slip-stick
     cos_half_tau1_by_tau1 = -sin_half_tau1/2
     sin_half_tau1_by_tau1 = cos_half_tau1/2
     # jacobian
-    t38 = p1 - 1
-    t40 = sin_omega1_half_tau_by_tau*t18
-    t41 = sin_omega2_half_tau_by_tau*t22
-    jacobian = [[cos_omega1_half_tau*p1 - cos_omega2_half_tau*t38, cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2, p1*sin_omega1_half_tau*t18 - t23*t38, cos_omega1_half_tau_by_tau*t14 + cos_omega2_half_tau_by_tau*t16 + t17*t40 - t21*t41, 0], [cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3, -cos_omega1_half_tau*t38 + cos_omega2_half_tau*p1, p3*sin_omega1_half_tau*t18 - p3*t23, cos_omega1_half_tau_by_tau*t26 + cos_omega2_half_tau_by_tau*t27 + t29*t41 - t30*t40, 0], [-cos_half_tau1, chi*cos_half_tau1 - chi, sin_half_tau1, 0, cos_half_tau1_by_tau1*t32 + sin_half_tau1_by_tau1*t34 + t33/2], [0, -1, 0, 0, V/2], [-chi, chi, 0, 0, 0]]
+    t22 = p1 - 1
+    t23 = sin_omega1_half_tau_by_tau*t5
+    t24 = sin_omega2_half_tau_by_tau*t8
+    jacobian = [[cos_omega1_half_tau*p1 - cos_omega2_half_tau*t22, cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2, p1*t6 - t22*t9, cos_omega1_half_tau_by_tau*t2 + cos_omega2_half_tau_by_tau*t3 + t23*t4 - t24*t7, 0], [cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3, -cos_omega1_half_tau*t22 + cos_omega2_half_tau*p1, p3*t6 - p3*t9, cos_omega1_half_tau_by_tau*t11 - cos_omega2_half_tau_by_tau*t10 + t13*t24 - t14*t23, 0], [-cos_half_tau1, chi*cos_half_tau1 - chi, sin_half_tau1, 0, cos_half_tau1_by_tau1*t16 + sin_half_tau1_by_tau1*t18 + t17/2], [0, -1, 0, 0, V/2], [-chi, chi, 0, 0, 0]]
     if outputs == 2:
         return residual, jacobian
     [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [_, _]] = spectrum_derivatives
     # d/dchi of: functions of half_tau in slip-slip
-    t10 = half_tau*omega1_by_chi
-    cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t10
-    sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t10
-    t11 = half_tau*omega2_by_chi
-    cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t11
-    sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t11
+    t25 = half_tau*omega1_by_chi
+    cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t25
+    sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t25
+    t26 = half_tau*omega2_by_chi
+    cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t26
+    sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t26
     # d/deta of: functions of half_tau in slip-slip
-    t12 = half_tau*omega1_by_eta
-    cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t12
-    sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t12
-    t13 = half_tau*omega2_by_eta
-    cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t13
-    sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t13
+    t27 = half_tau*omega1_by_eta
+    cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t27
+    sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t27
+    t28 = half_tau*omega2_by_eta
+    cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t28
+    sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t28
     # parameter_jacobian
-    t43 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 + t19*v10 - t23*v10
-    t44 = -V*sin_omega1_half_tau*t18 + V*t23 - cos_omega1_half_tau*z20 + cos_omega2_half_tau*z20
-    t46 = t17*t18
-    t47 = t21*t22
-    t48 = sin_omega2_half_tau/omega2**2
-    t49 = t21*t48
-    t50 = sin_omega1_half_tau/omega1**2
-    t51 = t17*t50
-    t52 = t22*t29
-    t53 = t18*t30
-    t54 = t30*t50
-    t55 = t29*t48
-    parameter_jacobian = [[cos_omega1_half_tau_by_chi*t14 + cos_omega2_half_tau_by_chi*t16 - omega1_by_chi*t51 + omega2_by_chi*t49 + p1_by_chi*t43 - p2_by_chi*t44 + sin_omega1_half_tau_by_chi*t46 - sin_omega2_half_tau_by_chi*t47, cos_omega1_half_tau_by_eta*t14 + cos_omega2_half_tau_by_eta*t16 - omega1_by_eta*t51 + omega2_by_eta*t49 + p1_by_eta*t43 - p2_by_eta*t44 + sin_omega1_half_tau_by_eta*t46 - sin_omega2_half_tau_by_eta*t47, p2*sin_omega1_half_tau*t18 - p2*t23, 0], [cos_omega1_half_tau_by_chi*t26 + cos_omega2_half_tau_by_chi*t27 + omega1_by_chi*t54 - omega2_by_chi*t55 + p1_by_chi*t44 + p3_by_chi*t43 - sin_omega1_half_tau_by_chi*t53 + sin_omega2_half_tau_by_chi*t52, cos_omega1_half_tau_by_eta*t26 + cos_omega2_half_tau_by_eta*t27 + omega1_by_eta*t54 - omega2_by_eta*t55 + p1_by_eta*t44 + p3_by_eta*t43 - sin_omega1_half_tau_by_eta*t53 + sin_omega2_half_tau_by_eta*t52, p1*t23 - t19*t38, 0], [-V*sin_half_tau1 + cos_half_tau1*z20 + t37, 0, chi*half_tau1 - chi*sin_half_tau1, 0], [0, 0, half_tau1, 0], [-z10 + z20, 0, 0, -1]]
+    t29 = V*t6 - V*t9 + cos_omega1_half_tau*z20 - cos_omega2_half_tau*z20
+    t30 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 + t6*v10 - t9*v10
+    t31 = t4*t5
+    t32 = t7*t8
+    t33 = sin_omega2_half_tau/omega2**2
+    t34 = t33*t7
+    t35 = sin_omega1_half_tau/omega1**2
+    t36 = t35*t4
+    t37 = t13*t8
+    t38 = t14*t5
+    t39 = t14*t35
+    t40 = t13*t33
+    parameter_jacobian = [[cos_omega1_half_tau_by_chi*t2 + cos_omega2_half_tau_by_chi*t3 - omega1_by_chi*t36 + omega2_by_chi*t34 + p1_by_chi*t30 + p2_by_chi*t29 + sin_omega1_half_tau_by_chi*t31 - sin_omega2_half_tau_by_chi*t32, cos_omega1_half_tau_by_eta*t2 + cos_omega2_half_tau_by_eta*t3 - omega1_by_eta*t36 + omega2_by_eta*t34 + p1_by_eta*t30 + p2_by_eta*t29 + sin_omega1_half_tau_by_eta*t31 - sin_omega2_half_tau_by_eta*t32, p2*t6 - p2*t9, 0], [cos_omega1_half_tau_by_chi*t11 - cos_omega2_half_tau_by_chi*t10 + omega1_by_chi*t39 - omega2_by_chi*t40 - p1_by_chi*t29 + p3_by_chi*t30 - sin_omega1_half_tau_by_chi*t38 + sin_omega2_half_tau_by_chi*t37, cos_omega1_half_tau_by_eta*t11 - cos_omega2_half_tau_by_eta*t10 + omega1_by_eta*t39 - omega2_by_eta*t40 - p1_by_eta*t29 + p3_by_eta*t30 - sin_omega1_half_tau_by_eta*t38 + sin_omega2_half_tau_by_eta*t37, p1*t9 - t22*t6, 0], [-V*sin_half_tau1 + cos_half_tau1*z20 + t19, 0, chi*half_tau1 - chi*sin_half_tau1, 0], [0, 0, half_tau1, 0], [-z10 + z20, 0, 0, -1]]
     return residual, jacobian, parameter_jacobian
 
 
@@ -1396,7 +1386,7 @@ def symmetric_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, *
         p2_by_eta, p3_by_chi, p3_by_eta, omega3_by_chi, omega3_by_eta, for trace_gradient.
     Gives trace.
     Gives trace_gradient (9).
-    Operations: 672. Intermediate terms: 150.
+    Operations: 667. Intermediate terms: 154.
     """
     [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1405,181 +1395,185 @@ def symmetric_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, *
     t0 = omega1*tau
     cos_omega1_tau = lib.cos(t0)
     sin_omega1_tau = lib.sin(t0)
-    t3 = omega2*tau
-    cos_omega2_tau = lib.cos(t3)
-    sin_omega2_tau = lib.sin(t3)
+    t1 = omega2*tau
+    cos_omega2_tau = lib.cos(t1)
+    sin_omega2_tau = lib.sin(t1)
     # slip-slip for tau, until second-reaches-belt
-    t6 = 1/omega1
-    t7 = p1*sin_omega1_tau
-    t8 = 1/omega2
-    t9 = p1 - 1
-    t11 = -sin_omega2_tau*t9
-    t12 = t11*t8 + t6*t7
-    t13 = cos_omega1_tau*p1 - cos_omega2_tau*t9
-    t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t15 = p2*sin_omega2_tau
-    t16 = p2*sin_omega1_tau*t6 - t15*t8
-    z1_1 = V*t16 + t12*v10 + t13*z10 + t14*z20
-    t17 = p3*sin_omega2_tau
-    t18 = p3*sin_omega1_tau*t6 - t17*t8
-    t19 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    t20 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
-    t21 = p1*sin_omega2_tau
-    t22 = -sin_omega1_tau*t9
-    t23 = t21*t8 + t22*t6
-    z2_1 = V*t23 + t18*v10 + t19*z10 + t20*z20
-    t24 = -omega2*t9
-    t25 = omega1*p1
-    t26 = sin_omega1_tau*t25 + sin_omega2_tau*t24
-    t28 = omega1*p2
-    t29 = -omega2*p2*sin_omega2_tau + sin_omega1_tau*t28
-    v1_1 = V*t14 + t13*v10 - t26*z10 - t29*z20
-    t31 = omega1*p3
-    t32 = -omega2*p3*sin_omega2_tau + sin_omega1_tau*t31
-    t34 = omega2*p1
-    t35 = -omega1*t9
-    t36 = sin_omega1_tau*t35 + sin_omega2_tau*t34
-    v2_1 = V*t20 + t19*v10 - t32*z10 - t36*z20
+    t2 = 1/omega1
+    t3 = sin_omega1_tau*t2
+    t4 = p1 - 1
+    t5 = 1/omega2
+    t6 = sin_omega2_tau*t5
+    t7 = p1*t3 - t4*t6
+    t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t9 = cos_omega1_tau*p1 - cos_omega2_tau*t4
+    t10 = p2*t3 - p2*t6
+    z1_1 = V*t10 + t7*v10 + t8*z20 + t9*z10
+    t11 = p3*t3 - p3*t6
+    t12 = -cos_omega1_tau*t4 + cos_omega2_tau*p1
+    t13 = cos_omega1_tau*p3 - cos_omega2_tau*p3
+    t14 = p1*t6 - t3*t4
+    z2_1 = V*t14 + t11*v10 + t12*z20 + t13*z10
+    t15 = omega2*p2
+    t16 = omega1*p2
+    t17 = sin_omega1_tau*t16
+    t18 = sin_omega2_tau*t15 - t17
+    t19 = omega1*p1
+    t20 = -omega2*t4
+    t21 = sin_omega1_tau*t19 + sin_omega2_tau*t20
+    v1_1 = V*t8 + t18*z20 - t21*z10 + t9*v10
+    t22 = omega2*p1
+    t23 = -omega1*t4
+    t24 = sin_omega1_tau*t23 + sin_omega2_tau*t22
+    t25 = omega2*p3
+    t26 = omega1*p3
+    t27 = sin_omega1_tau*t26
+    t28 = sin_omega2_tau*t25 - t27
+    v2_1 = V*t12 + t13*v10 - t24*z20 + t28*z10
     # functions of tau1 in slip-stick
     cos_tau1 = lib.cos(tau1)
     sin_tau1 = lib.sin(tau1)
     # slip-stick for tau1, until second-breaks-forward
-    t40 = -chi*cos_tau1 + chi
-    t41 = chi*sin_tau1
-    t42 = chi*tau1 - t41
-    z1_2 = V*t42 + cos_tau1*z1_1 + sin_tau1*v1_1 + t40*z2_1
+    t29 = -chi*cos_tau1 + chi
+    t30 = chi*sin_tau1
+    t31 = chi*tau1 - t30
+    z1_2 = V*t31 + cos_tau1*z1_1 + sin_tau1*v1_1 + t29*z2_1
     z2_2 = V*tau1 + z2_1
-    v1_2 = V*t40 + cos_tau1*v1_1 - sin_tau1*z1_1 + t41*z2_1
+    v1_2 = V*t29 + cos_tau1*v1_1 - sin_tau1*z1_1 + t30*z2_1
     # Phi along tau
-    carried_z1_1_by_z20 = t13 + t14
-    carried_z1_1_by_v10 = t12
-    carried_z2_1_by_z20 = t19 + t20
-    carried_z2_1_by_v10 = t18
-    carried_v1_1_by_z20 = -t26 - t29
-    carried_v1_1_by_v10 = t13
-    carried_v2_1_by_z20 = -t32 - t36
-    carried_v2_1_by_v10 = t19
+    carried_z1_1_by_z20 = t8 + t9
+    carried_z1_1_by_v10 = t7
+    carried_z2_1_by_z20 = t12 + t13
+    carried_z2_1_by_v10 = t11
+    carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t17 - t21
+    carried_v1_1_by_v10 = t9
+    carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t24 - t27
+    carried_v2_1_by_v10 = t13
     # rate of the exit boundary after tau
-    t43 = eta*z1_1
-    t44 = chi*z2_1
-    rate_1 = chi*t43 - eta*t44
+    t32 = eta*z1_1
+    t33 = chi*z2_1
+    rate_1 = chi*t32 - eta*t33
     # derivatives of the time to the boundary after tau
-    t45 = 1/rate_1
-    delay_tau_by_z20 = -carried_v2_1_by_z20*t45
-    delay_tau_by_v10 = -carried_v2_1_by_v10*t45
+    t34 = 1/rate_1
+    delay_tau_by_z20 = -carried_v2_1_by_z20*t34
+    delay_tau_by_v10 = -carried_v2_1_by_v10*t34
     # perturbation on the boundary after tau
     z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1
     z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
     z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
     z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
-    t46 = t44 - z1_1
-    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t46
-    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t46
+    t35 = t33 - z1_1
+    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t35
+    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t35
     # Phi along tau1
-    carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t40*z2_1_on_boundary_by_z20
-    carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t40*z2_1_on_boundary_by_v10
-    carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t41*z2_1_on_boundary_by_v10
+    carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t29*z2_1_on_boundary_by_z20
+    carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t29*z2_1_on_boundary_by_v10
+    carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t30*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
-    t47 = V*chi
-    rate_2 = -chi*v1_2 + t47
+    t36 = V*chi
+    rate_2 = -chi*v1_2 + t36
     # derivatives of the time to the boundary after tau1
-    t48 = 1/rate_2
-    t49 = chi*z2_1_on_boundary_by_z20
-    t50 = carried_z1_2_by_z20*chi - t49
-    delay_tau1_by_z20 = t48*t50
-    t51 = chi*z2_1_on_boundary_by_v10
-    t52 = carried_z1_2_by_v10*chi - t51
-    delay_tau1_by_v10 = t48*t52
+    t37 = 1/rate_2
+    t38 = chi*z2_1_on_boundary_by_z20
+    t39 = carried_z1_2_by_z20*chi - t38
+    delay_tau1_by_z20 = t37*t39
+    t40 = chi*z2_1_on_boundary_by_v10
+    t41 = carried_z1_2_by_v10*chi - t40
+    delay_tau1_by_v10 = t37*t41
     # perturbation on the boundary after tau1
     z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20
-    t53 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t53
+    t42 = chi*z2_2 - z1_2
+    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t42
     trace = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20
     if outputs == 1:
         return trace
     [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [_, _]] = spectrum_derivatives
     # back through: derivatives of the time to the boundary after tau1
-    slope_by_delay_tau1_by_v10 = t53
+    slope_by_delay_tau1_by_v10 = t42
     # back through: rate of the exit boundary after tau1
-    t54 = 1/rate_2**2
-    slope_by_rate_2 = -V*t50*t54 - slope_by_delay_tau1_by_v10*t52*t54
+    t43 = 1/rate_2**2
+    slope_by_rate_2 = -V*t39*t43 - slope_by_delay_tau1_by_v10*t41*t43
     # back through: Phi along tau1
-    t55 = slope_by_delay_tau1_by_v10*t48
-    slope_by_carried_z1_2_by_v10 = chi*t55
-    slope_by_carried_z1_2_by_z20 = t47*t48
+    t44 = slope_by_delay_tau1_by_v10*t37
+    slope_by_carried_z1_2_by_v10 = chi*t44
+    slope_by_carried_z1_2_by_z20 = t36*t37
     # back through: perturbation on the boundary after tau
     slope_by_v1_1_on_boundary_by_v10 = cos_tau1 + sin_tau1*slope_by_carried_z1_2_by_v10
     slope_by_v1_1_on_boundary_by_z20 = sin_tau1*slope_by_carried_z1_2_by_z20
-    slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t40 - slope_by_carried_z1_2_by_v10 + t41
-    slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t40 - slope_by_carried_z1_2_by_z20 + 1
+    slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t29 - slope_by_carried_z1_2_by_v10 + t30
+    slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t29 - slope_by_carried_z1_2_by_z20 + 1
     slope_by_z1_1_on_boundary_by_v10 = cos_tau1*slope_by_carried_z1_2_by_v10 - sin_tau1
     slope_by_z1_1_on_boundary_by_z20 = cos_tau1*slope_by_carried_z1_2_by_z20
     # back through: derivatives of the time to the boundary after tau
-    slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t46 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1
-    slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t46 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1
+    slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t35 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1
+    slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t35 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1
     # back through: rate of the exit boundary after tau
-    t58 = 1/rate_1**2
-    slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t58 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t58
+    t45 = 1/rate_1**2
+    slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t45 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t45
     # back through: Phi along tau
-    slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t45
-    slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t45
+    slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t34
+    slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t34
     # back through: slip-stick for tau1, until second-breaks-forward
-    t59 = chi*slope_by_rate_2
-    slope_by_v1_2 = -t59
+    t46 = chi*slope_by_rate_2
+    slope_by_v1_2 = -t46
     slope_by_z2_2 = chi*delay_tau1_by_v10
     slope_by_z1_2 = -delay_tau1_by_v10
     # back through: functions of tau1 in slip-stick
-    t60 = -t47 + v1_1
-    t61 = t51 - z1_1_on_boundary_by_v10
-    slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t46 + slope_by_z1_2*t60 + t61
-    slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t61 + slope_by_carried_z1_2_by_z20*(-t49 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t60 - slope_by_z1_2*t46 + v1_1_on_boundary_by_v10
+    t47 = -t36 + v1_1
+    t48 = t40 - z1_1_on_boundary_by_v10
+    slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t35 + slope_by_z1_2*t47 + t48
+    slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t48 + slope_by_carried_z1_2_by_z20*(-t38 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t47 - slope_by_z1_2*t35 + v1_1_on_boundary_by_v10
     # back through: slip-slip for tau, until second-reaches-belt
     slope_by_v2_1 = delay_tau_by_v10*slope_by_z2_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z2_1_on_boundary_by_z20
     slope_by_v1_1 = cos_tau1*slope_by_v1_2 + delay_tau_by_v10*slope_by_z1_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z1_1_on_boundary_by_z20 + sin_tau1*slope_by_z1_2
-    t62 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10
-    t63 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20
-    t64 = -chi*eta*slope_by_rate_1
-    slope_by_z2_1 = chi*t62 + chi*t63 + slope_by_v1_2*t41 + slope_by_z1_2*t40 + slope_by_z2_2 + t64
-    slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t62 - t63 - t64
+    t49 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20
+    t50 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10
+    t51 = -chi*eta*slope_by_rate_1
+    slope_by_z2_1 = chi*t49 + chi*t50 + slope_by_v1_2*t30 + slope_by_z1_2*t29 + slope_by_z2_2 + t51
+    slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t49 - t50 - t51
     # back through: functions of tau in slip-slip
-    t65 = omega2*p2
-    t66 = V*p2
-    t67 = V*p1
-    t68 = p3*v10
-    t69 = p3*slope_by_z2_1_on_boundary_by_v10
-    slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(omega2*p3 - t34) + slope_by_v1_1*(-t24*z10 + t65*z20) + slope_by_v1_1_on_boundary_by_z20*(-t24 + t65) + slope_by_v2_1*(omega2*p3*z10 - t34*z20) + slope_by_z1_1*(-t66*t8 - t8*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t8*t9 + slope_by_z2_1*(t67*t8 - t68*t8) - t69*t8
-    t70 = p2*z20
-    t71 = p1*z20
-    t72 = p3*z10
-    t73 = p3*slope_by_carried_v2_1_by_v10
-    slope_by_cos_omega2_tau = slope_by_v1_1*(-t66 - t9*v10) - slope_by_v1_1_on_boundary_by_v10*t9 + slope_by_v2_1*(t67 - t68) + slope_by_z1_1*(-t70 - t9*z10) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t9) + slope_by_z2_1*(t71 - t72) + slope_by_z2_1_on_boundary_by_z20*(p1 - p3) - t73
-    t74 = p1*v10
-    t75 = -V*t9
-    slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t6 + slope_by_carried_v2_1_by_z20*(-t31 - t35) + slope_by_v1_1*(-omega1*t70 - t25*z10) + slope_by_v1_1_on_boundary_by_z20*(-t25 - t28) + slope_by_v2_1*(-omega1*t72 - t35*z20) + slope_by_z1_1*(t6*t66 + t6*t74) + slope_by_z2_1*(t6*t68 + t6*t75) + t6*t69
-    t76 = p1*z10
-    t77 = -t9*z20
-    slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t66 + t74) + slope_by_v2_1*(t68 + t75) + slope_by_z1_1*(t70 + t76) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t72 + t77) + slope_by_z2_1_on_boundary_by_z20*(-p1 + p3 + 1) + t73
+    t52 = V*p1
+    t53 = p3*v10
+    t54 = V*p2
+    t55 = p3*slope_by_z2_1_on_boundary_by_v10
+    slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(-t22 + t25) + slope_by_v1_1*(t15*z20 - t20*z10) + slope_by_v1_1_on_boundary_by_z20*(t15 - t20) + slope_by_v2_1*(-t22*z20 + t25*z10) + slope_by_z1_1*(-t4*t5*v10 - t5*t54) - slope_by_z1_1_on_boundary_by_v10*t4*t5 + slope_by_z2_1*(t5*t52 - t5*t53) - t5*t55
+    t56 = -p1 + p3
+    t57 = p3*z10
+    t58 = p2*z20
+    t59 = p3*slope_by_carried_v2_1_by_v10
+    slope_by_cos_omega2_tau = slope_by_v1_1*(-t4*v10 - t54) - slope_by_v1_1_on_boundary_by_v10*t4 + slope_by_v2_1*(t52 - t53) + slope_by_z1_1*(-t4*z10 - t58) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t4) + slope_by_z2_1*(p1*z20 - t57) - slope_by_z2_1_on_boundary_by_z20*t56 - t59
+    t60 = -V*t4
+    t61 = p1*v10
+    slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t2 + slope_by_carried_v2_1_by_z20*(-t23 - t26) + slope_by_v1_1*(-omega1*t58 - t19*z10) + slope_by_v1_1_on_boundary_by_z20*(-t16 - t19) + slope_by_v2_1*(-omega1*t57 - t23*z20) + slope_by_z1_1*(t2*t54 + t2*t61) + slope_by_z2_1*(t2*t53 + t2*t60) + t2*t55
+    t62 = -t4*z20
+    t63 = p1*z10
+    slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t54 + t61) + slope_by_v2_1*(t53 + t60) + slope_by_z1_1*(t58 + t63) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t57 + t62) + slope_by_z2_1_on_boundary_by_z20*(t56 + 1) + t59
     # trace_gradient
-    t78 = sin_omega2_tau*slope_by_cos_omega2_tau
-    t79 = sin_omega1_tau*slope_by_cos_omega1_tau
-    t80 = p3*sin_omega1_tau
-    t81 = 1/omega1**2
-    t82 = sin_omega1_tau*t81
-    t83 = cos_omega1_tau*slope_by_sin_omega1_tau*tau + slope_by_carried_v2_1_by_z20*(-t22 - t80) + slope_by_v1_1*(-sin_omega1_tau*t70 - sin_omega1_tau*t76) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t7) + slope_by_v2_1*(-sin_omega1_tau*t72 - sin_omega1_tau*t77) + slope_by_z1_1*(-t66*t82 - t74*t82) - slope_by_z1_1_on_boundary_by_v10*t7*t81 + slope_by_z2_1*(-t68*t82 - t75*t82) - slope_by_z2_1_on_boundary_by_v10*t80*t81 - t79*tau
-    t84 = 1/omega2**2
-    t85 = sin_omega2_tau*t84
-    t86 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + slope_by_carried_v2_1_by_z20*(p3*sin_omega2_tau - t21) + slope_by_v1_1*(sin_omega2_tau*t70 + sin_omega2_tau*t9*z10) + slope_by_v1_1_on_boundary_by_z20*(-t11 + t15) + slope_by_v2_1*(p3*sin_omega2_tau*z10 - sin_omega2_tau*t71) + slope_by_z1_1*(t66*t85 + t85*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t11*t84 + slope_by_z2_1*(p3*sin_omega2_tau*t84*v10 - t67*t85) + slope_by_z2_1_on_boundary_by_v10*t17*t84 - t78*tau
-    t87 = omega1*sin_omega1_tau - omega2*sin_omega2_tau
-    t88 = cos_omega1_tau - cos_omega2_tau
-    t90 = -t87*z10 + t88*v10
-    t92 = -sin_omega1_tau*t6 + sin_omega2_tau*t8
-    t94 = t88*z10 - t92*v10
-    t95 = -slope_by_v1_1_on_boundary_by_z20*t87 + slope_by_z1_1_on_boundary_by_z20*t88
-    t96 = slope_by_carried_v2_1_by_z20*t87 + slope_by_v1_1*t90 + slope_by_v1_1_on_boundary_by_v10*t88 + slope_by_v2_1*(-V*t88 + t87*z20) + slope_by_z1_1*t94 - slope_by_z1_1_on_boundary_by_v10*t92 + slope_by_z2_1*(V*t92 - t88*z20) - slope_by_z2_1_on_boundary_by_z20*t88 + t95
-    t97 = slope_by_v1_1*(V*t88 - t87*z20) + slope_by_z1_1*(-V*t92 + t88*z20) + t95
-    t98 = slope_by_carried_v2_1_by_v10*t88 - slope_by_carried_v2_1_by_z20*t87 + slope_by_v2_1*t90 + slope_by_z2_1*t94 - slope_by_z2_1_on_boundary_by_v10*t92 + slope_by_z2_1_on_boundary_by_z20*t88
-    t99 = 1 - cos_tau1
-    trace_gradient = [-slope_by_v1_1*t26 - slope_by_v2_1*t32 + slope_by_z1_1*t13 + slope_by_z2_1*t19, -slope_by_v1_1*t29 - slope_by_v2_1*t36 + slope_by_z1_1*t14 + slope_by_z2_1*t20, slope_by_v1_1*t13 + slope_by_v2_1*t19 + slope_by_z1_1*t12 + slope_by_z2_1*t18, cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t79 - omega2*t78, V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t47, V*t48*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t83 + omega2_by_chi*t86 + p1_by_chi*t96 + p2_by_chi*t97 + p3_by_chi*t98 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t99*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t99*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t43) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t99 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t99*z2_1) + t55*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t62*z2_1 + t63*z2_1, omega1_by_eta*t83 + omega2_by_eta*t86 + p1_by_eta*t96 + p2_by_eta*t97 + p3_by_eta*t98 + slope_by_rate_1*(chi*z1_1 - t44), delay_tau1_by_z20 + slope_by_v1_1*t14 + slope_by_v1_2*t40 + slope_by_v2_1*t20 + slope_by_z1_1*t16 + slope_by_z1_2*t42 + slope_by_z2_1*t23 + slope_by_z2_2*tau1 + t59, 0]
+    t64 = cos_omega2_tau*slope_by_sin_omega2_tau
+    t65 = cos_omega1_tau*slope_by_sin_omega1_tau
+    t66 = sin_omega2_tau*slope_by_cos_omega2_tau
+    t67 = sin_omega1_tau*slope_by_cos_omega1_tau
+    t68 = t3 - t6
+    t69 = cos_omega1_tau - cos_omega2_tau
+    t70 = -omega1*sin_omega1_tau + omega2*sin_omega2_tau
+    t71 = t69*v10 + t70*z10
+    t72 = t68*v10 + t69*z10
+    t73 = slope_by_carried_v2_1_by_v10*t69 + slope_by_carried_v2_1_by_z20*t70 + slope_by_v2_1*t71 + slope_by_z2_1*t72 + slope_by_z2_1_on_boundary_by_v10*t68 + slope_by_z2_1_on_boundary_by_z20*t69
+    t74 = slope_by_v1_1_on_boundary_by_z20*t70 + slope_by_z1_1_on_boundary_by_z20*t69
+    t75 = slope_by_v1_1*(V*t69 + t70*z20) + slope_by_z1_1*(V*t68 + t69*z20) + t74
+    t76 = -slope_by_carried_v2_1_by_z20*t70 + slope_by_v1_1*t71 + slope_by_v1_1_on_boundary_by_v10*t69 + slope_by_v2_1*(-V*t69 - t70*z20) + slope_by_z1_1*t72 + slope_by_z1_1_on_boundary_by_v10*t68 + slope_by_z2_1*(-V*t68 - t69*z20) - slope_by_z2_1_on_boundary_by_z20*t69 + t74
+    t77 = -sin_omega2_tau*t4
+    t78 = p3*sin_omega2_tau
+    t79 = 1/omega2**2
+    t80 = sin_omega2_tau*t79
+    t81 = slope_by_carried_v2_1_by_z20*(-p1*sin_omega2_tau + t78) + slope_by_v1_1*(sin_omega2_tau*t4*z10 + sin_omega2_tau*t58) + slope_by_v1_1_on_boundary_by_z20*(p2*sin_omega2_tau - t77) + slope_by_v2_1*(-p1*sin_omega2_tau*z20 + sin_omega2_tau*t57) + slope_by_z1_1*(t4*t80*v10 + t54*t80) - slope_by_z1_1_on_boundary_by_v10*t77*t79 + slope_by_z2_1*(p3*sin_omega2_tau*t79*v10 - t52*t80) + slope_by_z2_1_on_boundary_by_v10*t78*t79 + t64*tau - t66*tau
+    t82 = p1*sin_omega1_tau
+    t83 = p3*sin_omega1_tau
+    t84 = 1/omega1**2
+    t85 = sin_omega1_tau*t84
+    t86 = slope_by_carried_v2_1_by_z20*(sin_omega1_tau*t4 - t83) + slope_by_v1_1*(-sin_omega1_tau*t58 - sin_omega1_tau*t63) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t82) + slope_by_v2_1*(-sin_omega1_tau*t57 - sin_omega1_tau*t62) + slope_by_z1_1*(-t54*t85 - t61*t85) - slope_by_z1_1_on_boundary_by_v10*t82*t84 + slope_by_z2_1*(-t53*t85 - t60*t85) - slope_by_z2_1_on_boundary_by_v10*t83*t84 + t65*tau - t67*tau
+    t87 = 1 - cos_tau1
+    trace_gradient = [-slope_by_v1_1*t21 + slope_by_v2_1*t28 + slope_by_z1_1*t9 + slope_by_z2_1*t13, slope_by_v1_1*t18 - slope_by_v2_1*t24 + slope_by_z1_1*t8 + slope_by_z2_1*t12, slope_by_v1_1*t9 + slope_by_v2_1*t13 + slope_by_z1_1*t7 + slope_by_z2_1*t11, omega1*t65 - omega1*t67 + omega2*t64 - omega2*t66, V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t36, V*t37*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t86 + omega2_by_chi*t81 + p1_by_chi*t76 + p2_by_chi*t75 + p3_by_chi*t73 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t87*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t87*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t32) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t87 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t87*z2_1) + t44*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t49*z2_1 + t50*z2_1, omega1_by_eta*t86 + omega2_by_eta*t81 + p1_by_eta*t76 + p2_by_eta*t75 + p3_by_eta*t73 + slope_by_rate_1*(chi*z1_1 - t33), delay_tau1_by_z20 + slope_by_v1_1*t8 + slope_by_v1_2*t29 + slope_by_v2_1*t12 + slope_by_z1_1*t10 + slope_by_z1_2*t31 + slope_by_z2_1*t14 + slope_by_z2_2*tau1 + t46, 0]
     return trace, trace_gradient
 
 
@@ -1594,7 +1588,7 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives states (3, 4).
     Gives coefficients (24).
     Gives frequencies (3).
-    Operations: 141. Intermediate terms: 36.
+    Operations: 136. Intermediate terms: 37.
     """
     [chi, _, V, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1607,16 +1601,16 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     cos_omega2_tau = lib.cos(t1)
     sin_omega2_tau = lib.sin(t1)
     # slip-slip for tau, until second-reaches-belt
-    t2 = 1/omega1
-    t3 = sin_omega1_tau*t2
-    t4 = 1 - p1
-    t5 = sin_omega2_tau/omega2
-    t6 = cos_omega1_tau*p1 + cos_omega2_tau*t4
-    t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    z1_1 = V*(p2*sin_omega1_tau*t2 - p2*t5) + t6*z10 + t7*z20 + v10*(p1*t3 + t4*t5)
-    z2_1 = V*(p1*t5 + t3*t4) + v10*(p3*sin_omega1_tau*t2 - p3*t5) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t4 + cos_omega2_tau*p1)
+    t2 = sin_omega1_tau/omega1
+    t3 = 1 - p1
+    t4 = sin_omega2_tau/omega2
+    t5 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t6 = cos_omega1_tau*p1 + cos_omega2_tau*t3
+    z1_1 = V*(p2*t2 - p2*t4) + t5*z20 + t6*z10 + v10*(p1*t2 + t3*t4)
+    z2_1 = V*(p1*t4 + t2*t3) + v10*(p3*t2 - p3*t4) + z10*(cos_omega1_tau*p3 - cos_omega2_tau*p3) + z20*(cos_omega1_tau*t3 + cos_omega2_tau*p1)
+    t7 = omega2*sin_omega2_tau
     t8 = omega1*sin_omega1_tau
-    v1_1 = V*t7 + t6*v10 + z10*(-omega2*sin_omega2_tau*t4 - p1*t8) + z20*(omega2*p2*sin_omega2_tau - p2*t8)
+    v1_1 = V*t5 + t6*v10 + z10*(-p1*t8 - t3*t7) + z20*(p2*t7 - p2*t8)
     # functions of tau1 in slip-stick
     cos_tau1 = lib.cos(tau1)
     sin_tau1 = lib.sin(tau1)
@@ -1630,9 +1624,10 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     if outputs == 1:
         return states
     # coefficients
-    t12 = V*p2
+    t11 = V*p2
+    t12 = p2*z20
     t13 = omega1*z10
-    t14 = p2*z20
+    t14 = omega2*z10
     t15 = p3*v10
     t16 = V*chi
     t17 = -t16 + v1_1
@@ -1643,7 +1638,7 @@ def symmetric_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     t22 = V*t20 - t16
     t23 = -chi*t19
     t24 = chi*t17
-    coefficients = [-V, 0, p1*v10 + t12, -t12 + t4*v10, -omega1*t14 - p1*t13, omega2*t14 - omega2*t4*z10, -V, 0, V*t4 + t15, V*p1 - t15, -omega1*t4*z20 - p3*t13, -omega2*p1*z20 + omega2*p3*z10, -V + t16, 0, t17, t19, -e2 + t18 - t21, -t22, -t23, -t24, -e2 - t18 + t21, t22, t23, t24]
+    coefficients = [-V, 0, p1*v10 + t11, -t11 + t3*v10, -omega1*t12 - p1*t13, omega2*t12 - t14*t3, -V, 0, V*t3 + t15, V*p1 - t15, -omega1*t3*z20 - p3*t13, -omega2*p1*z20 + p3*t14, -V + t16, 0, t17, t19, -e2 + t18 - t21, -t22, -t23, -t24, -e2 - t18 + t21, t22, t23, t24]
     if outputs == 2:
         return states, coefficients
     frequencies = [omega1, omega2, 1]
@@ -1660,7 +1655,7 @@ def symmetric_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives poincare_jacobian (2, 2).
     Gives saltations (8, 4).
     Gives monodromy (4, 4).
-    Operations: 285. Intermediate terms: 123.
+    Operations: 273. Intermediate terms: 123.
     """
     [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1673,146 +1668,146 @@ def symmetric_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
     cos_omega2_tau = lib.cos(t1)
     sin_omega2_tau = lib.sin(t1)
     # slip-slip for tau, until second-reaches-belt
-    t2 = 1/omega1
-    t3 = sin_omega1_tau*t2
-    t4 = 1 - p1
-    t5 = sin_omega2_tau/omega2
-    t6 = p1*t3 + t4*t5
-    t7 = cos_omega1_tau*p1 + cos_omega2_tau*t4
-    t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t9 = p2*sin_omega1_tau*t2 - p2*t5
-    z1_1 = V*t9 + t6*v10 + t7*z10 + t8*z20
-    t10 = p3*sin_omega1_tau*t2 - p3*t5
+    t2 = sin_omega1_tau/omega1
+    t3 = 1 - p1
+    t4 = sin_omega2_tau/omega2
+    t5 = p1*t2 + t3*t4
+    t6 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t7 = cos_omega1_tau*p1 + cos_omega2_tau*t3
+    t8 = p2*t2 - p2*t4
+    z1_1 = V*t8 + t5*v10 + t6*z20 + t7*z10
+    t9 = p3*t2 - p3*t4
+    t10 = cos_omega1_tau*t3 + cos_omega2_tau*p1
     t11 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    t12 = cos_omega1_tau*t4 + cos_omega2_tau*p1
-    t13 = p1*t5 + t3*t4
-    z2_1 = V*t13 + t10*v10 + t11*z10 + t12*z20
-    t14 = omega2*sin_omega2_tau
-    t15 = omega1*sin_omega1_tau
-    t16 = p1*t15 + t14*t4
-    t18 = -omega2*p2*sin_omega2_tau + p2*t15
-    v1_1 = V*t8 - t16*z10 - t18*z20 + t7*v10
-    t20 = -omega2*p3*sin_omega2_tau + p3*t15
-    t22 = p1*t14 + t15*t4
-    v2_1 = V*t12 + t11*v10 - t20*z10 - t22*z20
+    t12 = p1*t4 + t2*t3
+    z2_1 = V*t12 + t10*z20 + t11*z10 + t9*v10
+    t13 = omega2*sin_omega2_tau
+    t14 = omega1*sin_omega1_tau
+    t15 = p2*t14
+    t16 = p2*t13 - t15
+    t17 = p1*t14 + t13*t3
+    v1_1 = V*t6 + t16*z20 - t17*z10 + t7*v10
+    t18 = p1*t13 + t14*t3
+    t19 = p3*t14
+    t20 = p3*t13 - t19
+    v2_1 = V*t10 + t11*v10 - t18*z20 + t20*z10
     # functions of tau1 in slip-stick
     cos_tau1 = lib.cos(tau1)
     sin_tau1 = lib.sin(tau1)
     # slip-stick for tau1, until second-breaks-forward
-    t24 = -chi*cos_tau1 + chi
-    t25 = chi*sin_tau1
-    z1_2 = V*(chi*tau1 - t25) + cos_tau1*z1_1 + sin_tau1*v1_1 + t24*z2_1
+    t21 = -chi*cos_tau1 + chi
+    t22 = chi*sin_tau1
+    z1_2 = V*(chi*tau1 - t22) + cos_tau1*z1_1 + sin_tau1*v1_1 + t21*z2_1
     z2_2 = V*tau1 + z2_1
-    v1_2 = V*t24 + cos_tau1*v1_1 - sin_tau1*z1_1 + t25*z2_1
+    v1_2 = V*t21 + cos_tau1*v1_1 - sin_tau1*z1_1 + t22*z2_1
     # Phi along tau
-    carried_z1_1_by_z20 = t7 + t8
-    carried_z1_1_by_v10 = t6
-    carried_z2_1_by_z20 = t11 + t12
-    carried_z2_1_by_v10 = t10
-    carried_v1_1_by_z20 = -t16 - t18
+    carried_z1_1_by_z20 = t6 + t7
+    carried_z1_1_by_v10 = t5
+    carried_z2_1_by_z20 = t10 + t11
+    carried_z2_1_by_v10 = t9
+    carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t15 - t17
     carried_v1_1_by_v10 = t7
-    carried_v2_1_by_z20 = -t20 - t22
+    carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t18 - t19
     carried_v2_1_by_v10 = t11
     # rate of the exit boundary after tau
-    t26 = chi*eta
-    t27 = chi*z2_1
-    rate_1 = -eta*t27 + t26*z1_1
+    t23 = chi*eta
+    t24 = chi*z2_1
+    rate_1 = -eta*t24 + t23*z1_1
     # derivatives of the time to the boundary after tau
-    t29 = 1/rate_1
-    delay_tau_by_z20 = -carried_v2_1_by_z20*t29
-    delay_tau_by_v10 = -carried_v2_1_by_v10*t29
+    t25 = 1/rate_1
+    delay_tau_by_z20 = -carried_v2_1_by_z20*t25
+    delay_tau_by_v10 = -carried_v2_1_by_v10*t25
     # perturbation on the boundary after tau
     z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1
     z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
     z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
     z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
-    t30 = t27 - z1_1
-    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t30
-    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t30
+    t26 = t24 - z1_1
+    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t26
+    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t26
     # Phi along tau1
-    carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t24*z2_1_on_boundary_by_z20
-    carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t24*z2_1_on_boundary_by_v10
-    carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t25*z2_1_on_boundary_by_z20
-    carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t25*z2_1_on_boundary_by_v10
+    carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t21*z2_1_on_boundary_by_z20
+    carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t21*z2_1_on_boundary_by_v10
+    carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t22*z2_1_on_boundary_by_z20
+    carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t22*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
     rate_2 = V*chi - chi*v1_2
     # derivatives of the time to the boundary after tau1
-    t32 = 1/rate_2
-    delay_tau1_by_z20 = t32*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
-    delay_tau1_by_v10 = t32*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
+    t27 = 1/rate_2
+    delay_tau1_by_z20 = t27*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    delay_tau1_by_v10 = t27*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10)
     # perturbation on the boundary after tau1
     z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20
     z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10
-    t33 = chi*z2_2
-    t34 = t33 - z1_2
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t34
-    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t34
+    t28 = chi*z2_2
+    t29 = t28 - z1_2
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t29
+    v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t29
     poincare_jacobian = [[z2_2_on_boundary_by_z20, z2_2_on_boundary_by_v10], [v1_2_on_boundary_by_z20, v1_2_on_boundary_by_v10]]
     if outputs == 1:
         return poincare_jacobian
     # vector fields at transition 1
-    before_v1_1 = t30
+    before_v1_1 = t26
     before_v2_1 = rate_1
-    behind_v1_1 = t30
+    behind_v1_1 = t26
     # vector fields at transition 2
-    before_v1_2 = t34
-    behind_v1_2 = t34
-    behind_v2_2 = -eta*t33 + t26*z1_2
+    before_v1_2 = t29
+    behind_v1_2 = t29
+    behind_v2_2 = -eta*t28 + t23*z1_2
     # saltations
-    t35 = 1/before_v2_1
-    t36 = t35*(V - v2_1)
-    t37 = t35*(-before_v1_1 + behind_v1_1)
-    t38 = 1/rate_2
-    t39 = chi*t38
-    t40 = t39*(-before_v1_2 + behind_v1_2)
-    t41 = behind_v2_2*t39
-    saltations = [[1, 0, 0, 0], [0, 1, 0, t36], [0, 0, 1, t37], [0, 0, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [-t40, t40, 1, 0], [-t41, t41, 0, 1]]
+    t30 = 1/before_v2_1
+    t31 = t30*(V - v2_1)
+    t32 = t30*(-before_v1_1 + behind_v1_1)
+    t33 = chi/rate_2
+    t34 = t33*(-before_v1_2 + behind_v1_2)
+    t35 = behind_v2_2*t33
+    saltations = [[1, 0, 0, 0], [0, 1, 0, t31], [0, 0, 1, t32], [0, 0, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [-t34, t34, 1, 0], [-t35, t35, 0, 1]]
     if outputs == 2:
         return poincare_jacobian, saltations
     # Phi of phase 1
     phi_1_00 = t7
-    phi_1_01 = t8
-    phi_1_02 = t6
-    phi_1_03 = t9
+    phi_1_01 = t6
+    phi_1_02 = t5
+    phi_1_03 = t8
     phi_1_10 = t11
-    phi_1_11 = t12
-    phi_1_12 = t10
-    phi_1_13 = t13
-    phi_1_20 = -t16
-    phi_1_21 = -t18
+    phi_1_11 = t10
+    phi_1_12 = t9
+    phi_1_13 = t12
+    phi_1_20 = -t17
+    phi_1_21 = t16
     phi_1_22 = t7
-    phi_1_23 = t8
-    phi_1_30 = -t20
-    phi_1_31 = -t22
+    phi_1_23 = t6
+    phi_1_30 = t20
+    phi_1_31 = -t18
     phi_1_32 = t11
-    phi_1_33 = t12
+    phi_1_33 = t10
     # saltation of phase 1
-    saltation_1_10 = phi_1_10 + phi_1_30*t36
-    saltation_1_11 = phi_1_11 + phi_1_31*t36
-    saltation_1_12 = phi_1_12 + phi_1_32*t36
-    saltation_1_13 = phi_1_13 + phi_1_33*t36
-    saltation_1_20 = phi_1_20 + phi_1_30*t37
-    saltation_1_21 = phi_1_21 + phi_1_31*t37
-    saltation_1_22 = phi_1_22 + phi_1_32*t37
-    saltation_1_23 = phi_1_23 + phi_1_33*t37
+    saltation_1_10 = phi_1_10 + phi_1_30*t31
+    saltation_1_11 = phi_1_11 + phi_1_31*t31
+    saltation_1_12 = phi_1_12 + phi_1_32*t31
+    saltation_1_13 = phi_1_13 + phi_1_33*t31
+    saltation_1_20 = phi_1_20 + phi_1_30*t32
+    saltation_1_21 = phi_1_21 + phi_1_31*t32
+    saltation_1_22 = phi_1_22 + phi_1_32*t32
+    saltation_1_23 = phi_1_23 + phi_1_33*t32
     # Phi of phase 2
-    phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t24 + saltation_1_20*sin_tau1
-    phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t24 + saltation_1_21*sin_tau1
-    phi_2_02 = cos_tau1*phi_1_02 + saltation_1_12*t24 + saltation_1_22*sin_tau1
-    phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t24 + saltation_1_23*sin_tau1
-    phi_2_20 = cos_tau1*saltation_1_20 - phi_1_00*sin_tau1 + saltation_1_10*t25
-    phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t25
-    phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t25
-    phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t25
+    phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t21 + saltation_1_20*sin_tau1
+    phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t21 + saltation_1_21*sin_tau1
+    phi_2_02 = cos_tau1*phi_1_02 + saltation_1_12*t21 + saltation_1_22*sin_tau1
+    phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t21 + saltation_1_23*sin_tau1
+    phi_2_20 = cos_tau1*saltation_1_20 - phi_1_00*sin_tau1 + saltation_1_10*t22
+    phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t22
+    phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t22
+    phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t22
     # saltation of phase 2
-    saltation_2_20 = -phi_2_00*t40 + phi_2_20 + saltation_1_10*t40
-    saltation_2_21 = -phi_2_01*t40 + phi_2_21 + saltation_1_11*t40
-    saltation_2_22 = -phi_2_02*t40 + phi_2_22 + saltation_1_12*t40
-    saltation_2_23 = -phi_2_03*t40 + phi_2_23 + saltation_1_13*t40
-    saltation_2_30 = behind_v2_2*chi*saltation_1_10*t38 - phi_2_00*t41
-    saltation_2_31 = behind_v2_2*chi*saltation_1_11*t38 - phi_2_01*t41
-    saltation_2_32 = behind_v2_2*chi*saltation_1_12*t38 - phi_2_02*t41
-    saltation_2_33 = behind_v2_2*chi*saltation_1_13*t38 - phi_2_03*t41
+    saltation_2_20 = -phi_2_00*t34 + phi_2_20 + saltation_1_10*t34
+    saltation_2_21 = -phi_2_01*t34 + phi_2_21 + saltation_1_11*t34
+    saltation_2_22 = -phi_2_02*t34 + phi_2_22 + saltation_1_12*t34
+    saltation_2_23 = -phi_2_03*t34 + phi_2_23 + saltation_1_13*t34
+    saltation_2_30 = -phi_2_00*t35 + saltation_1_10*t35
+    saltation_2_31 = -phi_2_01*t35 + saltation_1_11*t35
+    saltation_2_32 = -phi_2_02*t35 + saltation_1_12*t35
+    saltation_2_33 = -phi_2_03*t35 + saltation_1_13*t35
     monodromy = [[phi_2_00, phi_2_01, phi_2_02, phi_2_03], [saltation_1_10, saltation_1_11, saltation_1_12, saltation_1_13], [saltation_2_20, saltation_2_21, saltation_2_22, saltation_2_23], [saltation_2_30, saltation_2_31, saltation_2_32, saltation_2_33]]
     return poincare_jacobian, saltations, monodromy
 
@@ -1825,29 +1820,28 @@ def symmetric_flow_slip_slip(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): z1, z2, v1, v2.
     Gives state_after (4).
-    Operations: 82. Intermediate terms: 16.
+    Operations: 77. Intermediate terms: 15.
     """
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [z1, z2, v1, v2] = state
     # state_after
-    t0 = 1/omega1
-    t1 = omega1*t
-    t2 = lib.sin(t1)
-    t3 = t0*t2
-    t4 = 1 - p1
-    t5 = omega2*t
-    t6 = lib.sin(t5)
-    t7 = t6/omega2
-    t8 = lib.cos(t1)
-    t9 = lib.cos(t5)
-    t10 = p1*t8 + t4*t9
-    t11 = p2*t8 - p2*t9
-    t12 = p3*t8 - p3*t9
-    t13 = p1*t9 + t4*t8
-    t14 = omega2*t6
-    t15 = omega1*t2
-    return [t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15), t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4)]
+    t0 = omega1*t
+    t1 = lib.sin(t0)
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = 1 - p1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 + t6*t7
+    t11 = p1*t7 + t6*t8
+    t12 = -p3*t7 + p3*t8
+    t13 = omega2*t4
+    t14 = omega1*t1
+    return [t10*z1 + t9*z2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5), t11*z2 + t12*z1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6), t10*v1 + t9*v2 + z1*(-p1*t14 - t13*t6) + z2*(p2*t13 - p2*t14), t11*v2 + t12*v1 + z1*(p3*t13 - p3*t14) + z2*(-p1*t13 - t14*t6)]
 
 
 def symmetric_flow_slip_stick(parameters, spectrum, time, state, *, lib):
@@ -1882,7 +1876,7 @@ def symmetric_reduced(parameters, spectrum, reduced, *, lib, outputs=4):
     Gives determinants (1).
     Gives reduced_residual (2).
     Gives reduced_jacobian (2, 2).
-    Operations: 208. Intermediate terms: 62.
+    Operations: 195. Intermediate terms: 63.
     """
     [chi, _, V, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -1893,92 +1887,93 @@ def symmetric_reduced(parameters, spectrum, reduced, *, lib, outputs=4):
     t0 = half_tau*omega1
     cos_omega1_half_tau = lib.cos(t0)
     sin_omega1_half_tau = lib.sin(t0)
-    t3 = half_tau*omega2
-    cos_omega2_half_tau = lib.cos(t3)
-    sin_omega2_half_tau = lib.sin(t3)
+    t1 = half_tau*omega2
+    cos_omega2_half_tau = lib.cos(t1)
+    sin_omega2_half_tau = lib.sin(t1)
     # half of tau1
     half_tau1 = tau1/2
     # coefficients of the linear equations
-    t8 = 1/omega2
-    t9 = sin_omega2_half_tau*t8
-    t10 = 1/omega1
-    t11 = p1*t10
-    t12 = p1*t9
-    coefficient11 = sin_omega1_half_tau*t11 - t12 + t9
+    t2 = 1/omega2
+    t3 = sin_omega2_half_tau*t2
+    t4 = 1/omega1
+    t5 = p1*t4
+    t6 = p1*t3
+    coefficient11 = sin_omega1_half_tau*t5 + t3 - t6
     # right-hand sides of the linear equations
-    t13 = V*half_tau1
-    t14 = cos_omega2_half_tau*t13
-    t15 = 1/chi
-    t16 = p1*t13
-    t17 = cos_omega1_half_tau*t16
-    t18 = p2*t13
-    t19 = e2*t15
-    t20 = cos_omega2_half_tau*t19
-    t21 = V*t10
-    t22 = sin_omega1_half_tau*t21
-    right1 = V*cos_omega2_half_tau*half_tau1*p1 + V*cos_omega2_half_tau*half_tau1*p2 + V*p2*sin_omega2_half_tau*t8 + cos_omega1_half_tau*e2*p1*t15 - cos_omega1_half_tau*t18 + cos_omega2_half_tau*e2*t15 - p1*t20 - p2*t22 - t14 - t17
+    t7 = e2/chi
+    t8 = cos_omega2_half_tau*t7
+    t9 = V*half_tau1
+    t10 = cos_omega2_half_tau*t9
+    t11 = V*p2
+    t12 = p1*t7
+    t13 = p2*t9
+    t14 = V*t4
+    t15 = sin_omega1_half_tau*t14
+    t16 = p1*t9
+    t17 = -cos_omega1_half_tau*t16 + p1*t10
+    right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 - p1*t8 + p2*t10 - p2*t15 - t10 + t11*t3 + t17 + t8
     # determinant of the linear equations
     determinant = coefficient11
     # v10 by Cramer's rule
-    t23 = 1/determinant
-    v10 = right1*t23
+    t18 = 1/determinant
+    v10 = right1*t18
     # z10: linear in: second-breaks-forward ends slip-stick
-    z10 = t13 - t19
+    t19 = t7 - t9
+    z10 = -t19
     # z20: linear in: z2 vanishes halfway through slip-stick
-    z20 = t13
+    z20 = t9
     unknowns = [z10, z20, v10, tau, tau1]
     if outputs == 1:
         return unknowns
     # determinants
-    t34 = half_tau**2
-    t35 = 2*t34
-    determinants = [determinant/lib.sqrt(p1**2*t35/(omega1**2*t34 + 1) + t35*(p1 - 1)**2/(omega2**2*t34 + 1))]
+    t20 = half_tau**2
+    t21 = 2*t20
+    determinants = [determinant/lib.sqrt(p1**2*t21/(omega1**2*t20 + 1) + t21*(p1 - 1)**2/(omega2**2*t20 + 1))]
     if outputs == 2:
         return unknowns, determinants
     # functions of half_tau1 in slip-stick
     cos_half_tau1 = lib.cos(half_tau1)
     sin_half_tau1 = lib.sin(half_tau1)
     # reduced_residual
-    t36 = cos_omega1_half_tau*t13
-    t37 = p3*v10
-    t38 = t10*t37
-    t39 = p3*t19
-    t40 = cos_half_tau1*t13
-    t41 = V*chi
-    reduced_residual = [V*t12 - cos_omega1_half_tau*t39 + p1*t14 - p1*t22 - p3*t14 + p3*t20 + p3*t36 + sin_omega1_half_tau*t38 - t17 + t22 + t36 - t37*t9, chi*t40 + cos_half_tau1*t19 - sin_half_tau1*t41 + sin_half_tau1*v10 - t40]
+    t22 = cos_omega1_half_tau*t9
+    t23 = p3*v10
+    t24 = t23*t4
+    t25 = p3*t7
+    t26 = cos_half_tau1*t9
+    t27 = V*chi
+    reduced_residual = [V*t6 - cos_omega1_half_tau*t25 - p1*t15 - p3*t10 + p3*t22 + p3*t8 + sin_omega1_half_tau*t24 + t15 + t17 + t22 - t23*t3, chi*t26 + cos_half_tau1*t7 - sin_half_tau1*t27 + sin_half_tau1*v10 - t26]
     if outputs == 3:
         return unknowns, determinants, reduced_residual
     # d/dtau of: functions of half_tau in slip-slip
-    t24 = omega1/2
-    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t24
-    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t24
-    t25 = omega2/2
-    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t25
-    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t25
+    t28 = omega1/2
+    cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t28
+    sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t28
+    t29 = omega2/2
+    cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t29
+    sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t29
     # d/dtau1 of: functions of half_tau1 in slip-stick
     cos_half_tau1_by_tau1 = -sin_half_tau1/2
     sin_half_tau1_by_tau1 = cos_half_tau1/2
     # d/dtau of: coefficients of the linear equations
-    t26 = p1*t8
-    coefficient11_by_tau = sin_omega1_half_tau_by_tau*t11 + sin_omega2_half_tau_by_tau*(-t26 + t8)
+    t30 = p1*t2
+    coefficient11_by_tau = sin_omega1_half_tau_by_tau*t5 + sin_omega2_half_tau_by_tau*(t2 - t30)
     # d/dtau of: right-hand sides of the linear equations
-    t27 = -p1*t19 + t16 + t18
-    t29 = -t13 + t19
-    right1_by_tau = V*p2*sin_omega2_half_tau_by_tau*t8 - cos_omega1_half_tau_by_tau*t27 + cos_omega2_half_tau_by_tau*(t27 + t29) - p2*sin_omega1_half_tau_by_tau*t21
+    t31 = -t12 + t13 + t16
+    right1_by_tau = -cos_omega1_half_tau_by_tau*t31 + cos_omega2_half_tau_by_tau*(t19 + t31) - p2*sin_omega1_half_tau_by_tau*t14 + sin_omega2_half_tau_by_tau*t11*t2
     # d/dtau1 of: right-hand sides of the linear equations
-    t30 = V/2
-    t31 = cos_omega2_half_tau*t30
-    t32 = cos_omega1_half_tau*t30
-    t33 = p1*t32
-    right1_by_tau1 = V*cos_omega2_half_tau*p1/2 + V*cos_omega2_half_tau*p2/2 - p2*t32 - t31 - t33
+    t32 = V/2
+    t33 = cos_omega2_half_tau*t32
+    t34 = cos_omega1_half_tau*t32
+    t35 = p1*t34
+    right1_by_tau1 = V*cos_omega2_half_tau*p1/2 + V*cos_omega2_half_tau*p2/2 - p2*t34 - t33 - t35
     # d/dtau of: v10 by Cramer's rule
-    v10_by_tau = -coefficient11_by_tau*right1/determinant**2 + right1_by_tau*t23
+    v10_by_tau = -coefficient11_by_tau*right1/determinant**2 + right1_by_tau*t18
     # d/dtau1 of: v10 by Cramer's rule
-    v10_by_tau1 = right1_by_tau1*t23
+    v10_by_tau1 = right1_by_tau1*t18
     # reduced_jacobian
-    t42 = -p3*t13 + t16 + t39
-    t43 = p3*sin_omega1_half_tau*t10 - p3*t9
-    reduced_jacobian = [[cos_omega1_half_tau_by_tau*(t13 - t42) + cos_omega2_half_tau_by_tau*t42 + sin_omega1_half_tau_by_tau*(-p1*t21 + t21 + t38) + sin_omega2_half_tau_by_tau*(V*t26 - t37*t8) + t43*v10_by_tau, p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t43*v10_by_tau1], [sin_half_tau1*v10_by_tau, -cos_half_tau1*t30 + cos_half_tau1*t41/2 + cos_half_tau1_by_tau1*(chi*t13 + t29) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t41 + v10)]]
+    t36 = -p3*t9 + t16 + t25
+    t37 = p3*sin_omega1_half_tau*t4 - p3*t3
+    reduced_jacobian = [[cos_omega1_half_tau_by_tau*(-t36 + t9) + cos_omega2_half_tau_by_tau*t36 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t24) + sin_omega2_half_tau_by_tau*(V*t30 - t2*t23) + t37*v10_by_tau, p1*t33 - p3*t33 + p3*t34 + t34 - t35 + t37*v10_by_tau1], [sin_half_tau1*v10_by_tau, cos_half_tau1*t27/2 - cos_half_tau1*t32 + cos_half_tau1_by_tau1*(chi*t9 + t19) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t27 + v10)]]
     return unknowns, determinants, reduced_residual, reduced_jacobian
 
 
@@ -1996,7 +1991,7 @@ def global_stick_equations(parameters, spectrum, unknowns, spectrum_derivatives=
     Gives residual (6).
     Gives jacobian (6, 6).
     Gives parameter_jacobian (6, 5).
-    Operations: 683. Intermediate terms: 198.
+    Operations: 672. Intermediate terms: 198.
     """
     [chi, eta, V, e1, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -2009,226 +2004,226 @@ def global_stick_equations(parameters, spectrum, unknowns, spectrum_derivatives=
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
     # slip-stick for tau, until second-breaks-forward
-    t1 = V*sin_tau
-    t3 = chi*cos_tau
-    t4 = chi - t3
-    t5 = chi*sin_tau
-    z1_2 = V*(chi*tau - t5) + cos_tau*z1_1 + t1 + t4*z2_1
+    t1 = chi*cos_tau
+    t2 = chi - t1
+    t3 = V*sin_tau
+    t4 = chi*sin_tau
+    t5 = chi*tau - t4
+    z1_2 = V*t5 + cos_tau*z1_1 + t2*z2_1 + t3
     z2_2 = V*tau + z2_1
-    t6 = V*cos_tau + V*t4
-    v1_2 = -sin_tau*z1_1 + t5*z2_1 + t6
+    t6 = V*cos_tau + V*t2
+    v1_2 = -sin_tau*z1_1 + t4*z2_1 + t6
     # functions of tau1 in slip-slip
     t7 = omega1*tau1
     cos_omega1_tau1 = lib.cos(t7)
     sin_omega1_tau1 = lib.sin(t7)
-    t10 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t10)
-    sin_omega2_tau1 = lib.sin(t10)
+    t8 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t8)
+    sin_omega2_tau1 = lib.sin(t8)
     # slip-slip for tau1, until first-reaches-belt
-    t13 = 1/omega1
-    t14 = sin_omega1_tau1*t13
-    t15 = 1 - p1
-    t16 = 1/omega2
-    t17 = sin_omega2_tau1*t16
-    t18 = p1*t14 + t15*t17
-    t19 = cos_omega1_tau1*p1 + cos_omega2_tau1*t15
-    t20 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t21 = p2*t17
-    z1_3 = V*(p2*sin_omega1_tau1*t13 - t21) + t18*v1_2 + t19*z1_2 + t20*z2_2
-    t22 = p3*sin_omega1_tau1*t13 - p3*t17
-    t23 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t24 = cos_omega1_tau1*t15 + cos_omega2_tau1*p1
-    t25 = p1*t17 + t14*t15
-    z2_3 = V*t25 + t22*v1_2 + t23*z1_2 + t24*z2_2
-    t26 = omega2*sin_omega2_tau1
-    t27 = omega1*sin_omega1_tau1
-    t28 = -p1*t27 - t15*t26
-    t29 = p2*t27
-    t30 = omega2*p2*sin_omega2_tau1 - t29
-    t31 = V*t20
-    t32 = t19*v1_2 + t31
-    v1_3 = t28*z1_2 + t30*z2_2 + t32
-    t33 = omega2*p3*sin_omega2_tau1 - p3*t27
-    t34 = p1*t26 + t15*t27
-    t36 = V*t24
-    t37 = t23*v1_2 + t36
-    v2_3 = t33*z1_2 - t34*z2_2 + t37
+    t9 = 1 - p1
+    t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9
+    t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t12 = 1/omega1
+    t13 = sin_omega1_tau1*t12
+    t14 = 1/omega2
+    t15 = sin_omega2_tau1*t14
+    t16 = p1*t13 + t15*t9
+    t17 = p2*t13 - p2*t15
+    z1_3 = V*t17 + t10*z1_2 + t11*z2_2 + t16*v1_2
+    t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t19 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1
+    t20 = p3*t13 - p3*t15
+    t21 = p1*t15 + t13*t9
+    z2_3 = V*t21 + t18*z1_2 + t19*z2_2 + t20*v1_2
+    t22 = omega1*sin_omega1_tau1
+    t23 = omega2*sin_omega2_tau1
+    t24 = -p1*t22 - t23*t9
+    t25 = -p2*t22 + p2*t23
+    t26 = V*t11
+    t27 = t10*v1_2 + t26
+    v1_3 = t24*z1_2 + t25*z2_2 + t27
+    t28 = -p3*t22 + p3*t23
+    t29 = p1*t23 + t22*t9
+    t30 = V*t19
+    t31 = t18*v1_2 + t30
+    v2_3 = t28*z1_2 - t29*z2_2 + t31
     # functions of tau2 in stick-slip
-    t38 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t38)
-    sin_omega3_tau2 = lib.sin(t38)
+    t32 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t32)
+    sin_omega3_tau2 = lib.sin(t32)
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
-    t41 = 1 - cos_omega3_tau2
-    t42 = 1/omega3
-    t43 = sin_omega3_tau2*t42
-    t44 = -t43 + tau2
-    z2_4 = V*t44 + cos_omega3_tau2*z2_3 + t41*z1_3 + t43*v2_3
-    t45 = cos_omega3_tau2*v2_3
-    t46 = sin_omega3_tau2*z1_3
-    t47 = sin_omega3_tau2*z2_3
-    v2_4 = V*t41 + omega3*t46 - omega3*t47 + t45
+    t33 = 1 - cos_omega3_tau2
+    t34 = 1/omega3
+    t35 = sin_omega3_tau2*t34
+    t36 = -t35 + tau2
+    z2_4 = V*t36 + cos_omega3_tau2*z2_3 + t33*z1_3 + t35*v2_3
+    t37 = cos_omega3_tau2*v2_3
+    t38 = sin_omega3_tau2*z1_3
+    t39 = sin_omega3_tau2*z2_3
+    v2_4 = V*t33 + omega3*t38 - omega3*t39 + t37
     residual = [-chi*z2_1 - e1 + z1_1, -chi*z1_2 + chi*z2_2 - e2, -V + v1_3, -V + v2_4, -z10 + z1_4, -z20 + z2_4]
     if outputs == 1:
         return residual
     # derivatives of the state after tau
-    z1_2_by_z20 = t4
+    z1_2_by_z20 = t2
     z1_2_by_ta = t6
     v1_2_by_z10 = -sin_tau
-    v1_2_by_z20 = t5
-    v1_2_by_ta = chi*t1 - t1
+    v1_2_by_z20 = t4
+    v1_2_by_ta = chi*t3 - t3
     v1_2_by_tau = chi*z2_2 - z1_2
     # derivatives of the state after tau1
-    z1_3_by_z10 = cos_tau*t19 + t18*v1_2_by_z10
-    z1_3_by_z20 = t18*v1_2_by_z20 + t19*z1_2_by_z20 + t20
-    z1_3_by_ta = t18*v1_2_by_ta + t19*z1_2_by_ta + t31
-    z1_3_by_tau = t18*v1_2_by_tau + t32
-    z2_3_by_z10 = cos_tau*t23 + t22*v1_2_by_z10
-    z2_3_by_z20 = t22*v1_2_by_z20 + t23*z1_2_by_z20 + t24
-    z2_3_by_ta = t22*v1_2_by_ta + t23*z1_2_by_ta + t36
-    z2_3_by_tau = t22*v1_2_by_tau + t37
-    v1_3_by_z10 = cos_tau*t28 + t19*v1_2_by_z10
-    v1_3_by_z20 = p2*t26 + t19*v1_2_by_z20 + t28*z1_2_by_z20 - t29
-    t48 = V*t30
-    v1_3_by_ta = t19*v1_2_by_ta + t28*z1_2_by_ta + t48
-    v1_3_by_tau = t19*v1_2_by_tau + t28*v1_2 + t48
-    t49 = chi*z2_3
-    v1_3_by_tau1 = t49 - z1_3
-    v2_3_by_z10 = cos_tau*t33 + t23*v1_2_by_z10
-    v2_3_by_z20 = t23*v1_2_by_z20 + t33*z1_2_by_z20 - t34
-    t50 = -V*t34
-    v2_3_by_ta = t23*v1_2_by_ta + t33*z1_2_by_ta + t50
-    v2_3_by_tau = t23*v1_2_by_tau + t33*v1_2 + t50
-    t51 = chi*eta
-    v2_3_by_tau1 = -eta*t49 + t51*z1_3
+    z1_3_by_z10 = cos_tau*t10 + t16*v1_2_by_z10
+    z1_3_by_z20 = t10*z1_2_by_z20 + t11 + t16*v1_2_by_z20
+    z1_3_by_ta = t10*z1_2_by_ta + t16*v1_2_by_ta + t26
+    z1_3_by_tau = t16*v1_2_by_tau + t27
+    z2_3_by_z10 = cos_tau*t18 + t20*v1_2_by_z10
+    z2_3_by_z20 = t18*z1_2_by_z20 + t19 + t20*v1_2_by_z20
+    z2_3_by_ta = t18*z1_2_by_ta + t20*v1_2_by_ta + t30
+    z2_3_by_tau = t20*v1_2_by_tau + t31
+    v1_3_by_z10 = cos_tau*t24 + t10*v1_2_by_z10
+    v1_3_by_z20 = t10*v1_2_by_z20 + t24*z1_2_by_z20 + t25
+    t40 = V*t25
+    v1_3_by_ta = t10*v1_2_by_ta + t24*z1_2_by_ta + t40
+    v1_3_by_tau = t10*v1_2_by_tau + t24*v1_2 + t40
+    t41 = chi*z2_3
+    v1_3_by_tau1 = t41 - z1_3
+    v2_3_by_z10 = cos_tau*t28 + t18*v1_2_by_z10
+    v2_3_by_z20 = t18*v1_2_by_z20 + t28*z1_2_by_z20 - t29
+    t42 = -V*t29
+    v2_3_by_ta = t18*v1_2_by_ta + t28*z1_2_by_ta + t42
+    v2_3_by_tau = t18*v1_2_by_tau + t28*v1_2 + t42
+    t43 = chi*eta
+    v2_3_by_tau1 = -eta*t41 + t43*z1_3
     # derivatives of the state after tau2
-    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t41*z1_3_by_z10 + t43*v2_3_by_z10
-    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t41*z1_3_by_z20 + t43*v2_3_by_z20
-    z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t41*z1_3_by_ta + t43*v2_3_by_ta
-    z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t41*z1_3_by_tau + t43*v2_3_by_tau
-    z2_4_by_tau1 = t41*v1_3 + t43*v2_3_by_tau1 + t45
-    t52 = omega3*sin_omega3_tau2
-    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t52*z1_3_by_z10 - t52*z2_3_by_z10
-    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t52*z1_3_by_z20 - t52*z2_3_by_z20
-    v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t52*z1_3_by_ta - t52*z2_3_by_ta
-    v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t52*z1_3_by_tau - t52*z2_3_by_tau
-    v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t52*v1_3 - t52*v2_3
-    v2_4_by_tau2 = t51*z1_4 - t51*z2_4
+    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t33*z1_3_by_z10 + t35*v2_3_by_z10
+    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t33*z1_3_by_z20 + t35*v2_3_by_z20
+    z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t33*z1_3_by_ta + t35*v2_3_by_ta
+    z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t33*z1_3_by_tau + t35*v2_3_by_tau
+    z2_4_by_tau1 = t33*v1_3 + t35*v2_3_by_tau1 + t37
+    t44 = omega3*sin_omega3_tau2
+    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t44*z1_3_by_z10 - t44*z2_3_by_z10
+    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t44*z1_3_by_z20 - t44*z2_3_by_z20
+    v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t44*z1_3_by_ta - t44*z2_3_by_ta
+    v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t44*z1_3_by_tau - t44*z2_3_by_tau
+    v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t44*v1_3 - t44*v2_3
+    v2_4_by_tau2 = t43*z1_4 - t43*z2_4
     # jacobian
-    t118 = V*chi
-    jacobian = [[1, -chi, V - t118, 0, 0, 0], [-t3, -chi*z1_2_by_z20 + chi, -chi*z1_2_by_ta + t118, -chi*v1_2 + t118, 0, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_ta, v1_3_by_tau, v1_3_by_tau1, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_ta, v2_4_by_tau, v2_4_by_tau1, v2_4_by_tau2], [z1_3_by_z10 - 1, z1_3_by_z20, z1_3_by_ta, z1_3_by_tau, v1_3, V], [z2_4_by_z10, z2_4_by_z20 - 1, z2_4_by_ta, z2_4_by_tau, z2_4_by_tau1, v2_4]]
+    t45 = V*chi
+    jacobian = [[1, -chi, V - t45, 0, 0, 0], [-t1, -chi*z1_2_by_z20 + chi, -chi*z1_2_by_ta + t45, -chi*v1_2 + t45, 0, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_ta, v1_3_by_tau, v1_3_by_tau1, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_ta, v2_4_by_tau, v2_4_by_tau1, v2_4_by_tau2], [z1_3_by_z10 - 1, z1_3_by_z20, z1_3_by_ta, z1_3_by_tau, v1_3, V], [z2_4_by_z10, z2_4_by_z20 - 1, z2_4_by_ta, z2_4_by_tau, z2_4_by_tau1, v2_4]]
     if outputs == 2:
         return residual, jacobian
     [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]] = spectrum_derivatives
     # d/dchi of: slip-stick for tau, until second-breaks-forward
-    t53 = 1 - cos_tau
-    z1_2_by_chi = V*(-sin_tau + tau) + t53*z2_1
-    v1_2_by_chi = V*t53 + sin_tau*z2_1
+    t46 = 1 - cos_tau
+    z1_2_by_chi = V*(-sin_tau + tau) + t46*z2_1
+    v1_2_by_chi = V*t46 + sin_tau*z2_1
     # d/dV of: slip-stick for tau, until second-breaks-forward
-    z1_2_by_V = chi*tau + cos_tau*ta + sin_tau + t4*ta - t5
+    z1_2_by_V = cos_tau*ta + sin_tau + t2*ta + t5
     z2_2_by_V = ta + tau
-    v1_2_by_V = chi + cos_tau - sin_tau*ta - t3 + t5*ta
+    v1_2_by_V = chi + cos_tau - sin_tau*ta - t1 + t4*ta
     # d/dchi of: functions of tau1 in slip-slip
-    t55 = omega1_by_chi*tau1
-    cos_omega1_tau1_by_chi = -sin_omega1_tau1*t55
-    sin_omega1_tau1_by_chi = cos_omega1_tau1*t55
-    t56 = omega2_by_chi*tau1
-    cos_omega2_tau1_by_chi = -sin_omega2_tau1*t56
-    sin_omega2_tau1_by_chi = cos_omega2_tau1*t56
+    t47 = omega1_by_chi*tau1
+    cos_omega1_tau1_by_chi = -sin_omega1_tau1*t47
+    sin_omega1_tau1_by_chi = cos_omega1_tau1*t47
+    t48 = omega2_by_chi*tau1
+    cos_omega2_tau1_by_chi = -sin_omega2_tau1*t48
+    sin_omega2_tau1_by_chi = cos_omega2_tau1*t48
     # d/deta of: functions of tau1 in slip-slip
-    t57 = omega1_by_eta*tau1
-    cos_omega1_tau1_by_eta = -sin_omega1_tau1*t57
-    sin_omega1_tau1_by_eta = cos_omega1_tau1*t57
-    t58 = omega2_by_eta*tau1
-    cos_omega2_tau1_by_eta = -sin_omega2_tau1*t58
-    sin_omega2_tau1_by_eta = cos_omega2_tau1*t58
+    t49 = omega1_by_eta*tau1
+    cos_omega1_tau1_by_eta = -sin_omega1_tau1*t49
+    sin_omega1_tau1_by_eta = cos_omega1_tau1*t49
+    t50 = omega2_by_eta*tau1
+    cos_omega2_tau1_by_eta = -sin_omega2_tau1*t50
+    sin_omega2_tau1_by_eta = cos_omega2_tau1*t50
     # d/dchi of: slip-slip for tau1, until first-reaches-belt
-    t59 = p1*z1_2
-    t60 = p2*z2_2
-    t61 = t59 + t60
-    t62 = t15*z1_2 - t60
-    t63 = p1*v1_2
-    t64 = sin_omega1_tau1/omega1**2
-    t65 = V*p2
-    t66 = -t63*t64 - t64*t65
-    t67 = 1/omega2**2
-    t68 = sin_omega2_tau1*t67
-    t69 = -t15*t68*v1_2 + t65*t68
-    t70 = -sin_omega1_tau1*t13 + t17
-    t72 = cos_omega1_tau1 - cos_omega2_tau1
-    t73 = -t70*v1_2 + t72*z1_2
-    t74 = -V*t70 + t72*z2_2
-    t75 = t13*t63 + t13*t65
-    t76 = t15*t16*v1_2 - t16*t65
-    z1_3_by_chi = cos_omega1_tau1_by_chi*t61 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t66 + omega2_by_chi*t69 + p1_by_chi*t73 + p2_by_chi*t74 + sin_omega1_tau1_by_chi*t75 + sin_omega2_tau1_by_chi*t76 + t18*v1_2_by_chi + t19*z1_2_by_chi
-    t77 = p3*z1_2
-    t78 = t15*z2_2
-    t79 = t77 + t78
-    t80 = p1*z2_2
-    t81 = -t77 + t80
-    t82 = p3*v1_2
-    t83 = V*t15
-    t84 = -t64*t82 - t64*t83
-    t85 = V*p1
-    t86 = p3*sin_omega2_tau1*t67*v1_2 - t68*t85
-    t88 = V*t70 - t72*z2_2
-    t89 = t13*t82 + t13*t83
-    t90 = -t16*t82 + t16*t85
-    z2_3_by_chi = cos_omega1_tau1_by_chi*t79 + cos_omega2_tau1_by_chi*t81 + omega1_by_chi*t84 + omega2_by_chi*t86 + p1_by_chi*t88 + p3_by_chi*t73 + sin_omega1_tau1_by_chi*t89 + sin_omega2_tau1_by_chi*t90 + t22*v1_2_by_chi + t23*z1_2_by_chi
-    t91 = t63 + t65
-    t92 = t15*v1_2 - t65
-    t93 = -sin_omega1_tau1*t59 - sin_omega1_tau1*t60
-    t94 = t15*z1_2
-    t95 = sin_omega2_tau1*t60 - sin_omega2_tau1*t94
-    t96 = -omega2*sin_omega2_tau1 + t27
-    t98 = t72*v1_2 - t96*z1_2
-    t99 = V*t72 - t96*z2_2
-    t100 = -omega1*t59 - omega1*t60
-    t101 = omega2*t60 - omega2*t94
-    v1_3_by_chi = cos_omega1_tau1_by_chi*t91 + cos_omega2_tau1_by_chi*t92 + omega1_by_chi*t93 + omega2_by_chi*t95 + p1_by_chi*t98 + p2_by_chi*t99 + sin_omega1_tau1_by_chi*t100 + sin_omega2_tau1_by_chi*t101 + t19*v1_2_by_chi + t28*z1_2_by_chi
-    t102 = t82 + t83
-    t103 = -t82 + t85
-    t104 = -sin_omega1_tau1*t77 - sin_omega1_tau1*t78
-    t105 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t80
-    t106 = -V*t72 + t96*z2_2
-    t107 = -omega1*t77 - omega1*t78
-    t108 = omega2*p3*z1_2 - omega2*t80
-    v2_3_by_chi = cos_omega1_tau1_by_chi*t102 + cos_omega2_tau1_by_chi*t103 + omega1_by_chi*t104 + omega2_by_chi*t105 + p1_by_chi*t106 + p3_by_chi*t98 + sin_omega1_tau1_by_chi*t107 + sin_omega2_tau1_by_chi*t108 + t23*v1_2_by_chi + t33*z1_2_by_chi
+    t51 = cos_omega1_tau1 - cos_omega2_tau1
+    t52 = t13 - t15
+    t53 = V*t52 + t51*z2_2
+    t54 = t51*z1_2 + t52*v1_2
+    t55 = V*p2
+    t56 = 1/omega2**2
+    t57 = sin_omega2_tau1*t56
+    t58 = t55*t57 - t57*t9*v1_2
+    t59 = sin_omega1_tau1/omega1**2
+    t60 = p1*v1_2
+    t61 = -t55*t59 - t59*t60
+    t62 = p2*z2_2
+    t63 = p1*z1_2
+    t64 = t62 + t63
+    t65 = t12*t55 + t12*t60
+    t66 = -t62 + t9*z1_2
+    t67 = -t14*t55 + t14*t9*v1_2
+    z1_3_by_chi = cos_omega1_tau1_by_chi*t64 + cos_omega2_tau1_by_chi*t66 + omega1_by_chi*t61 + omega2_by_chi*t58 + p1_by_chi*t54 + p2_by_chi*t53 + sin_omega1_tau1_by_chi*t65 + sin_omega2_tau1_by_chi*t67 + t10*z1_2_by_chi + t16*v1_2_by_chi
+    t68 = -V*t52 - t51*z2_2
+    t69 = V*p1
+    t70 = p3*sin_omega2_tau1*t56*v1_2 - t57*t69
+    t71 = p3*v1_2
+    t72 = V*t9
+    t73 = -t59*t71 - t59*t72
+    t74 = p3*z1_2
+    t75 = t9*z2_2
+    t76 = t74 + t75
+    t77 = t12*t71 + t12*t72
+    t78 = p1*z2_2 - t74
+    t79 = t14*t69 - t14*t71
+    z2_3_by_chi = cos_omega1_tau1_by_chi*t76 + cos_omega2_tau1_by_chi*t78 + omega1_by_chi*t73 + omega2_by_chi*t70 + p1_by_chi*t68 + p3_by_chi*t54 + sin_omega1_tau1_by_chi*t77 + sin_omega2_tau1_by_chi*t79 + t18*z1_2_by_chi + t20*v1_2_by_chi
+    t80 = -t22 + t23
+    t81 = V*t51 + t80*z2_2
+    t82 = t51*v1_2 + t80*z1_2
+    t83 = t9*z1_2
+    t84 = sin_omega2_tau1*t62 - sin_omega2_tau1*t83
+    t85 = -sin_omega1_tau1*t62 - sin_omega1_tau1*t63
+    t86 = t55 + t60
+    t87 = -omega1*t62 - omega1*t63
+    t88 = -t55 + t9*v1_2
+    t89 = omega2*t62 - omega2*t83
+    v1_3_by_chi = cos_omega1_tau1_by_chi*t86 + cos_omega2_tau1_by_chi*t88 + omega1_by_chi*t85 + omega2_by_chi*t84 + p1_by_chi*t82 + p2_by_chi*t81 + sin_omega1_tau1_by_chi*t87 + sin_omega2_tau1_by_chi*t89 + t10*v1_2_by_chi + t24*z1_2_by_chi
+    t90 = -V*t51 - t80*z2_2
+    t91 = p1*z2_2
+    t92 = sin_omega2_tau1*t74 - sin_omega2_tau1*t91
+    t93 = -sin_omega1_tau1*t74 - sin_omega1_tau1*t75
+    t94 = t71 + t72
+    t95 = -omega1*t74 - omega1*t75
+    t96 = t69 - t71
+    t97 = omega2*t74 - omega2*t91
+    v2_3_by_chi = cos_omega1_tau1_by_chi*t94 + cos_omega2_tau1_by_chi*t96 + omega1_by_chi*t93 + omega2_by_chi*t92 + p1_by_chi*t90 + p3_by_chi*t82 + sin_omega1_tau1_by_chi*t95 + sin_omega2_tau1_by_chi*t97 + t18*v1_2_by_chi + t28*z1_2_by_chi
     # d/deta of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_eta = cos_omega1_tau1_by_eta*t61 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t66 + omega2_by_eta*t69 + p1_by_eta*t73 + p2_by_eta*t74 + sin_omega1_tau1_by_eta*t75 + sin_omega2_tau1_by_eta*t76
-    z2_3_by_eta = cos_omega1_tau1_by_eta*t79 + cos_omega2_tau1_by_eta*t81 + omega1_by_eta*t84 + omega2_by_eta*t86 + p1_by_eta*t88 + p3_by_eta*t73 + sin_omega1_tau1_by_eta*t89 + sin_omega2_tau1_by_eta*t90
-    v1_3_by_eta = cos_omega1_tau1_by_eta*t91 + cos_omega2_tau1_by_eta*t92 + omega1_by_eta*t93 + omega2_by_eta*t95 + p1_by_eta*t98 + p2_by_eta*t99 + sin_omega1_tau1_by_eta*t100 + sin_omega2_tau1_by_eta*t101
-    v2_3_by_eta = cos_omega1_tau1_by_eta*t102 + cos_omega2_tau1_by_eta*t103 + omega1_by_eta*t104 + omega2_by_eta*t105 + p1_by_eta*t106 + p3_by_eta*t98 + sin_omega1_tau1_by_eta*t107 + sin_omega2_tau1_by_eta*t108
+    z1_3_by_eta = cos_omega1_tau1_by_eta*t64 + cos_omega2_tau1_by_eta*t66 + omega1_by_eta*t61 + omega2_by_eta*t58 + p1_by_eta*t54 + p2_by_eta*t53 + sin_omega1_tau1_by_eta*t65 + sin_omega2_tau1_by_eta*t67
+    z2_3_by_eta = cos_omega1_tau1_by_eta*t76 + cos_omega2_tau1_by_eta*t78 + omega1_by_eta*t73 + omega2_by_eta*t70 + p1_by_eta*t68 + p3_by_eta*t54 + sin_omega1_tau1_by_eta*t77 + sin_omega2_tau1_by_eta*t79
+    v1_3_by_eta = cos_omega1_tau1_by_eta*t86 + cos_omega2_tau1_by_eta*t88 + omega1_by_eta*t85 + omega2_by_eta*t84 + p1_by_eta*t82 + p2_by_eta*t81 + sin_omega1_tau1_by_eta*t87 + sin_omega2_tau1_by_eta*t89
+    v2_3_by_eta = cos_omega1_tau1_by_eta*t94 + cos_omega2_tau1_by_eta*t96 + omega1_by_eta*t93 + omega2_by_eta*t92 + p1_by_eta*t90 + p3_by_eta*t82 + sin_omega1_tau1_by_eta*t95 + sin_omega2_tau1_by_eta*t97
     # d/dV of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_V = p2*t14 + t18*v1_2_by_V + t19*z1_2_by_V + t20*z2_2_by_V - t21
-    z2_3_by_V = t22*v1_2_by_V + t23*z1_2_by_V + t24*z2_2_by_V + t25
-    v1_3_by_V = t19*v1_2_by_V + t20 + t28*z1_2_by_V + t30*z2_2_by_V
-    v2_3_by_V = t23*v1_2_by_V + t24 + t33*z1_2_by_V - t34*z2_2_by_V
+    z1_3_by_V = t10*z1_2_by_V + t11*z2_2_by_V + t16*v1_2_by_V + t17
+    z2_3_by_V = t18*z1_2_by_V + t19*z2_2_by_V + t20*v1_2_by_V + t21
+    v1_3_by_V = t10*v1_2_by_V + t11 + t24*z1_2_by_V + t25*z2_2_by_V
+    v2_3_by_V = t18*v1_2_by_V + t19 + t28*z1_2_by_V - t29*z2_2_by_V
     # d/dchi of: functions of tau2 in stick-slip
-    t109 = omega3_by_chi*tau2
-    cos_omega3_tau2_by_chi = -sin_omega3_tau2*t109
-    sin_omega3_tau2_by_chi = cos_omega3_tau2*t109
+    t98 = omega3_by_chi*tau2
+    cos_omega3_tau2_by_chi = -sin_omega3_tau2*t98
+    sin_omega3_tau2_by_chi = cos_omega3_tau2*t98
     # d/deta of: functions of tau2 in stick-slip
-    t110 = omega3_by_eta*tau2
-    cos_omega3_tau2_by_eta = -sin_omega3_tau2*t110
-    sin_omega3_tau2_by_eta = cos_omega3_tau2*t110
+    t99 = omega3_by_eta*tau2
+    cos_omega3_tau2_by_eta = -sin_omega3_tau2*t99
+    sin_omega3_tau2_by_eta = cos_omega3_tau2*t99
     # d/dchi of: stick-slip for tau2, until second-reaches-belt
-    t111 = -z1_3 + z2_3
-    t112 = sin_omega3_tau2/omega3**2
-    t113 = V*t112 - t112*v2_3
-    t114 = -V*t42 + t42*v2_3
-    z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t111 + omega3_by_chi*t113 + sin_omega3_tau2_by_chi*t114 + t41*z1_3_by_chi + t43*v2_3_by_chi
-    t115 = -V + v2_3
-    t116 = t46 - t47
-    t117 = omega3*z1_3 - omega3*z2_3
-    v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t115 + omega3_by_chi*t116 + sin_omega3_tau2_by_chi*t117 + t52*z1_3_by_chi - t52*z2_3_by_chi
+    t100 = sin_omega3_tau2/omega3**2
+    t101 = V*t100 - t100*v2_3
+    t102 = -z1_3 + z2_3
+    t103 = -V*t34 + t34*v2_3
+    z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t102 + omega3_by_chi*t101 + sin_omega3_tau2_by_chi*t103 + t33*z1_3_by_chi + t35*v2_3_by_chi
+    t104 = t38 - t39
+    t105 = -V + v2_3
+    t106 = omega3*z1_3 - omega3*z2_3
+    v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t105 + omega3_by_chi*t104 + sin_omega3_tau2_by_chi*t106 + t44*z1_3_by_chi - t44*z2_3_by_chi
     # d/deta of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t111 + omega3_by_eta*t113 + sin_omega3_tau2_by_eta*t114 + t41*z1_3_by_eta + t43*v2_3_by_eta
-    v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t115 + omega3_by_eta*t116 + sin_omega3_tau2_by_eta*t117 + t52*z1_3_by_eta - t52*z2_3_by_eta
+    z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t102 + omega3_by_eta*t101 + sin_omega3_tau2_by_eta*t103 + t33*z1_3_by_eta + t35*v2_3_by_eta
+    v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t105 + omega3_by_eta*t104 + sin_omega3_tau2_by_eta*t106 + t44*z1_3_by_eta - t44*z2_3_by_eta
     # d/dV of: stick-slip for tau2, until second-reaches-belt
     z1_4_by_V = tau2 + z1_3_by_V
-    z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t41*z1_3_by_V + t43*v2_3_by_V + t44
-    v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t52*z1_3_by_V - t52*z2_3_by_V + 1
+    z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t33*z1_3_by_V + t35*v2_3_by_V + t36
+    v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t44*z1_3_by_V - t44*z2_3_by_V + 1
     parameter_jacobian = [[-z2_1, 0, -chi*ta + ta, -1, 0], [-chi*z1_2_by_chi - z1_2 + z2_2, 0, -chi*z1_2_by_V + chi*z2_2_by_V, 0, -1], [v1_3_by_chi, v1_3_by_eta, v1_3_by_V - 1, 0, 0], [v2_4_by_chi, v2_4_by_eta, v2_4_by_V - 1, 0, 0], [z1_3_by_chi, z1_3_by_eta, z1_4_by_V, 0, 0], [z2_4_by_chi, z2_4_by_eta, z2_4_by_V, 0, 0]]
     return residual, jacobian, parameter_jacobian
 
@@ -2245,7 +2240,7 @@ def global_stick_trace(parameters, spectrum, unknowns, spectrum_derivatives=None
         p2_by_eta, p3_by_chi, p3_by_eta, omega3_by_chi, omega3_by_eta, for trace_gradient.
     Gives trace.
     Gives trace_gradient (11).
-    Operations: 774. Intermediate terms: 175.
+    Operations: 758. Intermediate terms: 179.
     """
     [chi, eta, V, e1, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -2254,53 +2249,53 @@ def global_stick_trace(parameters, spectrum, unknowns, spectrum_derivatives=None
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
     # z2_1: linear in second-breaks-forward
-    t2 = V*tau
-    t3 = chi - 1
-    t4 = 1/t3
-    t5 = e1*t4
-    t6 = 1/chi
-    t7 = e2*t6
-    z2_1 = V*sin_tau - cos_tau*t5 - t2 - t4*t7
+    t0 = V*tau
+    t1 = chi - 1
+    t2 = 1/t1
+    t3 = e1*t2
+    t4 = 1/chi
+    t5 = e2*t4
+    z2_1 = V*sin_tau - cos_tau*t3 - t0 - t2*t5
     # slip-stick for tau
-    t8 = chi*z2_1
-    t9 = e1 + t8
-    t10 = chi*cos_tau
-    t11 = chi - t10
-    t12 = chi*sin_tau
-    z1_2 = V*sin_tau + V*(chi*tau - t12) + cos_tau*t9 + t11*z2_1
-    z2_2 = t2 + z2_1
-    v1_2 = V*cos_tau + V*t11 + sin_tau*t8 - sin_tau*t9
+    t6 = chi*z2_1
+    t7 = e1 + t6
+    t8 = chi*cos_tau
+    t9 = chi - t8
+    t10 = -chi*sin_tau + chi*tau
+    z1_2 = V*sin_tau + V*t10 + cos_tau*t7 + t9*z2_1
+    z2_2 = t0 + z2_1
+    v1_2 = V*cos_tau + V*t9 + sin_tau*t6 - sin_tau*t7
     # functions of tau1 in slip-slip
-    t13 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t13)
-    sin_omega1_tau1 = lib.sin(t13)
-    t16 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t16)
-    sin_omega2_tau1 = lib.sin(t16)
+    t11 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t11)
+    sin_omega1_tau1 = lib.sin(t11)
+    t12 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t12)
+    sin_omega2_tau1 = lib.sin(t12)
     # slip-slip for tau1
-    t19 = 1/omega1
-    t20 = sin_omega1_tau1*t19
-    t21 = 1 - p1
-    t22 = 1/omega2
-    t23 = sin_omega2_tau1*t22
-    t24 = p1*t20 + t21*t23
-    t25 = cos_omega1_tau1*p1 + cos_omega2_tau1*t21
-    t26 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t27 = p2*sin_omega1_tau1*t19 - p2*t23
-    z1_3 = V*t27 + t24*v1_2 + t25*z1_2 + t26*z2_2
-    t28 = p3*sin_omega1_tau1*t19 - p3*t23
-    t29 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t30 = cos_omega1_tau1*t21 + cos_omega2_tau1*p1
-    t31 = p1*t23 + t20*t21
-    z2_3 = V*t31 + t28*v1_2 + t29*z1_2 + t30*z2_2
-    t32 = omega2*sin_omega2_tau1
-    t33 = omega1*sin_omega1_tau1
-    t34 = -p1*t33 - t21*t32
-    t35 = omega2*p2*sin_omega2_tau1 - p2*t33
-    v1_3 = V*t26 + t25*v1_2 + t34*z1_2 + t35*z2_2
-    t36 = omega2*p3*sin_omega2_tau1 - p3*t33
-    t37 = -p1*t32 - t21*t33
-    v2_3 = V*t30 + t29*v1_2 + t36*z1_2 + t37*z2_2
+    t13 = 1 - p1
+    t14 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13
+    t15 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t16 = 1/omega1
+    t17 = sin_omega1_tau1*t16
+    t18 = 1/omega2
+    t19 = sin_omega2_tau1*t18
+    t20 = p1*t17 + t13*t19
+    t21 = p2*t17 - p2*t19
+    z1_3 = V*t21 + t14*z1_2 + t15*z2_2 + t20*v1_2
+    t22 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t23 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1
+    t24 = p3*t17 - p3*t19
+    t25 = p1*t19 + t13*t17
+    z2_3 = V*t25 + t22*z1_2 + t23*z2_2 + t24*v1_2
+    t26 = omega1*sin_omega1_tau1
+    t27 = omega2*sin_omega2_tau1
+    t28 = -p1*t26 - t13*t27
+    t29 = -p2*t26 + p2*t27
+    v1_3 = V*t15 + t14*v1_2 + t28*z1_2 + t29*z2_2
+    t30 = -p3*t26 + p3*t27
+    t31 = -p1*t27 - t13*t26
+    v2_3 = V*t23 + t22*v1_2 + t30*z1_2 + t31*z2_2
     # first return of tau2
     cosine_part_tau2 = -V + v2_3
     sine_part_tau2 = omega3*z1_3 - omega3*z2_3
@@ -2310,160 +2305,164 @@ def global_stick_trace(parameters, spectrum, unknowns, spectrum_derivatives=None
     cos_tau_by_tau = -sin_tau
     sin_tau_by_tau = cos_tau
     # d/dtau of: z2_1: linear in second-breaks-forward
-    t39 = -V*sin_tau_by_tau
-    t40 = cos_tau_by_tau*e1
-    z2_1_by_tau = -V - t39 - t4*t40
+    t32 = -V*sin_tau_by_tau
+    t33 = cos_tau_by_tau*e1
+    z2_1_by_tau = -V - t2*t33 - t32
     # d/dtau of: slip-stick for tau
-    t41 = V*chi
-    t42 = V - t41
-    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t42 + t40 + t41
+    t34 = V*chi
+    t35 = V - t34
+    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t35 + t33 + t34
     z2_2_by_tau = V + z2_1_by_tau
-    v1_2_by_tau = cos_tau_by_tau*t42 - e1*sin_tau_by_tau
+    v1_2_by_tau = cos_tau_by_tau*t35 - e1*sin_tau_by_tau
     # d/dtau of: slip-slip for tau1
-    z1_3_by_tau = t24*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau
-    z2_3_by_tau = t28*v1_2_by_tau + t29*z1_2_by_tau + t30*z2_2_by_tau
-    v1_3_by_tau = t25*v1_2_by_tau + t34*z1_2_by_tau + t35*z2_2_by_tau
-    v2_3_by_tau = t29*v1_2_by_tau + t36*z1_2_by_tau + t37*z2_2_by_tau
+    z1_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t20*v1_2_by_tau
+    z2_3_by_tau = t22*z1_2_by_tau + t23*z2_2_by_tau + t24*v1_2_by_tau
+    v1_3_by_tau = t14*v1_2_by_tau + t28*z1_2_by_tau + t29*z2_2_by_tau
+    v2_3_by_tau = t22*v1_2_by_tau + t30*z1_2_by_tau + t31*z2_2_by_tau
     # d/dtau1 of: slip-slip for tau1
-    t44 = chi*z2_3
-    v1_3_by_tau1 = t44 - z1_3
-    t45 = eta*z1_3
-    v2_3_by_tau1 = chi*t45 - eta*t44
+    t36 = chi*z2_3
+    v1_3_by_tau1 = t36 - z1_3
+    t37 = eta*z1_3
+    v2_3_by_tau1 = chi*t37 - eta*t36
     # d/dtau of: first return of tau2
     sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau
     # d/dtau1 of: first return of tau2
     sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3
     # d/dtau of: first return of tau2
-    t46 = 2*cosine_part_tau2
-    t47 = 2*sine_part_tau2
-    t48 = sine_part_tau2_by_tau*t47 + t46*v2_3_by_tau
-    t49 = 1/amplitude_tau2
-    t50 = t49/2
-    amplitude_tau2_by_tau = t48*t50
+    t38 = 2*cosine_part_tau2
+    t39 = 2*sine_part_tau2
+    t40 = sine_part_tau2_by_tau*t39 + t38*v2_3_by_tau
+    t41 = 1/amplitude_tau2
+    t42 = t41/2
+    amplitude_tau2_by_tau = t40*t42
     # d/dtau1 of: first return of tau2
-    t51 = sine_part_tau2_by_tau1*t47 + t46*v2_3_by_tau1
-    amplitude_tau2_by_tau1 = t50*t51
+    t43 = sine_part_tau2_by_tau1*t39 + t38*v2_3_by_tau1
+    amplitude_tau2_by_tau1 = t42*t43
     # trace
-    t53 = 1/z2_1_by_tau
-    t52 = 1/v1_3_by_tau1
-    t54 = 1/omega3
-    t55 = t4*t54
-    t60 = amplitude_tau2_by_tau1*v1_3_by_tau
-    t62 = amplitude_tau2_by_tau*t55 - t52*t55*t60
-    trace = t53*t62
+    t44 = 1/z2_1_by_tau
+    t45 = 1/omega3
+    t46 = t2*t45
+    t47 = 1/v1_3_by_tau1
+    t48 = amplitude_tau2_by_tau1*v1_3_by_tau
+    t49 = t47*t48
+    t50 = amplitude_tau2_by_tau*t2*t45 - t46*t49
+    trace = t44*t50
     if outputs == 1:
         return trace
     [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]] = spectrum_derivatives
     # back through: d/dtau1 of: first return of tau2
-    t56 = t53*t55
-    t57 = t52*t56
-    slope_by_amplitude_tau2_by_tau1 = -t57*v1_3_by_tau
+    t51 = t44*t46
+    t52 = t47*t51
+    slope_by_amplitude_tau2_by_tau1 = -t52*v1_3_by_tau
     # back through: d/dtau of: first return of tau2
-    slope_by_amplitude_tau2_by_tau = t56
+    slope_by_amplitude_tau2_by_tau = t51
     # back through: d/dtau1 of: first return of tau2
-    t58 = sine_part_tau2*t49
-    slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t58
+    t53 = sine_part_tau2*t41
+    slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t53
     # back through: d/dtau of: first return of tau2
-    slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t58
+    slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t53
     # back through: d/dtau1 of: slip-slip for tau1
-    t59 = cosine_part_tau2*t49
-    slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t59
-    slope_by_v1_3_by_tau1 = t56*t60/v1_3_by_tau1**2
+    t54 = cosine_part_tau2*t41
+    slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t54
+    slope_by_v1_3_by_tau1 = t48*t51/v1_3_by_tau1**2
     # back through: d/dtau of: slip-slip for tau1
-    slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t59
-    slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t57
-    t61 = omega3*slope_by_sine_part_tau2_by_tau
-    slope_by_z2_3_by_tau = -t61
-    slope_by_z1_3_by_tau = t61
+    slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t54
+    slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t52
+    t55 = omega3*slope_by_sine_part_tau2_by_tau
+    slope_by_z2_3_by_tau = -t55
+    slope_by_z1_3_by_tau = t55
     # back through: d/dtau of: slip-stick for tau
-    slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t25 + slope_by_v2_3_by_tau*t29 + slope_by_z1_3_by_tau*t24 + slope_by_z2_3_by_tau*t28
-    slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t35 + slope_by_v2_3_by_tau*t37 + slope_by_z1_3_by_tau*t26 + slope_by_z2_3_by_tau*t30
-    slope_by_z1_2_by_tau = slope_by_v1_3_by_tau*t34 + slope_by_v2_3_by_tau*t36 + slope_by_z1_3_by_tau*t25 + slope_by_z2_3_by_tau*t29
+    slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t14 + slope_by_v2_3_by_tau*t22 + slope_by_z1_3_by_tau*t20 + slope_by_z2_3_by_tau*t24
+    slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t29 + slope_by_v2_3_by_tau*t31 + slope_by_z1_3_by_tau*t15 + slope_by_z2_3_by_tau*t23
+    slope_by_z1_2_by_tau = slope_by_v1_3_by_tau*t28 + slope_by_v2_3_by_tau*t30 + slope_by_z1_3_by_tau*t14 + slope_by_z2_3_by_tau*t22
     # back through: d/dtau of: z2_1: linear in second-breaks-forward
-    slope_by_z2_1_by_tau = chi*slope_by_z1_2_by_tau + slope_by_z2_2_by_tau - t62/z2_1_by_tau**2
+    slope_by_z2_1_by_tau = chi*slope_by_z1_2_by_tau + slope_by_z2_2_by_tau - t50/z2_1_by_tau**2
     # back through: d/dtau of: functions of tau in slip-stick
-    slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t42
-    slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t42 - slope_by_z2_1_by_tau*t5
+    slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t35
+    slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t35 - slope_by_z2_1_by_tau*t3
     # back through: first return of tau2
-    t63 = 1/(2*amplitude_tau2**2)
-    slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t48*t63 - slope_by_amplitude_tau2_by_tau1*t51*t63
+    t56 = 1/(2*amplitude_tau2**2)
+    slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t40*t56 - slope_by_amplitude_tau2_by_tau1*t43*t56
     # back through: first return of tau2
-    t64 = slope_by_amplitude_tau2_by_tau*t49
-    t65 = slope_by_amplitude_tau2_by_tau1*t49
-    slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t64 + sine_part_tau2_by_tau1*t65 + slope_by_amplitude_tau2*t58
-    slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t59 + t64*v2_3_by_tau + t65*v2_3_by_tau1
+    t57 = slope_by_amplitude_tau2_by_tau*t41
+    t58 = slope_by_amplitude_tau2_by_tau1*t41
+    slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t57 + sine_part_tau2_by_tau1*t58 + slope_by_amplitude_tau2*t53
+    slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t54 + t57*v2_3_by_tau + t58*v2_3_by_tau1
     # back through: slip-slip for tau1
-    t67 = omega3*slope_by_sine_part_tau2_by_tau1
-    slope_by_v2_3 = slope_by_cosine_part_tau2 - t67
-    slope_by_v1_3 = t67
-    t68 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2
-    slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t68
-    slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t68
+    t59 = omega3*slope_by_sine_part_tau2_by_tau1
+    slope_by_v2_3 = slope_by_cosine_part_tau2 - t59
+    slope_by_v1_3 = t59
+    t60 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2
+    slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t60
+    slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t60
     # back through: functions of tau1 in slip-slip
-    t69 = p2*z2_2
-    t70 = t21*z1_2
-    t71 = p2*z2_2_by_tau
-    t72 = t21*z1_2_by_tau
-    t73 = p1*z2_2
-    t74 = p1*z2_2_by_tau
-    t75 = V*p2
-    t76 = V*p1
-    t77 = p3*v1_2
-    t78 = slope_by_z1_3_by_tau*v1_2_by_tau
-    t79 = t21*t78
-    t80 = p3*v1_2_by_tau
-    t81 = slope_by_z2_3_by_tau*t80
-    slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t69 - omega2*t70) + slope_by_v1_3_by_tau*(omega2*t71 - omega2*t72) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t73) + slope_by_v2_3_by_tau*(omega2*p3*z1_2_by_tau - omega2*t74) + slope_by_z1_3*(t21*t22*v1_2 - t22*t75) + slope_by_z2_3*(t22*t76 - t22*t77) + t22*t79 - t22*t81
-    t82 = p3*z1_2
-    t83 = p3*z1_2_by_tau
-    t84 = slope_by_v1_3_by_tau*v1_2_by_tau
-    t85 = slope_by_v2_3_by_tau*t80
-    slope_by_cos_omega2_tau1 = slope_by_v1_3*(t21*v1_2 - t75) + slope_by_v2_3*(t76 - t77) + slope_by_z1_3*(t21*z1_2 - t69) + slope_by_z1_3_by_tau*(t21*z1_2_by_tau - t71) + slope_by_z2_3*(t73 - t82) + slope_by_z2_3_by_tau*(t74 - t83) + t21*t84 - t85
-    t86 = p1*z1_2
-    t87 = p1*z1_2_by_tau
-    t88 = t21*z2_2
-    t89 = t21*z2_2_by_tau
-    t90 = p1*v1_2
-    t91 = V*t21
-    t92 = p1*t78
-    slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t69 - omega1*t86) + slope_by_v1_3_by_tau*(-omega1*t71 - omega1*t87) + slope_by_v2_3*(-omega1*t82 - omega1*t88) + slope_by_v2_3_by_tau*(-omega1*t83 - omega1*t89) + slope_by_z1_3*(t19*t75 + t19*t90) + slope_by_z2_3*(t19*t77 + t19*t91) + t19*t81 + t19*t92
-    slope_by_cos_omega1_tau1 = p1*t84 + slope_by_v1_3*(t75 + t90) + slope_by_v2_3*(t77 + t91) + slope_by_z1_3*(t69 + t86) + slope_by_z1_3_by_tau*(t71 + t87) + slope_by_z2_3*(t82 + t88) + slope_by_z2_3_by_tau*(t83 + t89) + t85
+    t61 = p3*z1_2_by_tau
+    t62 = p1*z2_2_by_tau
+    t63 = p2*z2_2_by_tau
+    t64 = t13*z1_2_by_tau
+    t65 = p3*z1_2
+    t66 = p1*z2_2
+    t67 = p2*z2_2
+    t68 = t13*z1_2
+    t69 = V*p1
+    t70 = p3*v1_2
+    t71 = V*p2
+    t72 = slope_by_z1_3_by_tau*v1_2_by_tau
+    t73 = t13*t72
+    t74 = p3*v1_2_by_tau
+    t75 = slope_by_z2_3_by_tau*t74
+    slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t67 - omega2*t68) + slope_by_v1_3_by_tau*(omega2*t63 - omega2*t64) + slope_by_v2_3*(omega2*t65 - omega2*t66) + slope_by_v2_3_by_tau*(omega2*t61 - omega2*t62) + slope_by_z1_3*(t13*t18*v1_2 - t18*t71) + slope_by_z2_3*(t18*t69 - t18*t70) + t18*t73 - t18*t75
+    t76 = slope_by_v1_3_by_tau*v1_2_by_tau
+    t77 = slope_by_v2_3_by_tau*t74
+    slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t71) + slope_by_v2_3*(t69 - t70) + slope_by_z1_3*(t13*z1_2 - t67) + slope_by_z1_3_by_tau*(t13*z1_2_by_tau - t63) + slope_by_z2_3*(p1*z2_2 - t65) + slope_by_z2_3_by_tau*(p1*z2_2_by_tau - t61) + t13*t76 - t77
+    t78 = t13*z2_2_by_tau
+    t79 = p1*z1_2_by_tau
+    t80 = t13*z2_2
+    t81 = p1*z1_2
+    t82 = V*t13
+    t83 = p1*v1_2
+    t84 = p1*t72
+    slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t67 - omega1*t81) + slope_by_v1_3_by_tau*(-omega1*t63 - omega1*t79) + slope_by_v2_3*(-omega1*t65 - omega1*t80) + slope_by_v2_3_by_tau*(-omega1*t61 - omega1*t78) + slope_by_z1_3*(t16*t71 + t16*t83) + slope_by_z2_3*(t16*t70 + t16*t82) + t16*t75 + t16*t84
+    slope_by_cos_omega1_tau1 = p1*t76 + slope_by_v1_3*(t71 + t83) + slope_by_v2_3*(t70 + t82) + slope_by_z1_3*(t67 + t81) + slope_by_z1_3_by_tau*(t63 + t79) + slope_by_z2_3*(t65 + t80) + slope_by_z2_3_by_tau*(t61 + t78) + t77
     # back through: slip-stick for tau
-    slope_by_v1_2 = slope_by_v1_3*t25 + slope_by_v2_3*t29 + slope_by_z1_3*t24 + slope_by_z2_3*t28
-    slope_by_z2_2 = slope_by_v1_3*t35 + slope_by_v2_3*t37 + slope_by_z1_3*t26 + slope_by_z2_3*t30
-    slope_by_z1_2 = slope_by_v1_3*t34 + slope_by_v2_3*t36 + slope_by_z1_3*t25 + slope_by_z2_3*t29
+    slope_by_v1_2 = slope_by_v1_3*t14 + slope_by_v2_3*t22 + slope_by_z1_3*t20 + slope_by_z2_3*t24
+    slope_by_z2_2 = slope_by_v1_3*t29 + slope_by_v2_3*t31 + slope_by_z1_3*t15 + slope_by_z2_3*t23
+    slope_by_z1_2 = slope_by_v1_3*t28 + slope_by_v2_3*t30 + slope_by_z1_3*t14 + slope_by_z2_3*t22
     # back through: z2_1: linear in second-breaks-forward
     slope_by_z2_1 = chi*slope_by_z1_2 + slope_by_z2_2
     # back through: functions of tau in slip-stick
-    t93 = V*slope_by_z2_1
-    slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t42 + t93
-    slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t42 - slope_by_z2_1*t5
+    t85 = V*slope_by_z2_1
+    slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t35 + t85
+    slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t35 - slope_by_z2_1*t3
     # trace_gradient
-    t94 = sin_omega2_tau1*slope_by_cos_omega2_tau1
-    t95 = sin_omega1_tau1*slope_by_cos_omega1_tau1
-    t96 = sin_omega1_tau1/omega1**2
-    t97 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_v1_3*(-sin_omega1_tau1*t69 - sin_omega1_tau1*t86) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t71 - sin_omega1_tau1*t87) + slope_by_v2_3*(-sin_omega1_tau1*t82 - sin_omega1_tau1*t88) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t83 - sin_omega1_tau1*t89) + slope_by_z1_3*(-t75*t96 - t90*t96) + slope_by_z2_3*(-t77*t96 - t91*t96) - t81*t96 - t92*t96 - t95*tau1
-    t98 = 1/omega2**2
-    t99 = sin_omega2_tau1*t98
-    t100 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_v1_3*(sin_omega2_tau1*t69 - sin_omega2_tau1*t70) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t71 - sin_omega2_tau1*t72) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t73) + slope_by_v2_3_by_tau*(p3*sin_omega2_tau1*z1_2_by_tau - sin_omega2_tau1*t74) + slope_by_z1_3*(-t21*t99*v1_2 + t75*t99) + slope_by_z2_3*(p3*sin_omega2_tau1*t98*v1_2 - t76*t99) - t79*t99 + t81*t99 - t94*tau1
-    t101 = 1/omega3**2
-    t102 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t53*(-amplitude_tau2_by_tau*t101*t4 + amplitude_tau2_by_tau1*t101*t4*t52*v1_3_by_tau)
-    t103 = cos_omega1_tau1 - cos_omega2_tau1
-    t104 = -omega2*sin_omega2_tau1 + t33
-    t106 = t103*v1_2 - t104*z1_2
-    t107 = t103*v1_2_by_tau - t104*z1_2_by_tau
-    t109 = -sin_omega1_tau1*t19 + t23
-    t111 = t103*z1_2 - t109*v1_2
-    t112 = t103*z1_2_by_tau - t109*v1_2_by_tau
-    t113 = slope_by_v1_3*t106 + slope_by_v1_3_by_tau*t107 + slope_by_v2_3*(-V*t103 + t104*z2_2) + slope_by_v2_3_by_tau*t104*z2_2_by_tau + slope_by_z1_3*t111 + slope_by_z1_3_by_tau*t112 + slope_by_z2_3*(V*t109 - t103*z2_2) - slope_by_z2_3_by_tau*t103*z2_2_by_tau
-    t114 = slope_by_v1_3*(V*t103 - t104*z2_2) - slope_by_v1_3_by_tau*t104*z2_2_by_tau + slope_by_z1_3*(-V*t109 + t103*z2_2) + slope_by_z1_3_by_tau*t103*z2_2_by_tau
-    t115 = slope_by_v2_3*t106 + slope_by_v2_3_by_tau*t107 + slope_by_z2_3*t111 + slope_by_z2_3_by_tau*t112
-    t116 = 1 - cos_tau
-    t117 = sin_tau - tau
-    t118 = 1/t3**2
-    t119 = cos_tau_by_tau*slope_by_v1_2_by_tau
-    t121 = slope_by_z2_1*t4
-    trace_gradient = [0, 0, 0, V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t93, cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t95 - omega2*t94, 0, V*slope_by_v1_2*t116 - V*t119 + omega1_by_chi*t97 + omega2_by_chi*t100 + omega3_by_chi*t102 + p1_by_chi*t113 + p2_by_chi*t114 + p3_by_chi*t115 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t45) + slope_by_z1_2*(-V*t117 + cos_tau*z2_1 + t116*z2_1) + slope_by_z1_2_by_tau*(t39 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t118 + t118*t7 + e2*t4/chi**2) + slope_by_z2_1_by_tau*t118*t40 + t53*(-amplitude_tau2_by_tau*t118*t54 + amplitude_tau2_by_tau1*t118*t52*t54*v1_3_by_tau), omega1_by_eta*t97 + omega2_by_eta*t100 + omega3_by_eta*t102 + p1_by_eta*t113 + p2_by_eta*t114 + p3_by_eta*t115 + slope_by_v2_3_by_tau1*(chi*z1_3 - t44), -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t10) + slope_by_v1_3*t26 + slope_by_v2_3*t30 + slope_by_z1_2*(chi*tau + sin_tau - t12) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t3) + slope_by_z1_3*t27 + slope_by_z2_1*t117 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t31 - t119*t3, cos_tau*slope_by_z1_2 - cos_tau*t121 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t4 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau, -t121*t6]
+    t86 = cos_omega2_tau1*slope_by_sin_omega2_tau1
+    t87 = cos_omega1_tau1*slope_by_sin_omega1_tau1
+    t88 = sin_omega2_tau1*slope_by_cos_omega2_tau1
+    t89 = sin_omega1_tau1*slope_by_cos_omega1_tau1
+    t90 = t2/omega3**2
+    t91 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t44*(-amplitude_tau2_by_tau*t90 + t49*t90)
+    t92 = -t26 + t27
+    t93 = cos_omega1_tau1 - cos_omega2_tau1
+    t94 = t92*z1_2_by_tau + t93*v1_2_by_tau
+    t95 = t17 - t19
+    t96 = t93*z1_2_by_tau + t95*v1_2_by_tau
+    t97 = t92*z1_2 + t93*v1_2
+    t98 = t93*z1_2 + t95*v1_2
+    t99 = slope_by_v2_3*t97 + slope_by_v2_3_by_tau*t94 + slope_by_z2_3*t98 + slope_by_z2_3_by_tau*t96
+    t100 = slope_by_v1_3*(V*t93 + t92*z2_2) + slope_by_v1_3_by_tau*t92*z2_2_by_tau + slope_by_z1_3*(V*t95 + t93*z2_2) + slope_by_z1_3_by_tau*t93*z2_2_by_tau
+    t101 = slope_by_v1_3*t97 + slope_by_v1_3_by_tau*t94 + slope_by_v2_3*(-V*t93 - t92*z2_2) - slope_by_v2_3_by_tau*t92*z2_2_by_tau + slope_by_z1_3*t98 + slope_by_z1_3_by_tau*t96 + slope_by_z2_3*(-V*t95 - t93*z2_2) - slope_by_z2_3_by_tau*t93*z2_2_by_tau
+    t102 = 1/omega2**2
+    t103 = sin_omega2_tau1*t102
+    t104 = slope_by_v1_3*(sin_omega2_tau1*t67 - sin_omega2_tau1*t68) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t63 - sin_omega2_tau1*t64) + slope_by_v2_3*(sin_omega2_tau1*t65 - sin_omega2_tau1*t66) + slope_by_v2_3_by_tau*(sin_omega2_tau1*t61 - sin_omega2_tau1*t62) + slope_by_z1_3*(-t103*t13*v1_2 + t103*t71) + slope_by_z2_3*(p3*sin_omega2_tau1*t102*v1_2 - t103*t69) - t103*t73 + t103*t75 + t86*tau1 - t88*tau1
+    t105 = sin_omega1_tau1/omega1**2
+    t106 = slope_by_v1_3*(-sin_omega1_tau1*t67 - sin_omega1_tau1*t81) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t63 - sin_omega1_tau1*t79) + slope_by_v2_3*(-sin_omega1_tau1*t65 - sin_omega1_tau1*t80) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t61 - sin_omega1_tau1*t78) + slope_by_z1_3*(-t105*t71 - t105*t83) + slope_by_z2_3*(-t105*t70 - t105*t82) - t105*t75 - t105*t84 + t87*tau1 - t89*tau1
+    t107 = 1 - cos_tau
+    t108 = -sin_tau + tau
+    t109 = 1/t1**2
+    t110 = t109*t45
+    t111 = cos_tau_by_tau*slope_by_v1_2_by_tau
+    t112 = slope_by_z2_1*t2
+    trace_gradient = [0, 0, 0, V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t85, omega1*t87 - omega1*t89 + omega2*t86 - omega2*t88, 0, V*slope_by_v1_2*t107 - V*t111 + omega1_by_chi*t106 + omega2_by_chi*t104 + omega3_by_chi*t91 + p1_by_chi*t101 + p2_by_chi*t100 + p3_by_chi*t99 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t37) + slope_by_z1_2*(V*t108 + cos_tau*z2_1 + t107*z2_1) + slope_by_z1_2_by_tau*(t32 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t109 + t109*t5 + e2*t2/chi**2) + slope_by_z2_1_by_tau*t109*t33 + t44*(-amplitude_tau2_by_tau*t110 + t110*t49), omega1_by_eta*t106 + omega2_by_eta*t104 + omega3_by_eta*t91 + p1_by_eta*t101 + p2_by_eta*t100 + p3_by_eta*t99 + slope_by_v2_3_by_tau1*(chi*z1_3 - t36), -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t8) + slope_by_v1_3*t15 + slope_by_v2_3*t23 + slope_by_z1_2*(sin_tau + t10) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t1) + slope_by_z1_3*t21 - slope_by_z2_1*t108 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t25 - t1*t111, cos_tau*slope_by_z1_2 - cos_tau*t112 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t2 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau, -t112*t4]
     return trace, trace_gradient
 
 
@@ -2478,7 +2477,7 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives states (5, 4).
     Gives coefficients (44).
     Gives frequencies (4).
-    Operations: 190. Intermediate terms: 51.
+    Operations: 185. Intermediate terms: 52.
     """
     [chi, _, V, e1, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -2504,16 +2503,16 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     cos_omega2_tau1 = lib.cos(t4)
     sin_omega2_tau1 = lib.sin(t4)
     # slip-slip for tau1, until first-reaches-belt
-    t5 = 1/omega1
-    t6 = sin_omega1_tau1*t5
-    t7 = 1 - p1
-    t8 = sin_omega2_tau1/omega2
-    z1_3 = V*(p2*sin_omega1_tau1*t5 - p2*t8) + v1_2*(p1*t6 + t7*t8) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t7) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2)
-    t9 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t10 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1
-    z2_3 = V*(p1*t8 + t6*t7) + t10*z2_2 + t9*z1_2 + v1_2*(p3*sin_omega1_tau1*t5 - p3*t8)
+    t5 = 1 - p1
+    t6 = sin_omega1_tau1/omega1
+    t7 = sin_omega2_tau1/omega2
+    z1_3 = V*(p2*t6 - p2*t7) + v1_2*(p1*t6 + t5*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t5) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2)
+    t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t9 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1
+    z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*t6 - p3*t7)
+    t10 = omega2*sin_omega2_tau1
     t11 = omega1*sin_omega1_tau1
-    v2_3 = V*t10 + t9*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t11) + z2_2*(-omega2*p1*sin_omega2_tau1 - t11*t7)
+    v2_3 = V*t9 + t8*v1_2 + z1_2*(p3*t10 - p3*t11) + z2_2*(-p1*t10 - t11*t5)
     # functions of tau2 in stick-slip
     t12 = omega3*tau2
     cos_omega3_tau2 = lib.cos(t12)
@@ -2528,24 +2527,25 @@ def global_stick_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
         return states
     # coefficients
     t15 = chi*z20
-    t17 = V*chi
-    t18 = -V + t17
-    t21 = chi*z10
-    t22 = chi*z2_1
-    t23 = t22 - z1_1
-    t24 = chi**2
-    t25 = t24*z2_1
-    t26 = V*t24 - t17
-    t27 = -chi*t23
-    t28 = -chi*t18
-    t29 = V*p2
-    t30 = omega1*z1_2
-    t31 = p2*z2_2
-    t32 = p3*v1_2
-    t33 = chi*z1_3
-    t34 = chi*(-z1_3 + z2_3)
-    t35 = chi*(-V*t13 + t13*v2_3)
-    coefficients = [-e1 - t15 + z10, -t18, -e1 + t15 - z10, t18, -e2 + t15 - t21, 0, -e2 - t15 + t21, 0, t18, 0, -t18, t23, -e2 + t22 - t25, -t26, -t27, -t28, -e2 - t22 + t25, t26, t27, t28, -V, 0, p1*v1_2 + t29, -t29 + t7*v1_2, -omega1*t31 - p1*t30, omega2*t31 - omega2*t7*z1_2, -V, 0, V*t7 + t32, V*p1 - t32, -omega1*t7*z2_2 - p3*t30, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t33 + z1_3, -t18, -t34, -t35, -e1 + t33 - z1_3, t18, t34, t35, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3]
+    t16 = V*chi
+    t17 = -V + t16
+    t18 = chi*z10
+    t19 = chi*z2_1
+    t20 = t19 - z1_1
+    t21 = chi**2
+    t22 = t21*z2_1
+    t23 = V*t21 - t16
+    t24 = -chi*t20
+    t25 = -chi*t17
+    t26 = V*p2
+    t27 = p2*z2_2
+    t28 = omega1*z1_2
+    t29 = omega2*z1_2
+    t30 = p3*v1_2
+    t31 = chi*z1_3
+    t32 = chi*(-z1_3 + z2_3)
+    t33 = chi*(-V*t13 + t13*v2_3)
+    coefficients = [-e1 - t15 + z10, -t17, -e1 + t15 - z10, t17, -e2 + t15 - t18, 0, -e2 - t15 + t18, 0, t17, 0, -t17, t20, -e2 + t19 - t22, -t23, -t24, -t25, -e2 - t19 + t22, t23, t24, t25, -V, 0, p1*v1_2 + t26, -t26 + t5*v1_2, -omega1*t27 - p1*t28, omega2*t27 - t29*t5, -V, 0, V*t5 + t30, V*p1 - t30, -omega1*t5*z2_2 - p3*t28, -omega2*p1*z2_2 + p3*t29, -e1 - t31 + z1_3, -t17, -t32, -t33, -e1 + t31 - z1_3, t17, t32, t33, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3]
     if outputs == 2:
         return states, coefficients
     frequencies = [1, omega1, omega2, omega3]
@@ -2562,7 +2562,7 @@ def global_stick_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3
     Gives poincare_jacobian (2, 2).
     Gives saltations (16, 4).
     Gives monodromy (4, 4).
-    Operations: 508. Intermediate terms: 185.
+    Operations: 499. Intermediate terms: 184.
     """
     [chi, eta, V, _, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -2578,65 +2578,64 @@ def global_stick_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3
     t1 = chi*cos_tau
     t2 = chi - t1
     t3 = chi*sin_tau
-    z1_2 = V*sin_tau + V*(chi*tau - t3) + cos_tau*z1_1 + t2*z2_1
+    t4 = chi*tau - t3
+    z1_2 = V*sin_tau + V*t4 + cos_tau*z1_1 + t2*z2_1
     z2_2 = V*tau + z2_1
     v1_2 = V*cos_tau + V*t2 - sin_tau*z1_1 + t3*z2_1
     # functions of tau1 in slip-slip
-    t4 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t4)
-    sin_omega1_tau1 = lib.sin(t4)
-    t5 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t5)
-    sin_omega2_tau1 = lib.sin(t5)
+    t5 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t5)
+    sin_omega1_tau1 = lib.sin(t5)
+    t6 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t6)
+    sin_omega2_tau1 = lib.sin(t6)
     # slip-slip for tau1, until first-reaches-belt
-    t6 = 1/omega1
-    t7 = sin_omega1_tau1*t6
-    t8 = 1 - p1
-    t9 = sin_omega2_tau1/omega2
-    t10 = p1*t7 + t8*t9
-    t11 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8
-    t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t13 = p2*sin_omega1_tau1*t6 - p2*t9
-    z1_3 = V*t13 + t10*v1_2 + t11*z1_2 + t12*z2_2
-    t14 = p3*sin_omega1_tau1*t6 - p3*t9
-    t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1
-    t17 = p1*t9 + t7*t8
-    z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2
-    t18 = omega2*sin_omega2_tau1
-    t19 = omega1*sin_omega1_tau1
-    t20 = -p1*t19 - t18*t8
-    t21 = p2*t19
-    t22 = omega2*p2*sin_omega2_tau1 - t21
-    v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2
-    t23 = omega2*p3*sin_omega2_tau1 - p3*t19
-    t24 = p1*t18
-    t25 = t19*t8
-    t26 = -t24 - t25
-    v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t26*z2_2
+    t7 = 1 - p1
+    t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7
+    t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t10 = sin_omega1_tau1/omega1
+    t11 = sin_omega2_tau1/omega2
+    t12 = p1*t10 + t11*t7
+    t13 = p2*t10 - p2*t11
+    z1_3 = V*t13 + t12*v1_2 + t8*z1_2 + t9*z2_2
+    t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t15 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1
+    t16 = p3*t10 - p3*t11
+    t17 = p1*t11 + t10*t7
+    z2_3 = V*t17 + t14*z1_2 + t15*z2_2 + t16*v1_2
+    t18 = omega1*sin_omega1_tau1
+    t19 = omega2*sin_omega2_tau1
+    t20 = -p1*t18 - t19*t7
+    t21 = -p2*t18 + p2*t19
+    v1_3 = V*t9 + t20*z1_2 + t21*z2_2 + t8*v1_2
+    t22 = -p3*t18 + p3*t19
+    t23 = p1*t19
+    t24 = t18*t7
+    t25 = -t23 - t24
+    v2_3 = V*t15 + t14*v1_2 + t22*z1_2 + t25*z2_2
     # functions of tau2 in stick-slip
-    t27 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t27)
-    sin_omega3_tau2 = lib.sin(t27)
+    t26 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t26)
+    sin_omega3_tau2 = lib.sin(t26)
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
-    t28 = 1 - cos_omega3_tau2
-    t29 = sin_omega3_tau2/omega3
-    z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3
-    t30 = omega3*sin_omega3_tau2
-    v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3
+    t27 = 1 - cos_omega3_tau2
+    t28 = sin_omega3_tau2/omega3
+    z2_4 = V*(-t28 + tau2) + cos_omega3_tau2*z2_3 + t27*z1_3 + t28*v2_3
+    t29 = omega3*sin_omega3_tau2
+    v2_4 = V*t27 + cos_omega3_tau2*v2_3 + t29*z1_3 - t29*z2_3
     # rate of the exit boundary after ta
-    t31 = V*chi
-    rate_1 = V - t31
+    t30 = V*chi
+    rate_1 = V - t30
     # derivatives of the time to the boundary after ta
-    t33 = 1/rate_1
-    delay_ta_by_z10 = -t33
-    delay_ta_by_z20 = chi*t33
+    t31 = 1/rate_1
+    delay_ta_by_z10 = -t31
+    delay_ta_by_z20 = chi*t31
     # perturbation on the boundary after ta
-    t34 = V*delay_ta_by_z10
-    z1_1_on_boundary_by_z10 = t34 + 1
+    t32 = V*delay_ta_by_z10
+    z1_1_on_boundary_by_z10 = t32 + 1
     z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
-    z2_1_on_boundary_by_z10 = t34
+    z2_1_on_boundary_by_z10 = t32
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
     carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10
@@ -2644,56 +2643,56 @@ def global_stick_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3
     carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
-    rate_2 = -chi*v1_2 + t31
+    rate_2 = -chi*v1_2 + t30
     # derivatives of the time to the boundary after tau
-    t37 = 1/rate_2
-    delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    t33 = 1/rate_2
+    delay_tau_by_z10 = t33*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
     # perturbation on the boundary after tau
     z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
     z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
     z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
     z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
-    t38 = chi*z2_2
-    t39 = t38 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39
+    t34 = chi*z2_2
+    t35 = t34 - z1_2
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t35
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t35
     # Phi along tau1
-    carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10
-    carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20
-    carried_z2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10
-    carried_z2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20
-    carried_v1_3_by_z10 = t11*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10
-    carried_v1_3_by_z20 = t11*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20
-    carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10
-    carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20
+    carried_z1_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t8*z1_2_on_boundary_by_z10 + t9*z2_2_on_boundary_by_z10
+    carried_z1_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t8*z1_2_on_boundary_by_z20 + t9*z2_2_on_boundary_by_z20
+    carried_z2_3_by_z10 = t14*z1_2_on_boundary_by_z10 + t15*z2_2_on_boundary_by_z10 + t16*v1_2_on_boundary_by_z10
+    carried_z2_3_by_z20 = t14*z1_2_on_boundary_by_z20 + t15*z2_2_on_boundary_by_z20 + t16*v1_2_on_boundary_by_z20
+    carried_v1_3_by_z10 = t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10
+    carried_v1_3_by_z20 = t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20
+    carried_v2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t25*z2_2_on_boundary_by_z10
+    carried_v2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t25*z2_2_on_boundary_by_z20
     # rate of the exit boundary after tau1
-    t40 = chi*z2_3
-    rate_3 = t40 - z1_3
+    t36 = chi*z2_3
+    rate_3 = t36 - z1_3
     # derivatives of the time to the boundary after tau1
-    t42 = 1/rate_3
-    delay_tau1_by_z10 = -carried_v1_3_by_z10*t42
-    delay_tau1_by_z20 = -carried_v1_3_by_z20*t42
+    t37 = 1/rate_3
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t37
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t37
     # perturbation on the boundary after tau1
     z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
     z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
     z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
     z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
-    t43 = chi*eta
-    t44 = -eta*t40 + t43*z1_3
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44
+    t38 = chi*eta
+    t39 = -eta*t36 + t38*z1_3
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t39
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t39
     # Phi along tau2
-    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10
-    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20
-    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20
+    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 + t28*v2_3_on_boundary_by_z10
+    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20
+    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t29*z1_3_on_boundary_by_z10 - t29*z2_3_on_boundary_by_z10
+    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t29*z1_3_on_boundary_by_z20 - t29*z2_3_on_boundary_by_z20
     # rate of the exit boundary after tau2
-    rate_4 = t43*z1_4 - t43*z2_4
+    rate_4 = t38*z1_4 - t38*z2_4
     # derivatives of the time to the boundary after tau2
-    t46 = 1/rate_4
-    delay_tau2_by_z10 = -carried_v2_4_by_z10*t46
-    delay_tau2_by_z20 = -carried_v2_4_by_z20*t46
+    t40 = 1/rate_4
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t40
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t40
     # perturbation on the boundary after tau2
     z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
     z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20
@@ -2705,93 +2704,93 @@ def global_stick_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3
     # vector fields at transition 1
     behind_v1_1 = chi*z2_1 - z1_1
     # vector fields at transition 2
-    before_v1_2 = t39
-    behind_v1_2 = t39
-    behind_v2_2 = -eta*t38 + t43*z1_2
+    before_v1_2 = t35
+    behind_v1_2 = t35
+    behind_v2_2 = -eta*t34 + t38*z1_2
     # vector fields at transition 3
     before_v1_3 = rate_3
-    before_v2_3 = t44
-    behind_v2_3 = t44
+    before_v2_3 = t39
+    behind_v2_3 = t39
     # vector fields at transition 4
     before_v2_4 = rate_4
     # saltations
-    t47 = behind_v1_1/rate_1
-    t48 = chi*t47
-    t51 = chi/rate_2
-    t52 = t51*(-before_v1_2 + behind_v1_2)
-    t53 = behind_v2_2*t51
-    t55 = 1/before_v1_3
-    t56 = t55*(V - v1_3)
-    t57 = t55*(-before_v2_3 + behind_v2_3)
-    t58 = (V - v2_4)/before_v2_4
-    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t47, -t48, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t52, t52, 1, 0], [-t53, t53, 0, 1], [1, 0, t56, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t57, 1], [1, 0, 0, 0], [0, 1, 0, t58], [0, 0, 1, 0], [0, 0, 0, 0]]
+    t41 = behind_v1_1/rate_1
+    t42 = chi*t41
+    t43 = chi/rate_2
+    t44 = t43*(-before_v1_2 + behind_v1_2)
+    t45 = behind_v2_2*t43
+    t46 = 1/before_v1_3
+    t47 = t46*(V - v1_3)
+    t48 = t46*(-before_v2_3 + behind_v2_3)
+    t49 = (V - v2_4)/before_v2_4
+    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t41, -t42, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t44, t44, 1, 0], [-t45, t45, 0, 1], [1, 0, t47, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t48, 1], [1, 0, 0, 0], [0, 1, 0, t49], [0, 0, 1, 0], [0, 0, 0, 0]]
     if outputs == 2:
         return poincare_jacobian, saltations
     # saltation of phase 1
-    saltation_1_20 = t47
-    saltation_1_21 = -t48
-    saltation_1_22 = t47*ta + 1
-    saltation_1_23 = -t48*ta
+    saltation_1_20 = t41
+    saltation_1_21 = -t42
+    saltation_1_22 = t41*ta + 1
+    saltation_1_23 = -t42*ta
     # Phi of phase 2
     phi_2_00 = cos_tau + saltation_1_20*sin_tau
     t50 = chi - t1
     phi_2_01 = saltation_1_21*sin_tau + t50
     phi_2_02 = cos_tau*ta + saltation_1_22*sin_tau
-    phi_2_03 = chi*tau + saltation_1_23*sin_tau + t2*ta - t3
+    phi_2_03 = saltation_1_23*sin_tau + t2*ta + t4
     phi_2_13 = ta + tau
     phi_2_20 = cos_tau*saltation_1_20 - sin_tau
     phi_2_21 = cos_tau*saltation_1_21 + t3
     phi_2_22 = cos_tau*saltation_1_22 - sin_tau*ta
     phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t50
     # saltation of phase 2
-    saltation_2_20 = -phi_2_00*t52 + phi_2_20
-    saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52
-    saltation_2_22 = -phi_2_02*t52 + phi_2_22
-    saltation_2_23 = -phi_2_03*t52 + phi_2_13*t52 + phi_2_23
-    saltation_2_30 = -phi_2_00*t53
-    saltation_2_31 = -phi_2_01*t53 + t53
-    saltation_2_32 = -phi_2_02*t53
-    saltation_2_33 = -phi_2_03*t53 + phi_2_13*t53 + 1
+    saltation_2_20 = -phi_2_00*t44 + phi_2_20
+    saltation_2_21 = -phi_2_01*t44 + phi_2_21 + t44
+    saltation_2_22 = -phi_2_02*t44 + phi_2_22
+    saltation_2_23 = -phi_2_03*t44 + phi_2_13*t44 + phi_2_23
+    saltation_2_30 = -phi_2_00*t45
+    saltation_2_31 = -phi_2_01*t45 + t45
+    saltation_2_32 = -phi_2_02*t45
+    saltation_2_33 = -phi_2_03*t45 + phi_2_13*t45 + 1
     # Phi of phase 3
-    phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13
-    phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12
-    phi_3_02 = phi_2_02*t11 + saltation_2_22*t10 + saltation_2_32*t13
-    phi_3_03 = phi_2_03*t11 + phi_2_13*t12 + saltation_2_23*t10 + saltation_2_33*t13
-    phi_3_10 = phi_2_00*t15 + saltation_2_20*t14 + saltation_2_30*t17
-    phi_3_11 = phi_2_01*t15 + saltation_2_21*t14 + saltation_2_31*t17 + t16
-    phi_3_12 = phi_2_02*t15 + saltation_2_22*t14 + saltation_2_32*t17
-    phi_3_13 = phi_2_03*t15 + phi_2_13*t16 + saltation_2_23*t14 + saltation_2_33*t17
-    phi_3_20 = phi_2_00*t20 + saltation_2_20*t11 + saltation_2_30*t12
-    phi_3_21 = p2*t18 + phi_2_01*t20 + saltation_2_21*t11 + saltation_2_31*t12 - t21
-    phi_3_22 = phi_2_02*t20 + saltation_2_22*t11 + saltation_2_32*t12
-    phi_3_23 = phi_2_03*t20 + phi_2_13*t22 + saltation_2_23*t11 + saltation_2_33*t12
-    phi_3_30 = phi_2_00*t23 + saltation_2_20*t15 + saltation_2_30*t16
-    phi_3_31 = phi_2_01*t23 + saltation_2_21*t15 + saltation_2_31*t16 - t24 - t25
-    phi_3_32 = phi_2_02*t23 + saltation_2_22*t15 + saltation_2_32*t16
-    phi_3_33 = phi_2_03*t23 + phi_2_13*t26 + saltation_2_23*t15 + saltation_2_33*t16
+    phi_3_00 = phi_2_00*t8 + saltation_2_20*t12 + saltation_2_30*t13
+    phi_3_01 = phi_2_01*t8 + saltation_2_21*t12 + saltation_2_31*t13 + t9
+    phi_3_02 = phi_2_02*t8 + saltation_2_22*t12 + saltation_2_32*t13
+    phi_3_03 = phi_2_03*t8 + phi_2_13*t9 + saltation_2_23*t12 + saltation_2_33*t13
+    phi_3_10 = phi_2_00*t14 + saltation_2_20*t16 + saltation_2_30*t17
+    phi_3_11 = phi_2_01*t14 + saltation_2_21*t16 + saltation_2_31*t17 + t15
+    phi_3_12 = phi_2_02*t14 + saltation_2_22*t16 + saltation_2_32*t17
+    phi_3_13 = phi_2_03*t14 + phi_2_13*t15 + saltation_2_23*t16 + saltation_2_33*t17
+    phi_3_20 = phi_2_00*t20 + saltation_2_20*t8 + saltation_2_30*t9
+    phi_3_21 = phi_2_01*t20 + saltation_2_21*t8 + saltation_2_31*t9 + t21
+    phi_3_22 = phi_2_02*t20 + saltation_2_22*t8 + saltation_2_32*t9
+    phi_3_23 = phi_2_03*t20 + phi_2_13*t21 + saltation_2_23*t8 + saltation_2_33*t9
+    phi_3_30 = phi_2_00*t22 + saltation_2_20*t14 + saltation_2_30*t15
+    phi_3_31 = phi_2_01*t22 + saltation_2_21*t14 + saltation_2_31*t15 - t23 - t24
+    phi_3_32 = phi_2_02*t22 + saltation_2_22*t14 + saltation_2_32*t15
+    phi_3_33 = phi_2_03*t22 + phi_2_13*t25 + saltation_2_23*t14 + saltation_2_33*t15
     # saltation of phase 3
-    saltation_3_00 = phi_3_00 + phi_3_20*t56
-    saltation_3_01 = phi_3_01 + phi_3_21*t56
-    saltation_3_02 = phi_3_02 + phi_3_22*t56
-    saltation_3_03 = phi_3_03 + phi_3_23*t56
-    saltation_3_30 = phi_3_20*t57 + phi_3_30
-    saltation_3_31 = phi_3_21*t57 + phi_3_31
-    saltation_3_32 = phi_3_22*t57 + phi_3_32
-    saltation_3_33 = phi_3_23*t57 + phi_3_33
+    saltation_3_00 = phi_3_00 + phi_3_20*t47
+    saltation_3_01 = phi_3_01 + phi_3_21*t47
+    saltation_3_02 = phi_3_02 + phi_3_22*t47
+    saltation_3_03 = phi_3_03 + phi_3_23*t47
+    saltation_3_30 = phi_3_20*t48 + phi_3_30
+    saltation_3_31 = phi_3_21*t48 + phi_3_31
+    saltation_3_32 = phi_3_22*t48 + phi_3_32
+    saltation_3_33 = phi_3_23*t48 + phi_3_33
     # Phi of phase 4
-    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29
-    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29
-    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29
-    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29
-    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30
-    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30
-    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30
-    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30
+    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t27 + saltation_3_30*t28
+    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t27 + saltation_3_31*t28
+    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t27 + saltation_3_32*t28
+    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t27 + saltation_3_33*t28
+    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t29 + saltation_3_00*t29
+    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t29 + saltation_3_01*t29
+    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t29 + saltation_3_02*t29
+    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t29 + saltation_3_03*t29
     # saltation of phase 4
-    saltation_4_10 = phi_4_10 + phi_4_30*t58
-    saltation_4_11 = phi_4_11 + phi_4_31*t58
-    saltation_4_12 = phi_4_12 + phi_4_32*t58
-    saltation_4_13 = phi_4_13 + phi_4_33*t58
+    saltation_4_10 = phi_4_10 + phi_4_30*t49
+    saltation_4_11 = phi_4_11 + phi_4_31*t49
+    saltation_4_12 = phi_4_12 + phi_4_32*t49
+    saltation_4_13 = phi_4_13 + phi_4_33*t49
     monodromy = [[saltation_3_00, saltation_3_01, saltation_3_02, saltation_3_03], [saltation_4_10, saltation_4_11, saltation_4_12, saltation_4_13], [0, 0, 0, 0], [0, 0, 0, 0]]
     return poincare_jacobian, saltations, monodromy
 
@@ -2840,29 +2839,28 @@ def global_stick_flow_slip_slip(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): z1, z2, v1, v2.
     Gives state_after (4).
-    Operations: 82. Intermediate terms: 16.
+    Operations: 77. Intermediate terms: 15.
     """
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [z1, z2, v1, v2] = state
     # state_after
-    t0 = 1/omega1
-    t1 = omega1*t
-    t2 = lib.sin(t1)
-    t3 = t0*t2
-    t4 = 1 - p1
-    t5 = omega2*t
-    t6 = lib.sin(t5)
-    t7 = t6/omega2
-    t8 = lib.cos(t1)
-    t9 = lib.cos(t5)
-    t10 = p1*t8 + t4*t9
-    t11 = p2*t8 - p2*t9
-    t12 = p3*t8 - p3*t9
-    t13 = p1*t9 + t4*t8
-    t14 = omega2*t6
-    t15 = omega1*t2
-    return [t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15), t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4)]
+    t0 = omega1*t
+    t1 = lib.sin(t0)
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = 1 - p1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 + t6*t7
+    t11 = p1*t7 + t6*t8
+    t12 = -p3*t7 + p3*t8
+    t13 = omega2*t4
+    t14 = omega1*t1
+    return [t10*z1 + t9*z2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5), t11*z2 + t12*z1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6), t10*v1 + t9*v2 + z1*(-p1*t14 - t13*t6) + z2*(p2*t13 - p2*t14), t11*v2 + t12*v1 + z1*(p3*t13 - p3*t14) + z2*(-p1*t13 - t14*t6)]
 
 
 def global_stick_flow_stick_slip(parameters, spectrum, time, state, *, lib):
@@ -2897,7 +2895,7 @@ def global_stick_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     Gives unknowns (6).
     Gives reduced_residual (2).
     Gives reduced_jacobian (2, 2).
-    Operations: 221. Intermediate terms: 75.
+    Operations: 217. Intermediate terms: 73.
     """
     [chi, eta, V, e1, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -2906,106 +2904,103 @@ def global_stick_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
     # z2_1: linear in second-breaks-forward
-    t2 = V*tau
-    t3 = 1/(chi - 1)
-    t4 = e1*t3
-    z2_1 = V*sin_tau - cos_tau*t4 - t2 - e2*t3/chi
+    t0 = V*tau
+    t1 = 1/(chi - 1)
+    t2 = e1*t1
+    z2_1 = V*sin_tau - cos_tau*t2 - t0 - e2*t1/chi
     # slip-stick for tau
-    t5 = chi*z2_1
-    t6 = e1 + t5
-    t7 = -chi*cos_tau + chi
-    z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t6 + t7*z2_1
-    z2_2 = t2 + z2_1
-    v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6
+    t3 = chi*z2_1
+    t4 = e1 + t3
+    t5 = -chi*cos_tau + chi
+    z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t4 + t5*z2_1
+    z2_2 = t0 + z2_1
+    v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4
     # functions of tau1 in slip-slip
-    t8 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t8)
-    sin_omega1_tau1 = lib.sin(t8)
-    t9 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t9)
-    sin_omega2_tau1 = lib.sin(t9)
+    t6 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t6)
+    sin_omega1_tau1 = lib.sin(t6)
+    t7 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t7)
+    sin_omega2_tau1 = lib.sin(t7)
     # slip-slip for tau1
-    t10 = 1/omega1
-    t13 = sin_omega2_tau1/omega2
-    t11 = sin_omega1_tau1*t10
-    t12 = 1 - p1
-    t14 = p1*t11 + t12*t13
-    t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12
-    t16 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    z1_3 = V*(p2*sin_omega1_tau1*t10 - p2*t13) + t14*v1_2 + t15*z1_2 + t16*z2_2
-    t17 = p3*sin_omega1_tau1*t10 - p3*t13
-    t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1
-    z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2
-    t21 = omega1*sin_omega1_tau1
-    t24 = omega2*p3*sin_omega2_tau1 - p3*t21
-    t20 = omega2*sin_omega2_tau1
-    t25 = -p1*t20 - t12*t21
-    v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2
+    t8 = 1 - p1
+    t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8
+    t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t11 = sin_omega1_tau1/omega1
+    t12 = sin_omega2_tau1/omega2
+    t13 = p1*t11 + t12*t8
+    z1_3 = V*(p2*t11 - p2*t12) + t10*z2_2 + t13*v1_2 + t9*z1_2
+    t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1
+    t16 = p3*t11 - p3*t12
+    z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2
+    t17 = omega1*sin_omega1_tau1
+    t18 = omega2*sin_omega2_tau1
+    t19 = -p3*t17 + p3*t18
+    t20 = -p1*t18 - t17*t8
+    v2_3 = V*t15 + t14*v1_2 + t19*z1_2 + t20*z2_2
     # first return of tau2
     cosine_part_tau2 = -V + v2_3
     sine_part_tau2 = omega3*z1_3 - omega3*z2_3
     # first return of tau2
     amplitude_tau2 = lib.sqrt(cosine_part_tau2**2 + sine_part_tau2**2)
     # first return of tau2
-    t26 = 1/amplitude_tau2
-    cos_tau2_return = sine_part_tau2*t26
-    sin_tau2_return = -cosine_part_tau2*t26
+    t21 = 1/amplitude_tau2
+    cos_tau2_return = sine_part_tau2*t21
+    sin_tau2_return = -cosine_part_tau2*t21
     # tau2: first return
-    t27 = 1/omega3
-    tau2 = t27*lib.angle(sin_tau2_return, cos_tau2_return)
+    t22 = 1/omega3
+    tau2 = t22*lib.angle(sin_tau2_return, cos_tau2_return)
     # ta: linear in time
-    t28 = chi*z2_3
-    t29 = sine_part_tau2*t27
-    t30 = V*tau2
-    t31 = amplitude_tau2*t27
-    ta = -t3*(chi*t29 + chi*t30 - chi*t31 + e1 + t28 - t29 - t30 - z2_3)/V
+    t23 = chi*z2_3
+    t24 = sine_part_tau2*t22
+    t25 = V*tau2
+    t26 = amplitude_tau2*t22
+    ta = -t1*(chi*t24 + chi*t25 - chi*t26 + e1 + t23 - t24 - t25 - z2_3)/V
     # unknowns
-    t38 = t29 + t30 + z2_3
-    unknowns = [t38, -t31 + t38, ta, tau, tau1, tau2]
+    t27 = t24 + t25 + z2_3
+    unknowns = [t27, -t26 + t27, ta, tau, tau1, tau2]
     if outputs == 1:
         return unknowns
     # slip-slip for tau1
-    t22 = -p1*t21 - t12*t20
-    t23 = omega2*p2*sin_omega2_tau1 - p2*t21
-    v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2
-    reduced_residual = [-V + v1_3, amplitude_tau2*t27*t3 - t4 - z2_1]
+    t28 = -p1*t17 - t18*t8
+    t29 = -p2*t17 + p2*t18
+    v1_3 = V*t10 + t28*z1_2 + t29*z2_2 + t9*v1_2
+    reduced_residual = [-V + v1_3, amplitude_tau2*t1*t22 - t2 - z2_1]
     if outputs == 2:
         return unknowns, reduced_residual
     # d/dtau of: functions of tau in slip-stick
     cos_tau_by_tau = -sin_tau
     sin_tau_by_tau = cos_tau
     # d/dtau of: z2_1: linear in second-breaks-forward
-    t32 = cos_tau_by_tau*e1
-    z2_1_by_tau = V*sin_tau_by_tau - V - t3*t32
+    t30 = cos_tau_by_tau*e1
+    z2_1_by_tau = V*sin_tau_by_tau - V - t1*t30
     # d/dtau of: slip-stick for tau
-    t33 = V*chi
-    t34 = V - t33
-    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t34 + t32 + t33
+    t31 = V*chi
+    t32 = V - t31
+    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t32 + t30 + t31
     z2_2_by_tau = V + z2_1_by_tau
-    v1_2_by_tau = cos_tau_by_tau*t34 - e1*sin_tau_by_tau
+    v1_2_by_tau = cos_tau_by_tau*t32 - e1*sin_tau_by_tau
     # d/dtau of: slip-slip for tau1
-    z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau
-    z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau
-    v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau
-    v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau
+    z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau
+    z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau
+    v1_3_by_tau = t28*z1_2_by_tau + t29*z2_2_by_tau + t9*v1_2_by_tau
+    v2_3_by_tau = t14*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau
     # d/dtau1 of: slip-slip for tau1
-    v1_3_by_tau1 = t28 - z1_3
-    v2_3_by_tau1 = chi*eta*z1_3 - eta*t28
+    v1_3_by_tau1 = t23 - z1_3
+    v2_3_by_tau1 = chi*eta*z1_3 - eta*t23
     # d/dtau of: first return of tau2
     sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau
     # d/dtau1 of: first return of tau2
     sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3
     # d/dtau of: first return of tau2
-    t35 = 2*cosine_part_tau2
-    t36 = 2*sine_part_tau2
-    t37 = t26/2
-    amplitude_tau2_by_tau = t37*(sine_part_tau2_by_tau*t36 + t35*v2_3_by_tau)
+    t33 = 2*cosine_part_tau2
+    t34 = 2*sine_part_tau2
+    t35 = t21/2
+    amplitude_tau2_by_tau = t35*(sine_part_tau2_by_tau*t34 + t33*v2_3_by_tau)
     # d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1 = t37*(sine_part_tau2_by_tau1*t36 + t35*v2_3_by_tau1)
-    # reduced_jacobian
-    t39 = t27*t3
-    reduced_jacobian = [[v1_3_by_tau, v1_3_by_tau1], [amplitude_tau2_by_tau*t39 - z2_1_by_tau, amplitude_tau2_by_tau1*t39]]
+    amplitude_tau2_by_tau1 = t35*(sine_part_tau2_by_tau1*t34 + t33*v2_3_by_tau1)
+    reduced_jacobian = [[v1_3_by_tau, v1_3_by_tau1], [amplitude_tau2_by_tau*t1*t22 - z2_1_by_tau, amplitude_tau2_by_tau1*t1*t22]]
     return unknowns, reduced_residual, reduced_jacobian
 
 
@@ -3019,7 +3014,7 @@ def global_stick_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives period_map (4, 5).
     Gives linear_start (2).
     Gives compatibility (4).
-    Operations: 266. Intermediate terms: 84.
+    Operations: 258. Intermediate terms: 84.
     """
     [chi, _, V, e1, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -3031,13 +3026,14 @@ def global_stick_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     t0 = chi*cos_tau
     z1_2_by_z20 = chi - t0
     z1_2_by_v10 = cos_tau*ta + sin_tau
-    t2 = chi*sin_tau
-    z1_2_by_v20 = chi*tau - t2 + ta*z1_2_by_z20
+    t1 = chi*sin_tau
+    t2 = chi*tau - t1
+    z1_2_by_v20 = t2 + ta*z1_2_by_z20
     z2_2_by_v20 = ta + tau
     v1_2_by_z10 = -sin_tau
-    v1_2_by_z20 = t2
+    v1_2_by_z20 = t1
     v1_2_by_v10 = cos_tau - sin_tau*ta
-    v1_2_by_v20 = chi - t0 + t2*ta
+    v1_2_by_v20 = chi - t0 + t1*ta
     # functions of tau1 in slip-slip
     t3 = omega1*tau1
     cos_omega1_tau1 = lib.cos(t3)
@@ -3048,57 +3044,56 @@ def global_stick_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     # slip-slip after tau1, by the start
     t5 = 1 - p1
     t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5
-    t7 = 1/omega1
-    t8 = sin_omega1_tau1*t7
-    t9 = sin_omega2_tau1/omega2
-    t10 = p1*t8 + t5*t9
-    z1_3_by_z10 = cos_tau*t6 + t10*v1_2_by_z10
-    t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    z1_3_by_z20 = t10*v1_2_by_z20 + t11 + t6*z1_2_by_z20
-    z1_3_by_v10 = t10*v1_2_by_v10 + t6*z1_2_by_v10
-    z1_3_by_v20 = p2*t8 - p2*t9 + t10*v1_2_by_v20 + t11*z2_2_by_v20 + t6*z1_2_by_v20
-    t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t13 = p3*sin_omega1_tau1*t7 - p3*t9
-    z2_3_by_z10 = cos_tau*t12 + t13*v1_2_by_z10
-    t14 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1
-    z2_3_by_z20 = t12*z1_2_by_z20 + t13*v1_2_by_z20 + t14
-    z2_3_by_v10 = t12*z1_2_by_v10 + t13*v1_2_by_v10
-    z2_3_by_v20 = p1*t9 + t12*z1_2_by_v20 + t13*v1_2_by_v20 + t14*z2_2_by_v20 + t5*t8
+    t7 = sin_omega1_tau1/omega1
+    t8 = sin_omega2_tau1/omega2
+    t9 = p1*t7 + t5*t8
+    z1_3_by_z10 = cos_tau*t6 + t9*v1_2_by_z10
+    t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    z1_3_by_z20 = t10 + t6*z1_2_by_z20 + t9*v1_2_by_z20
+    z1_3_by_v10 = t6*z1_2_by_v10 + t9*v1_2_by_v10
+    z1_3_by_v20 = p2*t7 - p2*t8 + t10*z2_2_by_v20 + t6*z1_2_by_v20 + t9*v1_2_by_v20
+    t11 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t12 = p3*t7 - p3*t8
+    z2_3_by_z10 = cos_tau*t11 + t12*v1_2_by_z10
+    t13 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1
+    z2_3_by_z20 = t11*z1_2_by_z20 + t12*v1_2_by_z20 + t13
+    z2_3_by_v10 = t11*z1_2_by_v10 + t12*v1_2_by_v10
+    z2_3_by_v20 = p1*t8 + t11*z1_2_by_v20 + t12*v1_2_by_v20 + t13*z2_2_by_v20 + t5*t7
+    t14 = omega1*sin_omega1_tau1
     t15 = omega2*sin_omega2_tau1
-    t16 = omega1*sin_omega1_tau1
-    t17 = -p1*t16 - t15*t5
-    v1_3_by_z10 = cos_tau*t17 + t6*v1_2_by_z10
-    t18 = p2*t16
-    v1_3_by_z20 = p2*t15 + t17*z1_2_by_z20 - t18 + t6*v1_2_by_z20
-    v1_3_by_v10 = t17*z1_2_by_v10 + t6*v1_2_by_v10
-    v1_3_by_v20 = t11 + t17*z1_2_by_v20 + t6*v1_2_by_v20 + z2_2_by_v20*(omega2*p2*sin_omega2_tau1 - t18)
-    t19 = omega2*p3*sin_omega2_tau1 - p3*t16
-    v2_3_by_z10 = cos_tau*t19 + t12*v1_2_by_z10
-    t20 = p1*t15 + t16*t5
-    v2_3_by_z20 = t12*v1_2_by_z20 + t19*z1_2_by_z20 - t20
-    v2_3_by_v10 = t12*v1_2_by_v10 + t19*z1_2_by_v10
-    v2_3_by_v20 = t12*v1_2_by_v20 + t14 + t19*z1_2_by_v20 - t20*z2_2_by_v20
+    t16 = -p1*t14 - t15*t5
+    v1_3_by_z10 = cos_tau*t16 + t6*v1_2_by_z10
+    t17 = -p2*t14 + p2*t15
+    v1_3_by_z20 = t16*z1_2_by_z20 + t17 + t6*v1_2_by_z20
+    v1_3_by_v10 = t16*z1_2_by_v10 + t6*v1_2_by_v10
+    v1_3_by_v20 = t10 + t16*z1_2_by_v20 + t17*z2_2_by_v20 + t6*v1_2_by_v20
+    t18 = -p3*t14 + p3*t15
+    v2_3_by_z10 = cos_tau*t18 + t11*v1_2_by_z10
+    t19 = p1*t15 + t14*t5
+    v2_3_by_z20 = t11*v1_2_by_z20 + t18*z1_2_by_z20 - t19
+    v2_3_by_v10 = t11*v1_2_by_v10 + t18*z1_2_by_v10
+    v2_3_by_v20 = t11*v1_2_by_v20 + t13 + t18*z1_2_by_v20 - t19*z2_2_by_v20
     # functions of tau2 in stick-slip
-    t21 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t21)
-    sin_omega3_tau2 = lib.sin(t21)
+    t20 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t20)
+    sin_omega3_tau2 = lib.sin(t20)
     # stick-slip after tau2, by the start
     z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10
     z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20
     z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10
     z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20
+    t21 = 1 - cos_omega3_tau2
     t22 = sin_omega3_tau2/omega3
     t23 = -t22 + tau2
-    t24 = 1 - cos_omega3_tau2
-    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10 + t24*z1_3_by_z10
-    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20 + t24*z1_3_by_z20
-    z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10 + t24*z1_3_by_v10
-    z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20 + t24*z1_3_by_v20
-    t25 = omega3*sin_omega3_tau2
-    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t24*v1_3_by_z10 + t25*z1_3_by_z10 - t25*z2_3_by_z10
-    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t24*v1_3_by_z20 + t25*z1_3_by_z20 - t25*z2_3_by_z20
-    v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t24*v1_3_by_v10 + t25*z1_3_by_v10 - t25*z2_3_by_v10
-    v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t24*v1_3_by_v20 + t25*z1_3_by_v20 - t25*z2_3_by_v20
+    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t21*z1_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10
+    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t21*z1_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20
+    z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t21*z1_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10
+    z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t21*z1_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20
+    t24 = omega3*sin_omega3_tau2
+    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t21*v1_3_by_z10 + t24*z1_3_by_z10 - t24*z2_3_by_z10
+    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t21*v1_3_by_z20 + t24*z1_3_by_z20 - t24*z2_3_by_z20
+    v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10
+    v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20
     period_map = [[z1_4_by_z10, z1_4_by_z20, z1_4_by_v10, z1_4_by_v20, 0], [z2_4_by_z10, z2_4_by_z20, z2_4_by_v10, z2_4_by_v20, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_v10, v1_3_by_v20, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_v10, v2_4_by_v20, 0]]
     if outputs == 1:
         return period_map
@@ -3114,18 +3109,18 @@ def global_stick_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     numerator1 = coefficient22*right1 - right2*z1_4_by_z20
     numerator2 = coefficient11*right2 - right1*z2_4_by_z10
     # z10, z20 by Cramer's rule
-    t26 = 1/determinant
-    z1_0 = numerator1*t26
-    z2_0 = numerator2*t26
+    t25 = 1/determinant
+    z1_0 = numerator1*t25
+    z2_0 = numerator2*t25
     linear_start = [z1_0, z2_0]
     if outputs == 2:
         return period_map, linear_start
     # stick-stick for ta, until first-breaks-forward
-    t27 = V*ta
-    z1_1 = t27 + z1_0
-    z2_1 = t27 + z2_0
+    t26 = V*ta
+    z1_1 = t26 + z1_0
+    z2_1 = t26 + z2_0
     # slip-stick for tau, until second-breaks-forward
-    z1_2 = V*sin_tau + V*(chi*tau - t2) + cos_tau*z1_1 + z1_2_by_z20*z2_1
+    z1_2 = V*sin_tau + V*t2 + cos_tau*z1_1 + z1_2_by_z20*z2_1
     z2_2 = V*tau + z2_1
     compatibility = [V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0, V*v2_4_by_v10 + V*v2_4_by_v20 - V + v2_4_by_z10*z1_0 + v2_4_by_z20*z2_0, -chi*z2_1 - e1 + z1_1, -chi*z1_2 + chi*z2_2 - e2]
     return period_map, linear_start, compatibility
@@ -3145,7 +3140,7 @@ def solution_ii_equations(parameters, spectrum, unknowns, spectrum_derivatives=N
     Gives residual (6).
     Gives jacobian (6, 6).
     Gives parameter_jacobian (6, 4).
-    Operations: 684. Intermediate terms: 192.
+    Operations: 673. Intermediate terms: 192.
     """
     [chi, _, V, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -3154,63 +3149,64 @@ def solution_ii_equations(parameters, spectrum, unknowns, spectrum_derivatives=N
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
     # slip-stick for tau, until second-breaks-forward
-    t3 = chi*cos_tau
-    t4 = chi - t3
-    t5 = chi*sin_tau
-    z1_2 = V*sin_tau + V*(chi*tau - t5) + cos_tau*z10 + t4*z20
+    t0 = chi*cos_tau
+    t1 = chi - t0
+    t2 = chi*tau
+    t3 = chi*sin_tau
+    t4 = t2 - t3
+    z1_2 = V*sin_tau + V*t4 + cos_tau*z10 + t1*z20
     z2_2 = V*tau + z20
-    v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20
+    v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t3*z20
     # functions of tau1 in slip-slip
-    t6 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t6)
-    sin_omega1_tau1 = lib.sin(t6)
-    t9 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t9)
-    sin_omega2_tau1 = lib.sin(t9)
+    t5 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t5)
+    sin_omega1_tau1 = lib.sin(t5)
+    t6 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t6)
+    sin_omega2_tau1 = lib.sin(t6)
     # slip-slip for tau1, until first-reaches-belt
-    t12 = 1/omega1
-    t13 = sin_omega1_tau1*t12
-    t14 = 1 - p1
-    t15 = 1/omega2
-    t16 = sin_omega2_tau1*t15
-    t17 = p1*t13 + t14*t16
-    t18 = cos_omega1_tau1*p1 + cos_omega2_tau1*t14
-    t19 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t20 = p2*t16
-    z1_3 = V*(p2*sin_omega1_tau1*t12 - t20) + t17*v1_2 + t18*z1_2 + t19*z2_2
-    t21 = p3*sin_omega1_tau1*t12 - p3*t16
-    t22 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t23 = cos_omega1_tau1*t14 + cos_omega2_tau1*p1
-    t24 = p1*t16 + t13*t14
-    z2_3 = V*t24 + t21*v1_2 + t22*z1_2 + t23*z2_2
-    t25 = omega2*sin_omega2_tau1
-    t26 = omega1*sin_omega1_tau1
-    t27 = -p1*t26 - t14*t25
-    t28 = p2*t26
-    t29 = omega2*p2*sin_omega2_tau1 - t28
-    t30 = V*t19
-    v1_3 = t18*v1_2 + t27*z1_2 + t29*z2_2 + t30
-    t31 = omega2*p3*sin_omega2_tau1 - p3*t26
-    t32 = p1*t25 + t14*t26
-    t34 = V*t23
-    v2_3 = t22*v1_2 + t31*z1_2 - t32*z2_2 + t34
+    t7 = 1 - p1
+    t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7
+    t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t10 = 1/omega1
+    t11 = sin_omega1_tau1*t10
+    t12 = 1/omega2
+    t13 = sin_omega2_tau1*t12
+    t14 = p1*t11 + t13*t7
+    t15 = p2*t11 - p2*t13
+    z1_3 = V*t15 + t14*v1_2 + t8*z1_2 + t9*z2_2
+    t16 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t17 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1
+    t18 = p3*t11 - p3*t13
+    t19 = p1*t13 + t11*t7
+    z2_3 = V*t19 + t16*z1_2 + t17*z2_2 + t18*v1_2
+    t20 = omega1*sin_omega1_tau1
+    t21 = omega2*sin_omega2_tau1
+    t22 = -p1*t20 - t21*t7
+    t23 = -p2*t20 + p2*t21
+    t24 = V*t9
+    v1_3 = t22*z1_2 + t23*z2_2 + t24 + t8*v1_2
+    t25 = -p3*t20 + p3*t21
+    t26 = p1*t21 + t20*t7
+    t27 = V*t17
+    v2_3 = t16*v1_2 + t25*z1_2 - t26*z2_2 + t27
     # functions of tau2 in stick-slip
-    t35 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t35)
-    sin_omega3_tau2 = lib.sin(t35)
+    t28 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t28)
+    sin_omega3_tau2 = lib.sin(t28)
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
-    t38 = 1 - cos_omega3_tau2
-    t39 = 1/omega3
-    t40 = sin_omega3_tau2*t39
-    t41 = -t40 + tau2
-    z2_4 = V*t41 + cos_omega3_tau2*z2_3 + t38*z1_3 + t40*v2_3
-    t42 = omega3*z1_3
-    t43 = omega3*z2_3
-    v2_4 = V*t38 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t42 - sin_omega3_tau2*t43
+    t29 = 1 - cos_omega3_tau2
+    t30 = 1/omega3
+    t31 = sin_omega3_tau2*t30
+    t32 = -t31 + tau2
+    z2_4 = V*t32 + cos_omega3_tau2*z2_3 + t29*z1_3 + t31*v2_3
+    t33 = omega3*z1_3
+    t34 = omega3*z2_3
+    v2_4 = V*t29 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t33 - sin_omega3_tau2*t34
     # residual
-    t44 = chi*z20 - z10
-    residual = [-e1 - t44, -chi*z1_2 + chi*z2_2 - e2, -V + v1_3, -V + v2_4, -z10 + z1_4, -z20 + z2_4]
+    t35 = chi*z20 - z10
+    residual = [-e1 - t35, -chi*z1_2 + chi*z2_2 - e2, -V + v1_3, -V + v2_4, -z10 + z1_4, -z20 + z2_4]
     if outputs == 1:
         return residual
     # d/dtau of: functions of tau in slip-stick
@@ -3219,171 +3215,170 @@ def solution_ii_equations(parameters, spectrum, unknowns, spectrum_derivatives=N
     # d/dz10 of: slip-stick for tau, until second-breaks-forward
     v1_2_by_z10 = -sin_tau
     # d/dz20 of: slip-stick for tau, until second-breaks-forward
-    z1_2_by_z20 = t4
-    v1_2_by_z20 = t5
+    z1_2_by_z20 = t1
+    v1_2_by_z20 = t3
     # d/dtau of: slip-stick for tau, until second-breaks-forward
-    t45 = V*chi
-    t46 = V - t45
-    z1_2_by_tau = -cos_tau_by_tau*t44 + sin_tau_by_tau*t46 + t45
-    v1_2_by_tau = cos_tau_by_tau*t46 + sin_tau_by_tau*t44
+    t36 = V*chi
+    t37 = V - t36
+    z1_2_by_tau = -cos_tau_by_tau*t35 + sin_tau_by_tau*t37 + t36
+    v1_2_by_tau = cos_tau_by_tau*t37 + sin_tau_by_tau*t35
     # d/dtau1 of: functions of tau1 in slip-slip
     cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1
     sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1
     cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1
     sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2
     # d/dz10 of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_z10 = cos_tau*t18 + t17*v1_2_by_z10
-    z2_3_by_z10 = cos_tau*t22 + t21*v1_2_by_z10
-    v1_3_by_z10 = cos_tau*t27 + t18*v1_2_by_z10
-    v2_3_by_z10 = cos_tau*t31 + t22*v1_2_by_z10
+    z1_3_by_z10 = cos_tau*t8 + t14*v1_2_by_z10
+    z2_3_by_z10 = cos_tau*t16 + t18*v1_2_by_z10
+    v1_3_by_z10 = cos_tau*t22 + t8*v1_2_by_z10
+    v2_3_by_z10 = cos_tau*t25 + t16*v1_2_by_z10
     # d/dz20 of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_z20 = t17*v1_2_by_z20 + t18*z1_2_by_z20 + t19
-    z2_3_by_z20 = t21*v1_2_by_z20 + t22*z1_2_by_z20 + t23
-    v1_3_by_z20 = p2*t25 + t18*v1_2_by_z20 + t27*z1_2_by_z20 - t28
-    v2_3_by_z20 = t22*v1_2_by_z20 + t31*z1_2_by_z20 - t32
+    z1_3_by_z20 = t14*v1_2_by_z20 + t8*z1_2_by_z20 + t9
+    z2_3_by_z20 = t16*z1_2_by_z20 + t17 + t18*v1_2_by_z20
+    v1_3_by_z20 = t22*z1_2_by_z20 + t23 + t8*v1_2_by_z20
+    v2_3_by_z20 = t16*v1_2_by_z20 + t25*z1_2_by_z20 - t26
     # d/dtau of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t30
-    z2_3_by_tau = t21*v1_2_by_tau + t22*z1_2_by_tau + t34
-    v1_3_by_tau = V*t29 + t18*v1_2_by_tau + t27*z1_2_by_tau
-    v2_3_by_tau = -V*t32 + t22*v1_2_by_tau + t31*z1_2_by_tau
+    z1_3_by_tau = t14*v1_2_by_tau + t24 + t8*z1_2_by_tau
+    z2_3_by_tau = t16*z1_2_by_tau + t18*v1_2_by_tau + t27
+    v1_3_by_tau = V*t23 + t22*z1_2_by_tau + t8*v1_2_by_tau
+    v2_3_by_tau = -V*t26 + t16*v1_2_by_tau + t25*z1_2_by_tau
     # d/dtau1 of: slip-slip for tau1, until first-reaches-belt
-    t47 = p1*z1_2
-    t48 = p2*z2_2
-    t49 = t47 + t48
-    t50 = t14*z1_2 - t48
-    t51 = p1*v1_2
-    t52 = V*p2
-    t53 = t12*t51 + t12*t52
-    t54 = t14*t15*v1_2 - t15*t52
-    z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t49 + cos_omega2_tau1_by_tau1*t50 + sin_omega1_tau1_by_tau1*t53 + sin_omega2_tau1_by_tau1*t54
-    t55 = p3*z1_2
-    t56 = t14*z2_2
-    t57 = t55 + t56
-    t58 = p1*z2_2
-    t59 = -t55 + t58
-    t60 = p3*v1_2
-    t61 = V*t14
-    t62 = t12*t60 + t12*t61
-    t63 = V*p1
-    t64 = -t15*t60 + t15*t63
-    z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t57 + cos_omega2_tau1_by_tau1*t59 + sin_omega1_tau1_by_tau1*t62 + sin_omega2_tau1_by_tau1*t64
-    t65 = t51 + t52
-    t66 = t14*v1_2 - t52
-    t67 = -omega1*t47 - omega1*t48
-    t68 = t14*z1_2
-    t69 = omega2*t48 - omega2*t68
-    v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t65 + cos_omega2_tau1_by_tau1*t66 + sin_omega1_tau1_by_tau1*t67 + sin_omega2_tau1_by_tau1*t69
-    t70 = t60 + t61
-    t71 = -t60 + t63
-    t72 = -omega1*t55 - omega1*t56
-    t73 = omega2*p3*z1_2 - omega2*t58
-    v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t70 + cos_omega2_tau1_by_tau1*t71 + sin_omega1_tau1_by_tau1*t72 + sin_omega2_tau1_by_tau1*t73
+    t38 = p2*z2_2
+    t39 = p1*z1_2
+    t40 = t38 + t39
+    t41 = V*p2
+    t42 = p1*v1_2
+    t43 = t10*t41 + t10*t42
+    t44 = -t38 + t7*z1_2
+    t45 = -t12*t41 + t12*t7*v1_2
+    z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t40 + cos_omega2_tau1_by_tau1*t44 + sin_omega1_tau1_by_tau1*t43 + sin_omega2_tau1_by_tau1*t45
+    t46 = p3*z1_2
+    t47 = t7*z2_2
+    t48 = t46 + t47
+    t49 = p3*v1_2
+    t50 = V*t7
+    t51 = t10*t49 + t10*t50
+    t52 = p1*z2_2 - t46
+    t53 = V*p1
+    t54 = -t12*t49 + t12*t53
+    z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t48 + cos_omega2_tau1_by_tau1*t52 + sin_omega1_tau1_by_tau1*t51 + sin_omega2_tau1_by_tau1*t54
+    t55 = t41 + t42
+    t56 = -omega1*t38 - omega1*t39
+    t57 = -t41 + t7*v1_2
+    t58 = t7*z1_2
+    t59 = omega2*t38 - omega2*t58
+    v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t55 + cos_omega2_tau1_by_tau1*t57 + sin_omega1_tau1_by_tau1*t56 + sin_omega2_tau1_by_tau1*t59
+    t60 = t49 + t50
+    t61 = -omega1*t46 - omega1*t47
+    t62 = -t49 + t53
+    t63 = p1*z2_2
+    t64 = omega2*t46 - omega2*t63
+    v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t60 + cos_omega2_tau1_by_tau1*t62 + sin_omega1_tau1_by_tau1*t61 + sin_omega2_tau1_by_tau1*t64
     # d/dtau2 of: functions of tau2 in stick-slip
     cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2
     sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3
     # d/dz10 of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t38*z1_3_by_z10 + t40*v2_3_by_z10
-    t74 = omega3*sin_omega3_tau2
-    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t74*z1_3_by_z10 - t74*z2_3_by_z10
+    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t29*z1_3_by_z10 + t31*v2_3_by_z10
+    t65 = omega3*sin_omega3_tau2
+    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t65*z1_3_by_z10 - t65*z2_3_by_z10
     # d/dz20 of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t38*z1_3_by_z20 + t40*v2_3_by_z20
-    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t74*z1_3_by_z20 - t74*z2_3_by_z20
+    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t29*z1_3_by_z20 + t31*v2_3_by_z20
+    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t65*z1_3_by_z20 - t65*z2_3_by_z20
     # d/dtau of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t38*z1_3_by_tau + t40*v2_3_by_tau
-    v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t74*z1_3_by_tau - t74*z2_3_by_tau
+    z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t29*z1_3_by_tau + t31*v2_3_by_tau
+    v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t65*z1_3_by_tau - t65*z2_3_by_tau
     # d/dtau1 of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t38*z1_3_by_tau1 + t40*v2_3_by_tau1
-    v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t74*z1_3_by_tau1 - t74*z2_3_by_tau1
+    z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t29*z1_3_by_tau1 + t31*v2_3_by_tau1
+    v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t65*z1_3_by_tau1 - t65*z2_3_by_tau1
     # d/dtau2 of: stick-slip for tau2, until second-reaches-belt
-    t75 = -z1_3 + z2_3
-    t76 = -V*t39 + t39*v2_3
-    z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t75 + sin_omega3_tau2_by_tau2*t76
-    t77 = -V + v2_3
-    t78 = t42 - t43
-    v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t77 + sin_omega3_tau2_by_tau2*t78
-    jacobian = [[1, -chi, 0, 0, 0, -1], [-t3, -chi*z1_2_by_z20 + chi, -chi*z1_2_by_tau + t45, 0, 0, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_tau, v1_3_by_tau1, 0, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_tau, v2_4_by_tau1, v2_4_by_tau2, 0], [z1_3_by_z10 - 1, z1_3_by_z20, z1_3_by_tau, z1_3_by_tau1, V, 0], [z2_4_by_z10, z2_4_by_z20 - 1, z2_4_by_tau, z2_4_by_tau1, z2_4_by_tau2, 0]]
+    t66 = -z1_3 + z2_3
+    t67 = -V*t30 + t30*v2_3
+    z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t66 + sin_omega3_tau2_by_tau2*t67
+    t68 = -V + v2_3
+    t69 = t33 - t34
+    v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t68 + sin_omega3_tau2_by_tau2*t69
+    jacobian = [[1, -chi, 0, 0, 0, -1], [-t0, -chi*z1_2_by_z20 + chi, -chi*z1_2_by_tau + t36, 0, 0, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_tau, v1_3_by_tau1, 0, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_tau, v2_4_by_tau1, v2_4_by_tau2, 0], [z1_3_by_z10 - 1, z1_3_by_z20, z1_3_by_tau, z1_3_by_tau1, V, 0], [z2_4_by_z10, z2_4_by_z20 - 1, z2_4_by_tau, z2_4_by_tau1, z2_4_by_tau2, 0]]
     if outputs == 2:
         return residual, jacobian
     [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]] = spectrum_derivatives
     # d/dchi of: slip-stick for tau, until second-breaks-forward
-    t79 = 1 - cos_tau
-    z1_2_by_chi = V*(-sin_tau + tau) + t79*z20
-    v1_2_by_chi = V*t79 + sin_tau*z20
+    t70 = 1 - cos_tau
+    z1_2_by_chi = V*(-sin_tau + tau) + t70*z20
+    v1_2_by_chi = V*t70 + sin_tau*z20
     # d/dV of: slip-stick for tau, until second-breaks-forward
-    t80 = chi*tau
-    z1_2_by_V = sin_tau - t5 + t80
-    v1_2_by_V = chi + cos_tau - t3
+    z1_2_by_V = sin_tau + t4
+    v1_2_by_V = chi + cos_tau - t0
     # d/dchi of: functions of tau1 in slip-slip
-    t82 = omega1_by_chi*tau1
-    cos_omega1_tau1_by_chi = -sin_omega1_tau1*t82
-    sin_omega1_tau1_by_chi = cos_omega1_tau1*t82
-    t83 = omega2_by_chi*tau1
-    cos_omega2_tau1_by_chi = -sin_omega2_tau1*t83
-    sin_omega2_tau1_by_chi = cos_omega2_tau1*t83
+    t71 = omega1_by_chi*tau1
+    cos_omega1_tau1_by_chi = -sin_omega1_tau1*t71
+    sin_omega1_tau1_by_chi = cos_omega1_tau1*t71
+    t72 = omega2_by_chi*tau1
+    cos_omega2_tau1_by_chi = -sin_omega2_tau1*t72
+    sin_omega2_tau1_by_chi = cos_omega2_tau1*t72
     # d/deta of: functions of tau1 in slip-slip
-    t84 = omega1_by_eta*tau1
-    cos_omega1_tau1_by_eta = -sin_omega1_tau1*t84
-    sin_omega1_tau1_by_eta = cos_omega1_tau1*t84
-    t85 = omega2_by_eta*tau1
-    cos_omega2_tau1_by_eta = -sin_omega2_tau1*t85
-    sin_omega2_tau1_by_eta = cos_omega2_tau1*t85
+    t73 = omega1_by_eta*tau1
+    cos_omega1_tau1_by_eta = -sin_omega1_tau1*t73
+    sin_omega1_tau1_by_eta = cos_omega1_tau1*t73
+    t74 = omega2_by_eta*tau1
+    cos_omega2_tau1_by_eta = -sin_omega2_tau1*t74
+    sin_omega2_tau1_by_eta = cos_omega2_tau1*t74
     # d/dchi of: slip-slip for tau1, until first-reaches-belt
-    t86 = sin_omega1_tau1/omega1**2
-    t87 = -t51*t86 - t52*t86
-    t88 = 1/omega2**2
-    t89 = sin_omega2_tau1*t88
-    t90 = -t14*t89*v1_2 + t52*t89
-    t91 = -sin_omega1_tau1*t12 + t16
-    t93 = cos_omega1_tau1 - cos_omega2_tau1
-    t94 = -t91*v1_2 + t93*z1_2
-    t95 = -V*t91 + t93*z2_2
-    z1_3_by_chi = cos_omega1_tau1_by_chi*t49 + cos_omega2_tau1_by_chi*t50 + omega1_by_chi*t87 + omega2_by_chi*t90 + p1_by_chi*t94 + p2_by_chi*t95 + sin_omega1_tau1_by_chi*t53 + sin_omega2_tau1_by_chi*t54 + t17*v1_2_by_chi + t18*z1_2_by_chi
-    t96 = -t60*t86 - t61*t86
-    t97 = p3*sin_omega2_tau1*t88*v1_2 - t63*t89
-    t99 = V*t91 - t93*z2_2
-    z2_3_by_chi = cos_omega1_tau1_by_chi*t57 + cos_omega2_tau1_by_chi*t59 + omega1_by_chi*t96 + omega2_by_chi*t97 + p1_by_chi*t99 + p3_by_chi*t94 + sin_omega1_tau1_by_chi*t62 + sin_omega2_tau1_by_chi*t64 + t21*v1_2_by_chi + t22*z1_2_by_chi
-    t100 = -sin_omega1_tau1*t47 - sin_omega1_tau1*t48
-    t101 = sin_omega2_tau1*t48 - sin_omega2_tau1*t68
-    t102 = -omega2*sin_omega2_tau1 + t26
-    t104 = -t102*z1_2 + t93*v1_2
-    t105 = V*t93 - t102*z2_2
-    v1_3_by_chi = cos_omega1_tau1_by_chi*t65 + cos_omega2_tau1_by_chi*t66 + omega1_by_chi*t100 + omega2_by_chi*t101 + p1_by_chi*t104 + p2_by_chi*t105 + sin_omega1_tau1_by_chi*t67 + sin_omega2_tau1_by_chi*t69 + t18*v1_2_by_chi + t27*z1_2_by_chi
-    t106 = -sin_omega1_tau1*t55 - sin_omega1_tau1*t56
-    t107 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t58
-    t108 = -V*t93 + t102*z2_2
-    v2_3_by_chi = cos_omega1_tau1_by_chi*t70 + cos_omega2_tau1_by_chi*t71 + omega1_by_chi*t106 + omega2_by_chi*t107 + p1_by_chi*t108 + p3_by_chi*t104 + sin_omega1_tau1_by_chi*t72 + sin_omega2_tau1_by_chi*t73 + t22*v1_2_by_chi + t31*z1_2_by_chi
+    t75 = cos_omega1_tau1 - cos_omega2_tau1
+    t76 = t11 - t13
+    t77 = V*t76 + t75*z2_2
+    t78 = t75*z1_2 + t76*v1_2
+    t79 = 1/omega2**2
+    t80 = sin_omega2_tau1*t79
+    t81 = t41*t80 - t7*t80*v1_2
+    t82 = sin_omega1_tau1/omega1**2
+    t83 = -t41*t82 - t42*t82
+    z1_3_by_chi = cos_omega1_tau1_by_chi*t40 + cos_omega2_tau1_by_chi*t44 + omega1_by_chi*t83 + omega2_by_chi*t81 + p1_by_chi*t78 + p2_by_chi*t77 + sin_omega1_tau1_by_chi*t43 + sin_omega2_tau1_by_chi*t45 + t14*v1_2_by_chi + t8*z1_2_by_chi
+    t84 = -V*t76 - t75*z2_2
+    t85 = p3*sin_omega2_tau1*t79*v1_2 - t53*t80
+    t86 = -t49*t82 - t50*t82
+    z2_3_by_chi = cos_omega1_tau1_by_chi*t48 + cos_omega2_tau1_by_chi*t52 + omega1_by_chi*t86 + omega2_by_chi*t85 + p1_by_chi*t84 + p3_by_chi*t78 + sin_omega1_tau1_by_chi*t51 + sin_omega2_tau1_by_chi*t54 + t16*z1_2_by_chi + t18*v1_2_by_chi
+    t87 = -t20 + t21
+    t88 = V*t75 + t87*z2_2
+    t89 = t75*v1_2 + t87*z1_2
+    t90 = sin_omega2_tau1*t38 - sin_omega2_tau1*t58
+    t91 = -sin_omega1_tau1*t38 - sin_omega1_tau1*t39
+    v1_3_by_chi = cos_omega1_tau1_by_chi*t55 + cos_omega2_tau1_by_chi*t57 + omega1_by_chi*t91 + omega2_by_chi*t90 + p1_by_chi*t89 + p2_by_chi*t88 + sin_omega1_tau1_by_chi*t56 + sin_omega2_tau1_by_chi*t59 + t22*z1_2_by_chi + t8*v1_2_by_chi
+    t92 = -V*t75 - t87*z2_2
+    t93 = sin_omega2_tau1*t46 - sin_omega2_tau1*t63
+    t94 = -sin_omega1_tau1*t46 - sin_omega1_tau1*t47
+    v2_3_by_chi = cos_omega1_tau1_by_chi*t60 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t94 + omega2_by_chi*t93 + p1_by_chi*t92 + p3_by_chi*t89 + sin_omega1_tau1_by_chi*t61 + sin_omega2_tau1_by_chi*t64 + t16*v1_2_by_chi + t25*z1_2_by_chi
     # d/deta of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_eta = cos_omega1_tau1_by_eta*t49 + cos_omega2_tau1_by_eta*t50 + omega1_by_eta*t87 + omega2_by_eta*t90 + p1_by_eta*t94 + p2_by_eta*t95 + sin_omega1_tau1_by_eta*t53 + sin_omega2_tau1_by_eta*t54
-    z2_3_by_eta = cos_omega1_tau1_by_eta*t57 + cos_omega2_tau1_by_eta*t59 + omega1_by_eta*t96 + omega2_by_eta*t97 + p1_by_eta*t99 + p3_by_eta*t94 + sin_omega1_tau1_by_eta*t62 + sin_omega2_tau1_by_eta*t64
-    v1_3_by_eta = cos_omega1_tau1_by_eta*t65 + cos_omega2_tau1_by_eta*t66 + omega1_by_eta*t100 + omega2_by_eta*t101 + p1_by_eta*t104 + p2_by_eta*t105 + sin_omega1_tau1_by_eta*t67 + sin_omega2_tau1_by_eta*t69
-    v2_3_by_eta = cos_omega1_tau1_by_eta*t70 + cos_omega2_tau1_by_eta*t71 + omega1_by_eta*t106 + omega2_by_eta*t107 + p1_by_eta*t108 + p3_by_eta*t104 + sin_omega1_tau1_by_eta*t72 + sin_omega2_tau1_by_eta*t73
+    z1_3_by_eta = cos_omega1_tau1_by_eta*t40 + cos_omega2_tau1_by_eta*t44 + omega1_by_eta*t83 + omega2_by_eta*t81 + p1_by_eta*t78 + p2_by_eta*t77 + sin_omega1_tau1_by_eta*t43 + sin_omega2_tau1_by_eta*t45
+    z2_3_by_eta = cos_omega1_tau1_by_eta*t48 + cos_omega2_tau1_by_eta*t52 + omega1_by_eta*t86 + omega2_by_eta*t85 + p1_by_eta*t84 + p3_by_eta*t78 + sin_omega1_tau1_by_eta*t51 + sin_omega2_tau1_by_eta*t54
+    v1_3_by_eta = cos_omega1_tau1_by_eta*t55 + cos_omega2_tau1_by_eta*t57 + omega1_by_eta*t91 + omega2_by_eta*t90 + p1_by_eta*t89 + p2_by_eta*t88 + sin_omega1_tau1_by_eta*t56 + sin_omega2_tau1_by_eta*t59
+    v2_3_by_eta = cos_omega1_tau1_by_eta*t60 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t94 + omega2_by_eta*t93 + p1_by_eta*t92 + p3_by_eta*t89 + sin_omega1_tau1_by_eta*t61 + sin_omega2_tau1_by_eta*t64
     # d/dV of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_V = p2*t13 + t17*v1_2_by_V + t18*z1_2_by_V + t19*tau - t20
-    z2_3_by_V = t21*v1_2_by_V + t22*z1_2_by_V + t23*tau + t24
-    v1_3_by_V = t18*v1_2_by_V + t19 + t27*z1_2_by_V + t29*tau
-    v2_3_by_V = t22*v1_2_by_V + t23 + t31*z1_2_by_V - t32*tau
+    z1_3_by_V = t14*v1_2_by_V + t15 + t8*z1_2_by_V + t9*tau
+    z2_3_by_V = t16*z1_2_by_V + t17*tau + t18*v1_2_by_V + t19
+    v1_3_by_V = t22*z1_2_by_V + t23*tau + t8*v1_2_by_V + t9
+    v2_3_by_V = t16*v1_2_by_V + t17 + t25*z1_2_by_V - t26*tau
     # d/dchi of: functions of tau2 in stick-slip
-    t109 = omega3_by_chi*tau2
-    cos_omega3_tau2_by_chi = -sin_omega3_tau2*t109
-    sin_omega3_tau2_by_chi = cos_omega3_tau2*t109
+    t95 = omega3_by_chi*tau2
+    cos_omega3_tau2_by_chi = -sin_omega3_tau2*t95
+    sin_omega3_tau2_by_chi = cos_omega3_tau2*t95
     # d/deta of: functions of tau2 in stick-slip
-    t110 = omega3_by_eta*tau2
-    cos_omega3_tau2_by_eta = -sin_omega3_tau2*t110
-    sin_omega3_tau2_by_eta = cos_omega3_tau2*t110
+    t96 = omega3_by_eta*tau2
+    cos_omega3_tau2_by_eta = -sin_omega3_tau2*t96
+    sin_omega3_tau2_by_eta = cos_omega3_tau2*t96
     # d/dchi of: stick-slip for tau2, until second-reaches-belt
-    t111 = sin_omega3_tau2/omega3**2
-    t112 = V*t111 - t111*v2_3
-    z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t75 + omega3_by_chi*t112 + sin_omega3_tau2_by_chi*t76 + t38*z1_3_by_chi + t40*v2_3_by_chi
-    t113 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3
-    v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t77 + omega3_by_chi*t113 + sin_omega3_tau2_by_chi*t78 + t74*z1_3_by_chi - t74*z2_3_by_chi
+    t97 = sin_omega3_tau2/omega3**2
+    t98 = V*t97 - t97*v2_3
+    z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t66 + omega3_by_chi*t98 + sin_omega3_tau2_by_chi*t67 + t29*z1_3_by_chi + t31*v2_3_by_chi
+    t99 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3
+    v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t68 + omega3_by_chi*t99 + sin_omega3_tau2_by_chi*t69 + t65*z1_3_by_chi - t65*z2_3_by_chi
     # d/deta of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t75 + omega3_by_eta*t112 + sin_omega3_tau2_by_eta*t76 + t38*z1_3_by_eta + t40*v2_3_by_eta
-    v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t77 + omega3_by_eta*t113 + sin_omega3_tau2_by_eta*t78 + t74*z1_3_by_eta - t74*z2_3_by_eta
+    z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t66 + omega3_by_eta*t98 + sin_omega3_tau2_by_eta*t67 + t29*z1_3_by_eta + t31*v2_3_by_eta
+    v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t68 + omega3_by_eta*t99 + sin_omega3_tau2_by_eta*t69 + t65*z1_3_by_eta - t65*z2_3_by_eta
     # d/dV of: stick-slip for tau2, until second-reaches-belt
     z1_4_by_V = tau2 + z1_3_by_V
-    z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t38*z1_3_by_V + t40*v2_3_by_V + t41
-    v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t74*z1_3_by_V - t74*z2_3_by_V + 1
-    parameter_jacobian = [[-z20, 0, 0, 0], [-chi*z1_2_by_chi - z1_2 + z2_2, 0, -chi*z1_2_by_V + t80, -1], [v1_3_by_chi, v1_3_by_eta, v1_3_by_V - 1, 0], [v2_4_by_chi, v2_4_by_eta, v2_4_by_V - 1, 0], [z1_3_by_chi, z1_3_by_eta, z1_4_by_V, 0], [z2_4_by_chi, z2_4_by_eta, z2_4_by_V, 0]]
+    z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t29*z1_3_by_V + t31*v2_3_by_V + t32
+    v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t65*z1_3_by_V - t65*z2_3_by_V + 1
+    parameter_jacobian = [[-z20, 0, 0, 0], [-chi*z1_2_by_chi - z1_2 + z2_2, 0, -chi*z1_2_by_V + t2, -1], [v1_3_by_chi, v1_3_by_eta, v1_3_by_V - 1, 0], [v2_4_by_chi, v2_4_by_eta, v2_4_by_V - 1, 0], [z1_3_by_chi, z1_3_by_eta, z1_4_by_V, 0], [z2_4_by_chi, z2_4_by_eta, z2_4_by_V, 0]]
     return residual, jacobian, parameter_jacobian
 
 
@@ -3399,402 +3394,7 @@ def solution_ii_trace(parameters, spectrum, unknowns, spectrum_derivatives=None,
         p2_by_eta, p3_by_chi, p3_by_eta, omega3_by_chi, omega3_by_eta, for trace_gradient.
     Gives trace.
     Gives trace_gradient (10).
-    Operations: 1118. Intermediate terms: 249.
-    """
-    [chi, eta, V, _] = parameters
-    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
-    [z10, z20, tau, tau1, tau2, _] = unknowns
-    # functions of tau in slip-stick
-    cos_tau = lib.cos(tau)
-    sin_tau = lib.sin(tau)
-    # slip-stick for tau, until second-breaks-forward
-    t2 = chi*cos_tau
-    t3 = chi - t2
-    t4 = chi*sin_tau
-    z1_2 = V*sin_tau + V*(chi*tau - t4) + cos_tau*z10 + t3*z20
-    z2_2 = V*tau + z20
-    v1_2 = V*cos_tau + V*t3 - sin_tau*z10 + t4*z20
-    # functions of tau1 in slip-slip
-    t5 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t5)
-    sin_omega1_tau1 = lib.sin(t5)
-    t8 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t8)
-    sin_omega2_tau1 = lib.sin(t8)
-    # slip-slip for tau1, until first-reaches-belt
-    t11 = 1/omega1
-    t12 = sin_omega1_tau1*t11
-    t13 = 1 - p1
-    t14 = 1/omega2
-    t15 = sin_omega2_tau1*t14
-    t16 = p1*t12 + t13*t15
-    t17 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13
-    t18 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t19 = p2*sin_omega1_tau1*t11 - p2*t15
-    z1_3 = V*t19 + t16*v1_2 + t17*z1_2 + t18*z2_2
-    t20 = p3*sin_omega1_tau1*t11 - p3*t15
-    t21 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t22 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1
-    t23 = p1*t15 + t12*t13
-    z2_3 = V*t23 + t20*v1_2 + t21*z1_2 + t22*z2_2
-    t24 = omega2*sin_omega2_tau1
-    t25 = omega1*sin_omega1_tau1
-    t26 = -p1*t25 - t13*t24
-    t27 = omega2*p2*sin_omega2_tau1 - p2*t25
-    v1_3 = V*t18 + t17*v1_2 + t26*z1_2 + t27*z2_2
-    t28 = omega2*p3*sin_omega2_tau1 - p3*t25
-    t29 = -p1*t24 - t13*t25
-    v2_3 = V*t22 + t21*v1_2 + t28*z1_2 + t29*z2_2
-    # functions of tau2 in stick-slip
-    t30 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t30)
-    sin_omega3_tau2 = lib.sin(t30)
-    # stick-slip for tau2, until second-reaches-belt
-    z1_4 = V*tau2 + z1_3
-    t33 = 1 - cos_omega3_tau2
-    t34 = 1/omega3
-    t35 = sin_omega3_tau2*t34
-    t36 = -t35 + tau2
-    z2_4 = V*t36 + cos_omega3_tau2*z2_3 + t33*z1_3 + t35*v2_3
-    t37 = omega3*z1_3
-    t38 = omega3*z2_3
-    v2_4 = V*t33 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t37 - sin_omega3_tau2*t38
-    # rate of the exit boundary after ta
-    t39 = V*chi
-    rate_1 = V - t39
-    # derivatives of the time to the boundary after ta
-    t41 = 1/rate_1
-    delay_ta_by_z10 = -t41
-    delay_ta_by_z20 = chi*t41
-    # perturbation on the boundary after ta
-    t42 = V*delay_ta_by_z10
-    z1_1_on_boundary_by_z10 = t42 + 1
-    z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
-    z2_1_on_boundary_by_z10 = t42
-    z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
-    # Phi along tau
-    carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10
-    carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20
-    carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t4*z2_1_on_boundary_by_z10
-    carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t4*z2_1_on_boundary_by_z20
-    # rate of the exit boundary after tau
-    rate_2 = -chi*v1_2 + t39
-    # derivatives of the time to the boundary after tau
-    t44 = 1/rate_2
-    t45 = chi*z2_1_on_boundary_by_z10
-    t46 = carried_z1_2_by_z10*chi - t45
-    delay_tau_by_z10 = t44*t46
-    t47 = chi*z2_1_on_boundary_by_z20
-    t48 = carried_z1_2_by_z20*chi - t47
-    delay_tau_by_z20 = t44*t48
-    # perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
-    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
-    z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
-    z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
-    t49 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t49
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t49
-    # Phi along tau1
-    carried_z1_3_by_z10 = t16*v1_2_on_boundary_by_z10 + t17*z1_2_on_boundary_by_z10 + t18*z2_2_on_boundary_by_z10
-    carried_z1_3_by_z20 = t16*v1_2_on_boundary_by_z20 + t17*z1_2_on_boundary_by_z20 + t18*z2_2_on_boundary_by_z20
-    carried_z2_3_by_z10 = t20*v1_2_on_boundary_by_z10 + t21*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10
-    carried_z2_3_by_z20 = t20*v1_2_on_boundary_by_z20 + t21*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20
-    carried_v1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t26*z1_2_on_boundary_by_z10 + t27*z2_2_on_boundary_by_z10
-    carried_v1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t26*z1_2_on_boundary_by_z20 + t27*z2_2_on_boundary_by_z20
-    carried_v2_3_by_z10 = t21*v1_2_on_boundary_by_z10 + t28*z1_2_on_boundary_by_z10 + t29*z2_2_on_boundary_by_z10
-    carried_v2_3_by_z20 = t21*v1_2_on_boundary_by_z20 + t28*z1_2_on_boundary_by_z20 + t29*z2_2_on_boundary_by_z20
-    # rate of the exit boundary after tau1
-    t50 = chi*z2_3
-    rate_3 = t50 - z1_3
-    # derivatives of the time to the boundary after tau1
-    t51 = 1/rate_3
-    delay_tau1_by_z10 = -carried_v1_3_by_z10*t51
-    delay_tau1_by_z20 = -carried_v1_3_by_z20*t51
-    # perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
-    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
-    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
-    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
-    t52 = eta*z1_3
-    t53 = chi*t52 - eta*t50
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t53
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t53
-    # Phi along tau2
-    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t33*z1_3_on_boundary_by_z20 + t35*v2_3_on_boundary_by_z20
-    t54 = omega3*z1_3_on_boundary_by_z10
-    t55 = omega3*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t54 - sin_omega3_tau2*t55
-    t56 = omega3*z1_3_on_boundary_by_z20
-    t57 = omega3*z2_3_on_boundary_by_z20
-    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t56 - sin_omega3_tau2*t57
-    # rate of the exit boundary after tau2
-    t58 = eta*z1_4
-    t59 = eta*z2_4
-    rate_4 = chi*t58 - chi*t59
-    # derivatives of the time to the boundary after tau2
-    t60 = 1/rate_4
-    delay_tau2_by_z10 = -carried_v2_4_by_z10*t60
-    delay_tau2_by_z20 = -carried_v2_4_by_z20*t60
-    # perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
-    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
-    trace = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20
-    if outputs == 1:
-        return trace
-    [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]] = spectrum_derivatives
-    # back through: rate of the exit boundary after tau2
-    t61 = 1/rate_4**2
-    slope_by_rate_4 = V*carried_v2_4_by_z10*t61 + carried_v2_4_by_z20*t61*v2_4
-    # back through: Phi along tau2
-    slope_by_carried_v2_4_by_z20 = -t60*v2_4
-    slope_by_carried_v2_4_by_z10 = -V*t60
-    # back through: perturbation on the boundary after tau1
-    slope_by_v2_3_on_boundary_by_z20 = cos_omega3_tau2*slope_by_carried_v2_4_by_z20 + t35
-    slope_by_v2_3_on_boundary_by_z10 = cos_omega3_tau2*slope_by_carried_v2_4_by_z10
-    t62 = omega3*sin_omega3_tau2
-    t63 = slope_by_carried_v2_4_by_z20*t62
-    slope_by_z2_3_on_boundary_by_z20 = cos_omega3_tau2 - t63
-    t64 = slope_by_carried_v2_4_by_z10*t62
-    slope_by_z2_3_on_boundary_by_z10 = -t64
-    slope_by_z1_3_on_boundary_by_z20 = -cos_omega3_tau2 + t63 + 1
-    slope_by_z1_3_on_boundary_by_z10 = t64 + 1
-    # back through: derivatives of the time to the boundary after tau1
-    slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t53 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3
-    slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t53 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3
-    # back through: rate of the exit boundary after tau1
-    t65 = 1/rate_3**2
-    slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t65 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t65
-    # back through: Phi along tau1
-    slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t51
-    slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t51
-    # back through: perturbation on the boundary after tau
-    slope_by_v1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t17 + slope_by_v2_3_on_boundary_by_z20*t21 + slope_by_z1_3_on_boundary_by_z20*t16 + slope_by_z2_3_on_boundary_by_z20*t20
-    slope_by_v1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t17 + slope_by_v2_3_on_boundary_by_z10*t21 + slope_by_z1_3_on_boundary_by_z10*t16 + slope_by_z2_3_on_boundary_by_z10*t20
-    slope_by_z2_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t27 + slope_by_v2_3_on_boundary_by_z20*t29 + slope_by_z1_3_on_boundary_by_z20*t18 + slope_by_z2_3_on_boundary_by_z20*t22
-    slope_by_z2_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t27 + slope_by_v2_3_on_boundary_by_z10*t29 + slope_by_z1_3_on_boundary_by_z10*t18 + slope_by_z2_3_on_boundary_by_z10*t22
-    slope_by_z1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t26 + slope_by_v2_3_on_boundary_by_z20*t28 + slope_by_z1_3_on_boundary_by_z20*t17 + slope_by_z2_3_on_boundary_by_z20*t21
-    slope_by_z1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t26 + slope_by_v2_3_on_boundary_by_z10*t28 + slope_by_z1_3_on_boundary_by_z10*t17 + slope_by_z2_3_on_boundary_by_z10*t21
-    # back through: derivatives of the time to the boundary after tau
-    slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t49 + slope_by_z1_2_on_boundary_by_z20*v1_2
-    slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t49 + slope_by_z1_2_on_boundary_by_z10*v1_2
-    # back through: rate of the exit boundary after tau
-    t66 = 1/rate_2**2
-    slope_by_rate_2 = -slope_by_delay_tau_by_z10*t46*t66 - slope_by_delay_tau_by_z20*t48*t66
-    # back through: Phi along tau
-    t67 = chi*t44
-    t68 = slope_by_delay_tau_by_z20*t67
-    slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t68
-    t69 = slope_by_delay_tau_by_z10*t67
-    slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t69
-    # back through: perturbation on the boundary after ta
-    slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t3 + slope_by_v1_2_on_boundary_by_z20*t4 + slope_by_z2_2_on_boundary_by_z20 - t68
-    slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t3 + slope_by_v1_2_on_boundary_by_z10*t4 + slope_by_z2_2_on_boundary_by_z10 - t69
-    t70 = sin_tau*slope_by_v1_2_on_boundary_by_z20
-    slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t70
-    t71 = sin_tau*slope_by_v1_2_on_boundary_by_z10
-    slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t71
-    # back through: derivatives of the time to the boundary after ta
-    slope_by_delay_ta_by_z20 = V*slope_by_z1_1_on_boundary_by_z20 + V*slope_by_z2_1_on_boundary_by_z20
-    slope_by_delay_ta_by_z10 = V*slope_by_z1_1_on_boundary_by_z10 + V*slope_by_z2_1_on_boundary_by_z10
-    # back through: rate of the exit boundary after ta
-    t72 = 1/rate_1**2
-    slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t72 + slope_by_delay_ta_by_z10*t72
-    # back through: stick-slip for tau2, until second-reaches-belt
-    t73 = chi*eta
-    t74 = slope_by_rate_4*t73
-    slope_by_z2_4 = -t74
-    slope_by_z1_4 = t74
-    # back through: functions of tau2 in stick-slip
-    slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t37 - t38) + slope_by_carried_v2_4_by_z10*(t54 - t55) + slope_by_carried_v2_4_by_z20*(t56 - t57) + slope_by_z2_4*(-V*t34 + t34*v2_3) + t34*v2_3_on_boundary_by_z20
-    slope_by_cos_omega3_tau2 = delay_tau2_by_z20*(-V + v2_3) + slope_by_carried_v2_4_by_z10*v2_3_on_boundary_by_z10 + slope_by_carried_v2_4_by_z20*v2_3_on_boundary_by_z20 + slope_by_z2_4*(-z1_3 + z2_3) - z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20
-    # back through: slip-slip for tau1, until first-reaches-belt
-    slope_by_v2_3 = cos_omega3_tau2*delay_tau2_by_z20 + delay_tau1_by_z10*slope_by_z2_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z2_3_on_boundary_by_z20 + slope_by_z2_4*t35
-    slope_by_v1_3 = delay_tau1_by_z10*slope_by_z1_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z1_3_on_boundary_by_z20
-    t75 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10
-    t76 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20
-    t77 = delay_tau2_by_z20*t62 + t73*t75 + t73*t76
-    slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t77
-    slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t33 + t77
-    # back through: functions of tau1 in slip-slip
-    t78 = p2*z2_2_on_boundary_by_z10
-    t79 = t13*z1_2_on_boundary_by_z10
-    t80 = p2*z2_2_on_boundary_by_z20
-    t81 = t13*z1_2_on_boundary_by_z20
-    t82 = p2*z2_2
-    t83 = t13*z1_2
-    t84 = p1*z2_2
-    t85 = p1*z2_2_on_boundary_by_z10
-    t86 = p1*z2_2_on_boundary_by_z20
-    t87 = V*p2
-    t88 = V*p1
-    t89 = p3*v1_2
-    t90 = t13*t14
-    t91 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10
-    t92 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20
-    t93 = p3*v1_2_on_boundary_by_z10
-    t94 = slope_by_z2_3_on_boundary_by_z10*t93
-    t95 = p3*v1_2_on_boundary_by_z20
-    t96 = slope_by_z2_3_on_boundary_by_z20*t95
-    slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t78 - omega2*t79) + slope_by_carried_v1_3_by_z20*(omega2*t80 - omega2*t81) + slope_by_v1_3*(omega2*t82 - omega2*t83) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t84) + slope_by_v2_3_on_boundary_by_z10*(omega2*p3*z1_2_on_boundary_by_z10 - omega2*t85) + slope_by_v2_3_on_boundary_by_z20*(omega2*p3*z1_2_on_boundary_by_z20 - omega2*t86) + slope_by_z1_3*(t13*t14*v1_2 - t14*t87) + slope_by_z2_3*(t14*t88 - t14*t89) - t14*t94 - t14*t96 + t90*t91 + t90*t92
-    t97 = p3*z1_2
-    t98 = p3*z1_2_on_boundary_by_z10
-    t99 = p3*z1_2_on_boundary_by_z20
-    t100 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10
-    t101 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20
-    t102 = slope_by_v2_3_on_boundary_by_z10*t93
-    t103 = slope_by_v2_3_on_boundary_by_z20*t95
-    slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t87) + slope_by_v2_3*(t88 - t89) + slope_by_z1_3*(t13*z1_2 - t82) + slope_by_z1_3_on_boundary_by_z10*(t13*z1_2_on_boundary_by_z10 - t78) + slope_by_z1_3_on_boundary_by_z20*(t13*z1_2_on_boundary_by_z20 - t80) + slope_by_z2_3*(t84 - t97) + slope_by_z2_3_on_boundary_by_z10*(t85 - t98) + slope_by_z2_3_on_boundary_by_z20*(t86 - t99) + t100*t13 + t101*t13 - t102 - t103
-    t104 = p1*z1_2_on_boundary_by_z10
-    t105 = p1*z1_2_on_boundary_by_z20
-    t106 = p1*z1_2
-    t107 = t13*z2_2
-    t108 = t13*z2_2_on_boundary_by_z10
-    t109 = t13*z2_2_on_boundary_by_z20
-    t110 = p1*v1_2
-    t111 = V*t13
-    t112 = p1*t11
-    slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t104 - omega1*t78) + slope_by_carried_v1_3_by_z20*(-omega1*t105 - omega1*t80) + slope_by_v1_3*(-omega1*t106 - omega1*t82) + slope_by_v2_3*(-omega1*t107 - omega1*t97) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t108 - omega1*t98) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t109 - omega1*t99) + slope_by_z1_3*(t11*t110 + t11*t87) + slope_by_z2_3*(t11*t111 + t11*t89) + t11*t94 + t11*t96 + t112*t91 + t112*t92
-    slope_by_cos_omega1_tau1 = p1*t100 + p1*t101 + slope_by_v1_3*(t110 + t87) + slope_by_v2_3*(t111 + t89) + slope_by_z1_3*(t106 + t82) + slope_by_z1_3_on_boundary_by_z10*(t104 + t78) + slope_by_z1_3_on_boundary_by_z20*(t105 + t80) + slope_by_z2_3*(t107 + t97) + slope_by_z2_3_on_boundary_by_z10*(t108 + t98) + slope_by_z2_3_on_boundary_by_z20*(t109 + t99) + t102 + t103
-    # back through: slip-stick for tau, until second-breaks-forward
-    t113 = chi*slope_by_rate_2
-    slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t17 + slope_by_v2_3*t21 + slope_by_z1_3*t16 + slope_by_z2_3*t20 - t113
-    t114 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10
-    t115 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20
-    slope_by_z2_2 = chi*t114 + chi*t115 + slope_by_v1_3*t27 + slope_by_v2_3*t29 + slope_by_z1_3*t18 + slope_by_z2_3*t22
-    slope_by_z1_2 = slope_by_v1_3*t26 + slope_by_v2_3*t28 + slope_by_z1_3*t17 + slope_by_z2_3*t21 - t114 - t115
-    # back through: functions of tau in slip-stick
-    t116 = chi*z20 - z10
-    t117 = t45 - z1_1_on_boundary_by_z10
-    t118 = t47 - z1_1_on_boundary_by_z20
-    slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t116 + slope_by_v1_2_on_boundary_by_z10*t117 + slope_by_v1_2_on_boundary_by_z20*t118
-    slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t117 - slope_by_carried_z1_2_by_z20*t118 - slope_by_z1_2*t116
-    # trace_gradient
-    t119 = sin_omega2_tau1*slope_by_cos_omega2_tau1
-    t120 = sin_omega1_tau1*slope_by_cos_omega1_tau1
-    t121 = cos_omega3_tau2*slope_by_sin_omega3_tau2
-    t122 = sin_omega3_tau2*slope_by_cos_omega3_tau2
-    t123 = sin_omega1_tau1/omega1**2
-    t124 = p1*t123
-    t125 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t104 - sin_omega1_tau1*t78) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t105 - sin_omega1_tau1*t80) + slope_by_v1_3*(-sin_omega1_tau1*t106 - sin_omega1_tau1*t82) + slope_by_v2_3*(-sin_omega1_tau1*t107 - sin_omega1_tau1*t97) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t108 - sin_omega1_tau1*t98) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t109 - sin_omega1_tau1*t99) + slope_by_z1_3*(-t110*t123 - t123*t87) + slope_by_z2_3*(-t111*t123 - t123*t89) - t120*tau1 - t123*t94 - t123*t96 - t124*t91 - t124*t92
-    t126 = 1/omega2**2
-    t127 = sin_omega2_tau1*t126
-    t128 = t127*t13
-    t129 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t78 - sin_omega2_tau1*t79) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t80 - sin_omega2_tau1*t81) + slope_by_v1_3*(sin_omega2_tau1*t82 - sin_omega2_tau1*t83) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t84) + slope_by_v2_3_on_boundary_by_z10*(p3*sin_omega2_tau1*z1_2_on_boundary_by_z10 - sin_omega2_tau1*t85) + slope_by_v2_3_on_boundary_by_z20*(p3*sin_omega2_tau1*z1_2_on_boundary_by_z20 - sin_omega2_tau1*t86) + slope_by_z1_3*(-t127*t13*v1_2 + t127*t87) + slope_by_z2_3*(p3*sin_omega2_tau1*t126*v1_2 - t127*t88) - t119*tau1 + t127*t94 + t127*t96 - t128*t91 - t128*t92
-    t130 = sin_omega3_tau2/omega3**2
-    t131 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t130 - t130*v2_3) + t121*tau2 - t122*tau2 - t130*v2_3_on_boundary_by_z20
-    t132 = cos_omega1_tau1 - cos_omega2_tau1
-    t133 = -omega2*sin_omega2_tau1 + t25
-    t135 = t132*v1_2_on_boundary_by_z10 - t133*z1_2_on_boundary_by_z10
-    t136 = t132*v1_2_on_boundary_by_z20 - t133*z1_2_on_boundary_by_z20
-    t137 = t132*v1_2 - t133*z1_2
-    t139 = -sin_omega1_tau1*t11 + t15
-    t141 = t132*z1_2 - t139*v1_2
-    t142 = t132*z1_2_on_boundary_by_z10 - t139*v1_2_on_boundary_by_z10
-    t143 = t132*z1_2_on_boundary_by_z20 - t139*v1_2_on_boundary_by_z20
-    t144 = slope_by_carried_v1_3_by_z10*t135 + slope_by_carried_v1_3_by_z20*t136 + slope_by_v1_3*t137 + slope_by_v2_3*(-V*t132 + t133*z2_2) + slope_by_v2_3_on_boundary_by_z10*t133*z2_2_on_boundary_by_z10 + slope_by_v2_3_on_boundary_by_z20*t133*z2_2_on_boundary_by_z20 + slope_by_z1_3*t141 + slope_by_z1_3_on_boundary_by_z10*t142 + slope_by_z1_3_on_boundary_by_z20*t143 + slope_by_z2_3*(V*t139 - t132*z2_2) - slope_by_z2_3_on_boundary_by_z10*t132*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t132*z2_2_on_boundary_by_z20
-    t145 = -slope_by_carried_v1_3_by_z10*t133*z2_2_on_boundary_by_z10 - slope_by_carried_v1_3_by_z20*t133*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t132 - t133*z2_2) + slope_by_z1_3*(-V*t139 + t132*z2_2) + slope_by_z1_3_on_boundary_by_z10*t132*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t132*z2_2_on_boundary_by_z20
-    t146 = slope_by_v2_3*t137 + slope_by_v2_3_on_boundary_by_z10*t135 + slope_by_v2_3_on_boundary_by_z20*t136 + slope_by_z2_3*t141 + slope_by_z2_3_on_boundary_by_z10*t142 + slope_by_z2_3_on_boundary_by_z20*t143
-    t147 = 1 - cos_tau
-    t148 = -eta*z2_3 + t52
-    t149 = chi*z1_3 - t50
-    trace_gradient = [cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2, slope_by_v1_2*t4 + slope_by_z1_2*t3 + slope_by_z2_2, V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t39, cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t120 - omega2*t119, V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t121 - omega3*t122, 0, -V*slope_by_rate_1 + omega1_by_chi*t125 + omega2_by_chi*t129 + omega3_by_chi*t131 + p1_by_chi*t144 + p2_by_chi*t145 + p3_by_chi*t146 + slope_by_carried_z1_2_by_z10*t147*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t147*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t41 + slope_by_delay_tau_by_z10*t44*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t44*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t58 - t59) + slope_by_v1_2*(V*t147 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t147*z20) + t114*z2_2 + t115*z2_2 + t148*t75 + t148*t76 + t70*z2_1_on_boundary_by_z20 + t71*z2_1_on_boundary_by_z10, omega1_by_eta*t125 + omega2_by_eta*t129 + omega3_by_eta*t131 + p1_by_eta*t144 + p2_by_eta*t145 + p3_by_eta*t146 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t149*t75 + t149*t76, delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t33 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t2) + slope_by_v1_3*t18 + slope_by_v2_3*t22 + slope_by_z1_2*(chi*tau + sin_tau - t4) + slope_by_z1_3*t19 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t23 + slope_by_z2_4*t36 + t113, 0]
-    return trace, trace_gradient
-
-
-def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
-    """State at the start and behind each transition. Boundaries along the phases: constant,
-    slope, cosine and sine amplitudes, one after the other; and the frequencies of each
-    phase.
-
-    Takes parameters (4): chi, eta, V, e2.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
-    Gives states (5, 4).
-    Gives coefficients (44).
-    Gives frequencies (4).
-    Operations: 186. Intermediate terms: 49.
-    """
-    [chi, _, V, e2] = parameters
-    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
-    [z10, z20, tau, tau1, tau2, e1] = unknowns
-    # functions of tau in slip-stick
-    cos_tau = lib.cos(tau)
-    sin_tau = lib.sin(tau)
-    # slip-stick for tau, until second-breaks-forward
-    t0 = -chi*cos_tau + chi
-    t1 = chi*sin_tau
-    z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20
-    z2_2 = V*tau + z20
-    v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20
-    # functions of tau1 in slip-slip
-    t2 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t2)
-    sin_omega1_tau1 = lib.sin(t2)
-    t3 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t3)
-    sin_omega2_tau1 = lib.sin(t3)
-    # slip-slip for tau1, until first-reaches-belt
-    t4 = 1/omega1
-    t5 = sin_omega1_tau1*t4
-    t6 = 1 - p1
-    t7 = sin_omega2_tau1/omega2
-    z1_3 = V*(p2*sin_omega1_tau1*t4 - p2*t7) + v1_2*(p1*t5 + t6*t7) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t6) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2)
-    t8 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t9 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1
-    z2_3 = V*(p1*t7 + t5*t6) + t8*z1_2 + t9*z2_2 + v1_2*(p3*sin_omega1_tau1*t4 - p3*t7)
-    t10 = omega1*sin_omega1_tau1
-    v2_3 = V*t9 + t8*v1_2 + z1_2*(omega2*p3*sin_omega2_tau1 - p3*t10) + z2_2*(-omega2*p1*sin_omega2_tau1 - t10*t6)
-    # functions of tau2 in stick-slip
-    t11 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t11)
-    sin_omega3_tau2 = lib.sin(t11)
-    # stick-slip for tau2, until second-reaches-belt
-    z1_4 = V*tau2 + z1_3
-    t12 = 1/omega3
-    t13 = sin_omega3_tau2*t12
-    z2_4 = V*(-t13 + tau2) + cos_omega3_tau2*z2_3 + t13*v2_3 + z1_3*(1 - cos_omega3_tau2)
-    states = [[z10, z20, V, V], [z10, z20, V, V], [z1_2, z2_2, v1_2, V], [z1_3, z2_3, V, v2_3], [z1_4, z2_4, V, V]]
-    if outputs == 1:
-        return states
-    # coefficients
-    t14 = chi*z20
-    t15 = t14 - z10
-    t17 = V*chi
-    t18 = -V + t17
-    t21 = chi*z10
-    t22 = e2 - t14
-    t23 = e2 + t14
-    t24 = chi**2
-    t25 = t24*z20
-    t26 = V*t24 - t17
-    t27 = -chi*t15
-    t28 = -chi*t18
-    t29 = V*p2
-    t30 = omega1*z1_2
-    t31 = p2*z2_2
-    t32 = p3*v1_2
-    t33 = chi*z1_3
-    t34 = chi*(-z1_3 + z2_3)
-    t35 = chi*(-V*t12 + t12*v2_3)
-    coefficients = [-e1 - t15, -t18, -e1 + t14 - z10, t18, -t21 - t22, 0, t21 - t23, 0, t18, 0, -t18, t15, -t22 - t25, -t26, -t27, -t28, -t23 + t25, t26, t27, t28, -V, 0, p1*v1_2 + t29, -t29 + t6*v1_2, -omega1*t31 - p1*t30, omega2*t31 - omega2*t6*z1_2, -V, 0, V*t6 + t32, V*p1 - t32, -omega1*t6*z2_2 - p3*t30, -omega2*p1*z2_2 + omega2*p3*z1_2, -e1 - t33 + z1_3, -t18, -t34, -t35, -e1 + t33 - z1_3, t18, t34, t35, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3]
-    if outputs == 2:
-        return states, coefficients
-    frequencies = [1, omega1, omega2, omega3]
-    return states, coefficients, frequencies
-
-
-def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
-    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
-    below the other; monodromy matrix.
-
-    Takes parameters (4): chi, eta, V, e2.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
-    Gives poincare_jacobian (2, 2).
-    Gives saltations (16, 4).
-    Gives monodromy (4, 4).
-    Operations: 487. Intermediate terms: 182.
+    Operations: 1107. Intermediate terms: 252.
     """
     [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -3818,45 +3418,46 @@ def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3)
     cos_omega2_tau1 = lib.cos(t5)
     sin_omega2_tau1 = lib.sin(t5)
     # slip-slip for tau1, until first-reaches-belt
-    t6 = 1/omega1
-    t7 = sin_omega1_tau1*t6
-    t8 = 1 - p1
-    t9 = sin_omega2_tau1/omega2
-    t10 = p1*t7 + t8*t9
-    t11 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8
-    t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t13 = p2*sin_omega1_tau1*t6 - p2*t9
-    z1_3 = V*t13 + t10*v1_2 + t11*z1_2 + t12*z2_2
-    t14 = p3*sin_omega1_tau1*t6 - p3*t9
+    t6 = 1 - p1
+    t7 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6
+    t8 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t9 = 1/omega1
+    t10 = sin_omega1_tau1*t9
+    t11 = 1/omega2
+    t12 = sin_omega2_tau1*t11
+    t13 = p1*t10 + t12*t6
+    t14 = p2*t10 - p2*t12
+    z1_3 = V*t14 + t13*v1_2 + t7*z1_2 + t8*z2_2
     t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t16 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1
-    t17 = p1*t9 + t7*t8
-    z2_3 = V*t17 + t14*v1_2 + t15*z1_2 + t16*z2_2
-    t18 = omega2*sin_omega2_tau1
+    t16 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1
+    t17 = p3*t10 - p3*t12
+    t18 = p1*t12 + t10*t6
+    z2_3 = V*t18 + t15*z1_2 + t16*z2_2 + t17*v1_2
     t19 = omega1*sin_omega1_tau1
-    t20 = -p1*t19 - t18*t8
-    t21 = p2*t19
-    t22 = omega2*p2*sin_omega2_tau1 - t21
-    v1_3 = V*t12 + t11*v1_2 + t20*z1_2 + t22*z2_2
-    t23 = omega2*p3*sin_omega2_tau1 - p3*t19
-    t24 = p1*t18
-    t25 = t19*t8
-    t26 = -t24 - t25
-    v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t26*z2_2
+    t20 = omega2*sin_omega2_tau1
+    t21 = -p1*t19 - t20*t6
+    t22 = -p2*t19 + p2*t20
+    v1_3 = V*t8 + t21*z1_2 + t22*z2_2 + t7*v1_2
+    t23 = -p3*t19 + p3*t20
+    t24 = -p1*t20 - t19*t6
+    v2_3 = V*t16 + t15*v1_2 + t23*z1_2 + t24*z2_2
     # functions of tau2 in stick-slip
-    t27 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t27)
-    sin_omega3_tau2 = lib.sin(t27)
+    t25 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t25)
+    sin_omega3_tau2 = lib.sin(t25)
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
-    t28 = 1 - cos_omega3_tau2
-    t29 = sin_omega3_tau2/omega3
-    z2_4 = V*(-t29 + tau2) + cos_omega3_tau2*z2_3 + t28*z1_3 + t29*v2_3
-    t30 = omega3*sin_omega3_tau2
-    v2_4 = V*t28 + cos_omega3_tau2*v2_3 + t30*z1_3 - t30*z2_3
+    t26 = 1 - cos_omega3_tau2
+    t27 = 1/omega3
+    t28 = sin_omega3_tau2*t27
+    t29 = -t28 + tau2
+    z2_4 = V*t29 + cos_omega3_tau2*z2_3 + t26*z1_3 + t28*v2_3
+    t30 = omega3*z1_3
+    t31 = omega3*z2_3
+    v2_4 = V*t26 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t30 - sin_omega3_tau2*t31
     # rate of the exit boundary after ta
-    t31 = V*chi
-    rate_1 = V - t31
+    t32 = V*chi
+    rate_1 = V - t32
     # derivatives of the time to the boundary after ta
     t33 = 1/rate_1
     delay_ta_by_z10 = -t33
@@ -3873,32 +3474,35 @@ def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3)
     carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10
     carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
-    rate_2 = -chi*v1_2 + t31
+    rate_2 = -chi*v1_2 + t32
     # derivatives of the time to the boundary after tau
-    t37 = 1/rate_2
-    delay_tau_by_z10 = t37*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
-    delay_tau_by_z20 = t37*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    t35 = 1/rate_2
+    t36 = chi*z2_1_on_boundary_by_z10
+    t37 = carried_z1_2_by_z10*chi - t36
+    delay_tau_by_z10 = t35*t37
+    t38 = chi*z2_1_on_boundary_by_z20
+    t39 = carried_z1_2_by_z20*chi - t38
+    delay_tau_by_z20 = t35*t39
     # perturbation on the boundary after tau
     z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
     z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
     z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
     z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
-    t38 = chi*z2_2
-    t39 = t38 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39
+    t40 = chi*z2_2 - z1_2
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t40
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t40
     # Phi along tau1
-    carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t11*z1_2_on_boundary_by_z10 + t12*z2_2_on_boundary_by_z10
-    carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t11*z1_2_on_boundary_by_z20 + t12*z2_2_on_boundary_by_z20
-    carried_z2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10
-    carried_z2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20
-    carried_v1_3_by_z10 = t11*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10
-    carried_v1_3_by_z20 = t11*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20
-    carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t26*z2_2_on_boundary_by_z10
-    carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t26*z2_2_on_boundary_by_z20
+    carried_z1_3_by_z10 = t13*v1_2_on_boundary_by_z10 + t7*z1_2_on_boundary_by_z10 + t8*z2_2_on_boundary_by_z10
+    carried_z1_3_by_z20 = t13*v1_2_on_boundary_by_z20 + t7*z1_2_on_boundary_by_z20 + t8*z2_2_on_boundary_by_z20
+    carried_z2_3_by_z10 = t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10 + t17*v1_2_on_boundary_by_z10
+    carried_z2_3_by_z20 = t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20 + t17*v1_2_on_boundary_by_z20
+    carried_v1_3_by_z10 = t21*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10 + t7*v1_2_on_boundary_by_z10
+    carried_v1_3_by_z20 = t21*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20 + t7*v1_2_on_boundary_by_z20
+    carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t24*z2_2_on_boundary_by_z10
+    carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t24*z2_2_on_boundary_by_z20
     # rate of the exit boundary after tau1
-    t40 = chi*z2_3
-    rate_3 = t40 - z1_3
+    t41 = chi*z2_3
+    rate_3 = t41 - z1_3
     # derivatives of the time to the boundary after tau1
     t42 = 1/rate_3
     delay_tau1_by_z10 = -carried_v1_3_by_z10*t42
@@ -3908,21 +3512,415 @@ def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3)
     z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
     z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
     z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
-    t43 = chi*eta
-    t44 = -eta*t40 + t43*z1_3
+    t43 = eta*z1_3
+    t44 = chi*t43 - eta*t41
     v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44
     v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44
     # Phi along tau2
-    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t28*z1_3_on_boundary_by_z10 + t29*v2_3_on_boundary_by_z10
-    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t28*z1_3_on_boundary_by_z20 + t29*v2_3_on_boundary_by_z20
-    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t30*z1_3_on_boundary_by_z10 - t30*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t30*z1_3_on_boundary_by_z20 - t30*z2_3_on_boundary_by_z20
+    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t26*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20
+    t45 = omega3*z1_3_on_boundary_by_z10
+    t46 = omega3*z2_3_on_boundary_by_z10
+    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t45 - sin_omega3_tau2*t46
+    t47 = omega3*z1_3_on_boundary_by_z20
+    t48 = omega3*z2_3_on_boundary_by_z20
+    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t47 - sin_omega3_tau2*t48
     # rate of the exit boundary after tau2
-    rate_4 = t43*z1_4 - t43*z2_4
+    t49 = eta*z1_4
+    t50 = eta*z2_4
+    rate_4 = chi*t49 - chi*t50
     # derivatives of the time to the boundary after tau2
-    t46 = 1/rate_4
-    delay_tau2_by_z10 = -carried_v2_4_by_z10*t46
-    delay_tau2_by_z20 = -carried_v2_4_by_z20*t46
+    t51 = 1/rate_4
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t51
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t51
+    # perturbation on the boundary after tau2
+    z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
+    z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4
+    trace = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20
+    if outputs == 1:
+        return trace
+    [[_, _], [omega1_by_chi, omega1_by_eta], [omega2_by_chi, omega2_by_eta], [p1_by_chi, p1_by_eta], [p2_by_chi, p2_by_eta], [p3_by_chi, p3_by_eta], [omega3_by_chi, omega3_by_eta]] = spectrum_derivatives
+    # back through: rate of the exit boundary after tau2
+    t52 = 1/rate_4**2
+    slope_by_rate_4 = V*carried_v2_4_by_z10*t52 + carried_v2_4_by_z20*t52*v2_4
+    # back through: Phi along tau2
+    slope_by_carried_v2_4_by_z20 = -t51*v2_4
+    slope_by_carried_v2_4_by_z10 = -V*t51
+    # back through: perturbation on the boundary after tau1
+    slope_by_v2_3_on_boundary_by_z20 = cos_omega3_tau2*slope_by_carried_v2_4_by_z20 + t28
+    slope_by_v2_3_on_boundary_by_z10 = cos_omega3_tau2*slope_by_carried_v2_4_by_z10
+    t53 = omega3*sin_omega3_tau2
+    t54 = -cos_omega3_tau2 + slope_by_carried_v2_4_by_z20*t53
+    slope_by_z2_3_on_boundary_by_z20 = -t54
+    t55 = slope_by_carried_v2_4_by_z10*t53
+    slope_by_z2_3_on_boundary_by_z10 = -t55
+    slope_by_z1_3_on_boundary_by_z20 = t54 + 1
+    slope_by_z1_3_on_boundary_by_z10 = t55 + 1
+    # back through: derivatives of the time to the boundary after tau1
+    slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t44 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3
+    slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t44 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3
+    # back through: rate of the exit boundary after tau1
+    t56 = 1/rate_3**2
+    slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t56 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t56
+    # back through: Phi along tau1
+    slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t42
+    slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t42
+    # back through: perturbation on the boundary after tau
+    slope_by_v1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t7 + slope_by_v2_3_on_boundary_by_z20*t15 + slope_by_z1_3_on_boundary_by_z20*t13 + slope_by_z2_3_on_boundary_by_z20*t17
+    slope_by_v1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t7 + slope_by_v2_3_on_boundary_by_z10*t15 + slope_by_z1_3_on_boundary_by_z10*t13 + slope_by_z2_3_on_boundary_by_z10*t17
+    slope_by_z2_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t22 + slope_by_v2_3_on_boundary_by_z20*t24 + slope_by_z1_3_on_boundary_by_z20*t8 + slope_by_z2_3_on_boundary_by_z20*t16
+    slope_by_z2_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t22 + slope_by_v2_3_on_boundary_by_z10*t24 + slope_by_z1_3_on_boundary_by_z10*t8 + slope_by_z2_3_on_boundary_by_z10*t16
+    slope_by_z1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t21 + slope_by_v2_3_on_boundary_by_z20*t23 + slope_by_z1_3_on_boundary_by_z20*t7 + slope_by_z2_3_on_boundary_by_z20*t15
+    slope_by_z1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t21 + slope_by_v2_3_on_boundary_by_z10*t23 + slope_by_z1_3_on_boundary_by_z10*t7 + slope_by_z2_3_on_boundary_by_z10*t15
+    # back through: derivatives of the time to the boundary after tau
+    slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t40 + slope_by_z1_2_on_boundary_by_z20*v1_2
+    slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t40 + slope_by_z1_2_on_boundary_by_z10*v1_2
+    # back through: rate of the exit boundary after tau
+    t57 = 1/rate_2**2
+    slope_by_rate_2 = -slope_by_delay_tau_by_z10*t37*t57 - slope_by_delay_tau_by_z20*t39*t57
+    # back through: Phi along tau
+    t58 = chi*t35
+    t59 = slope_by_delay_tau_by_z20*t58
+    slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t59
+    t60 = slope_by_delay_tau_by_z10*t58
+    slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t60
+    # back through: perturbation on the boundary after ta
+    slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t1 + slope_by_v1_2_on_boundary_by_z20*t2 + slope_by_z2_2_on_boundary_by_z20 - t59
+    slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t1 + slope_by_v1_2_on_boundary_by_z10*t2 + slope_by_z2_2_on_boundary_by_z10 - t60
+    t61 = sin_tau*slope_by_v1_2_on_boundary_by_z20
+    slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t61
+    t62 = sin_tau*slope_by_v1_2_on_boundary_by_z10
+    slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t62
+    # back through: derivatives of the time to the boundary after ta
+    slope_by_delay_ta_by_z20 = V*slope_by_z1_1_on_boundary_by_z20 + V*slope_by_z2_1_on_boundary_by_z20
+    slope_by_delay_ta_by_z10 = V*slope_by_z1_1_on_boundary_by_z10 + V*slope_by_z2_1_on_boundary_by_z10
+    # back through: rate of the exit boundary after ta
+    t63 = 1/rate_1**2
+    slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t63 + slope_by_delay_ta_by_z10*t63
+    # back through: stick-slip for tau2, until second-reaches-belt
+    t64 = chi*eta
+    t65 = slope_by_rate_4*t64
+    slope_by_z2_4 = -t65
+    slope_by_z1_4 = t65
+    # back through: functions of tau2 in stick-slip
+    slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t30 - t31) + slope_by_carried_v2_4_by_z10*(t45 - t46) + slope_by_carried_v2_4_by_z20*(t47 - t48) + slope_by_z2_4*(-V*t27 + t27*v2_3) + t27*v2_3_on_boundary_by_z20
+    slope_by_cos_omega3_tau2 = delay_tau2_by_z20*(-V + v2_3) + slope_by_carried_v2_4_by_z10*v2_3_on_boundary_by_z10 + slope_by_carried_v2_4_by_z20*v2_3_on_boundary_by_z20 + slope_by_z2_4*(-z1_3 + z2_3) - z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20
+    # back through: slip-slip for tau1, until first-reaches-belt
+    slope_by_v2_3 = cos_omega3_tau2*delay_tau2_by_z20 + delay_tau1_by_z10*slope_by_z2_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z2_3_on_boundary_by_z20 + slope_by_z2_4*t28
+    slope_by_v1_3 = delay_tau1_by_z10*slope_by_z1_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z1_3_on_boundary_by_z20
+    t66 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10
+    t67 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20
+    t68 = delay_tau2_by_z20*t53 + t64*t66 + t64*t67
+    slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t68
+    slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t26 + t68
+    # back through: functions of tau1 in slip-slip
+    t69 = p3*z1_2_on_boundary_by_z20
+    t70 = p1*z2_2_on_boundary_by_z20
+    t71 = p3*z1_2_on_boundary_by_z10
+    t72 = p1*z2_2_on_boundary_by_z10
+    t73 = p2*z2_2_on_boundary_by_z20
+    t74 = t6*z1_2_on_boundary_by_z20
+    t75 = p2*z2_2_on_boundary_by_z10
+    t76 = t6*z1_2_on_boundary_by_z10
+    t77 = p3*z1_2
+    t78 = p1*z2_2
+    t79 = p2*z2_2
+    t80 = t6*z1_2
+    t81 = V*p1
+    t82 = p3*v1_2
+    t83 = V*p2
+    t84 = t11*t6
+    t85 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10
+    t86 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20
+    t87 = p3*v1_2_on_boundary_by_z10
+    t88 = slope_by_z2_3_on_boundary_by_z10*t87
+    t89 = p3*v1_2_on_boundary_by_z20
+    t90 = slope_by_z2_3_on_boundary_by_z20*t89
+    slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t75 - omega2*t76) + slope_by_carried_v1_3_by_z20*(omega2*t73 - omega2*t74) + slope_by_v1_3*(omega2*t79 - omega2*t80) + slope_by_v2_3*(omega2*t77 - omega2*t78) + slope_by_v2_3_on_boundary_by_z10*(omega2*t71 - omega2*t72) + slope_by_v2_3_on_boundary_by_z20*(omega2*t69 - omega2*t70) + slope_by_z1_3*(t11*t6*v1_2 - t11*t83) + slope_by_z2_3*(t11*t81 - t11*t82) - t11*t88 - t11*t90 + t84*t85 + t84*t86
+    t91 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10
+    t92 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20
+    t93 = slope_by_v2_3_on_boundary_by_z10*t87
+    t94 = slope_by_v2_3_on_boundary_by_z20*t89
+    slope_by_cos_omega2_tau1 = slope_by_v1_3*(t6*v1_2 - t83) + slope_by_v2_3*(t81 - t82) + slope_by_z1_3*(t6*z1_2 - t79) + slope_by_z1_3_on_boundary_by_z10*(t6*z1_2_on_boundary_by_z10 - t75) + slope_by_z1_3_on_boundary_by_z20*(t6*z1_2_on_boundary_by_z20 - t73) + slope_by_z2_3*(p1*z2_2 - t77) + slope_by_z2_3_on_boundary_by_z10*(p1*z2_2_on_boundary_by_z10 - t71) + slope_by_z2_3_on_boundary_by_z20*(p1*z2_2_on_boundary_by_z20 - t69) + t6*t91 + t6*t92 - t93 - t94
+    t95 = t6*z2_2_on_boundary_by_z20
+    t96 = t6*z2_2_on_boundary_by_z10
+    t97 = p1*z1_2_on_boundary_by_z20
+    t98 = p1*z1_2_on_boundary_by_z10
+    t99 = t6*z2_2
+    t100 = p1*z1_2
+    t101 = V*t6
+    t102 = p1*v1_2
+    t103 = p1*t9
+    slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t75 - omega1*t98) + slope_by_carried_v1_3_by_z20*(-omega1*t73 - omega1*t97) + slope_by_v1_3*(-omega1*t100 - omega1*t79) + slope_by_v2_3*(-omega1*t77 - omega1*t99) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t71 - omega1*t96) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t69 - omega1*t95) + slope_by_z1_3*(t102*t9 + t83*t9) + slope_by_z2_3*(t101*t9 + t82*t9) + t103*t85 + t103*t86 + t88*t9 + t9*t90
+    slope_by_cos_omega1_tau1 = p1*t91 + p1*t92 + slope_by_v1_3*(t102 + t83) + slope_by_v2_3*(t101 + t82) + slope_by_z1_3*(t100 + t79) + slope_by_z1_3_on_boundary_by_z10*(t75 + t98) + slope_by_z1_3_on_boundary_by_z20*(t73 + t97) + slope_by_z2_3*(t77 + t99) + slope_by_z2_3_on_boundary_by_z10*(t71 + t96) + slope_by_z2_3_on_boundary_by_z20*(t69 + t95) + t93 + t94
+    # back through: slip-stick for tau, until second-breaks-forward
+    t104 = chi*slope_by_rate_2
+    slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t7 + slope_by_v2_3*t15 + slope_by_z1_3*t13 + slope_by_z2_3*t17 - t104
+    t105 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10
+    t106 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20
+    slope_by_z2_2 = chi*t105 + chi*t106 + slope_by_v1_3*t22 + slope_by_v2_3*t24 + slope_by_z1_3*t8 + slope_by_z2_3*t16
+    slope_by_z1_2 = slope_by_v1_3*t21 + slope_by_v2_3*t23 + slope_by_z1_3*t7 + slope_by_z2_3*t15 - t105 - t106
+    # back through: functions of tau in slip-stick
+    t107 = t38 - z1_1_on_boundary_by_z20
+    t108 = t36 - z1_1_on_boundary_by_z10
+    t109 = chi*z20 - z10
+    slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t109 + slope_by_v1_2_on_boundary_by_z10*t108 + slope_by_v1_2_on_boundary_by_z20*t107
+    slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t108 - slope_by_carried_z1_2_by_z20*t107 - slope_by_z1_2*t109
+    # trace_gradient
+    t110 = cos_omega2_tau1*slope_by_sin_omega2_tau1
+    t111 = cos_omega1_tau1*slope_by_sin_omega1_tau1
+    t112 = sin_omega2_tau1*slope_by_cos_omega2_tau1
+    t113 = sin_omega1_tau1*slope_by_cos_omega1_tau1
+    t114 = cos_omega3_tau2*slope_by_sin_omega3_tau2
+    t115 = sin_omega3_tau2*slope_by_cos_omega3_tau2
+    t116 = sin_omega3_tau2/omega3**2
+    t117 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t116 - t116*v2_3) + t114*tau2 - t115*tau2 - t116*v2_3_on_boundary_by_z20
+    t118 = -t19 + t20
+    t119 = cos_omega1_tau1 - cos_omega2_tau1
+    t120 = t118*z1_2_on_boundary_by_z20 + t119*v1_2_on_boundary_by_z20
+    t121 = t118*z1_2_on_boundary_by_z10 + t119*v1_2_on_boundary_by_z10
+    t122 = t10 - t12
+    t123 = t119*z1_2_on_boundary_by_z20 + t122*v1_2_on_boundary_by_z20
+    t124 = t119*z1_2_on_boundary_by_z10 + t122*v1_2_on_boundary_by_z10
+    t125 = t118*z1_2 + t119*v1_2
+    t126 = t119*z1_2 + t122*v1_2
+    t127 = slope_by_v2_3*t125 + slope_by_v2_3_on_boundary_by_z10*t121 + slope_by_v2_3_on_boundary_by_z20*t120 + slope_by_z2_3*t126 + slope_by_z2_3_on_boundary_by_z10*t124 + slope_by_z2_3_on_boundary_by_z20*t123
+    t128 = slope_by_carried_v1_3_by_z10*t118*z2_2_on_boundary_by_z10 + slope_by_carried_v1_3_by_z20*t118*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t119 + t118*z2_2) + slope_by_z1_3*(V*t122 + t119*z2_2) + slope_by_z1_3_on_boundary_by_z10*t119*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t119*z2_2_on_boundary_by_z20
+    t129 = slope_by_carried_v1_3_by_z10*t121 + slope_by_carried_v1_3_by_z20*t120 + slope_by_v1_3*t125 + slope_by_v2_3*(-V*t119 - t118*z2_2) - slope_by_v2_3_on_boundary_by_z10*t118*z2_2_on_boundary_by_z10 - slope_by_v2_3_on_boundary_by_z20*t118*z2_2_on_boundary_by_z20 + slope_by_z1_3*t126 + slope_by_z1_3_on_boundary_by_z10*t124 + slope_by_z1_3_on_boundary_by_z20*t123 + slope_by_z2_3*(-V*t122 - t119*z2_2) - slope_by_z2_3_on_boundary_by_z10*t119*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t119*z2_2_on_boundary_by_z20
+    t130 = 1/omega2**2
+    t131 = sin_omega2_tau1*t130
+    t132 = t131*t6
+    t133 = slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t75 - sin_omega2_tau1*t76) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t73 - sin_omega2_tau1*t74) + slope_by_v1_3*(sin_omega2_tau1*t79 - sin_omega2_tau1*t80) + slope_by_v2_3*(sin_omega2_tau1*t77 - sin_omega2_tau1*t78) + slope_by_v2_3_on_boundary_by_z10*(sin_omega2_tau1*t71 - sin_omega2_tau1*t72) + slope_by_v2_3_on_boundary_by_z20*(sin_omega2_tau1*t69 - sin_omega2_tau1*t70) + slope_by_z1_3*(-t131*t6*v1_2 + t131*t83) + slope_by_z2_3*(p3*sin_omega2_tau1*t130*v1_2 - t131*t81) + t110*tau1 - t112*tau1 + t131*t88 + t131*t90 - t132*t85 - t132*t86
+    t134 = sin_omega1_tau1/omega1**2
+    t135 = p1*t134
+    t136 = slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t75 - sin_omega1_tau1*t98) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t73 - sin_omega1_tau1*t97) + slope_by_v1_3*(-sin_omega1_tau1*t100 - sin_omega1_tau1*t79) + slope_by_v2_3*(-sin_omega1_tau1*t77 - sin_omega1_tau1*t99) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t71 - sin_omega1_tau1*t96) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t69 - sin_omega1_tau1*t95) + slope_by_z1_3*(-t102*t134 - t134*t83) + slope_by_z2_3*(-t101*t134 - t134*t82) + t111*tau1 - t113*tau1 - t134*t88 - t134*t90 - t135*t85 - t135*t86
+    t137 = 1 - cos_tau
+    t138 = -eta*z2_3 + t43
+    t139 = chi*z1_3 - t41
+    trace_gradient = [cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2, slope_by_v1_2*t2 + slope_by_z1_2*t1 + slope_by_z2_2, V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t32, omega1*t111 - omega1*t113 + omega2*t110 - omega2*t112, V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t114 - omega3*t115, 0, -V*slope_by_rate_1 + omega1_by_chi*t136 + omega2_by_chi*t133 + omega3_by_chi*t117 + p1_by_chi*t129 + p2_by_chi*t128 + p3_by_chi*t127 + slope_by_carried_z1_2_by_z10*t137*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t137*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t33 + slope_by_delay_tau_by_z10*t35*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t35*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t49 - t50) + slope_by_v1_2*(V*t137 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t137*z20) + t105*z2_2 + t106*z2_2 + t138*t66 + t138*t67 + t61*z2_1_on_boundary_by_z20 + t62*z2_1_on_boundary_by_z10, omega1_by_eta*t136 + omega2_by_eta*t133 + omega3_by_eta*t117 + p1_by_eta*t129 + p2_by_eta*t128 + p3_by_eta*t127 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t139*t66 + t139*t67, delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t26 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t0) + slope_by_v1_3*t8 + slope_by_v2_3*t16 + slope_by_z1_2*(sin_tau + t3) + slope_by_z1_3*t14 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t18 + slope_by_z2_4*t29 + t104, 0]
+    return trace, trace_gradient
+
+
+def solution_ii_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """State at the start and behind each transition. Boundaries along the phases: constant,
+    slope, cosine and sine amplitudes, one after the other; and the frequencies of each
+    phase.
+
+    Takes parameters (4): chi, eta, V, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
+    Gives states (5, 4).
+    Gives coefficients (44).
+    Gives frequencies (4).
+    Operations: 181. Intermediate terms: 50.
+    """
+    [chi, _, V, e2] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    [z10, z20, tau, tau1, tau2, e1] = unknowns
+    # functions of tau in slip-stick
+    cos_tau = lib.cos(tau)
+    sin_tau = lib.sin(tau)
+    # slip-stick for tau, until second-breaks-forward
+    t0 = -chi*cos_tau + chi
+    t1 = chi*sin_tau
+    z1_2 = V*sin_tau + V*(chi*tau - t1) + cos_tau*z10 + t0*z20
+    z2_2 = V*tau + z20
+    v1_2 = V*cos_tau + V*t0 - sin_tau*z10 + t1*z20
+    # functions of tau1 in slip-slip
+    t2 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t2)
+    sin_omega1_tau1 = lib.sin(t2)
+    t3 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t3)
+    sin_omega2_tau1 = lib.sin(t3)
+    # slip-slip for tau1, until first-reaches-belt
+    t4 = 1 - p1
+    t5 = sin_omega1_tau1/omega1
+    t6 = sin_omega2_tau1/omega2
+    z1_3 = V*(p2*t5 - p2*t6) + v1_2*(p1*t5 + t4*t6) + z1_2*(cos_omega1_tau1*p1 + cos_omega2_tau1*t4) + z2_2*(cos_omega1_tau1*p2 - cos_omega2_tau1*p2)
+    t7 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t8 = cos_omega1_tau1*t4 + cos_omega2_tau1*p1
+    z2_3 = V*(p1*t6 + t4*t5) + t7*z1_2 + t8*z2_2 + v1_2*(p3*t5 - p3*t6)
+    t9 = omega2*sin_omega2_tau1
+    t10 = omega1*sin_omega1_tau1
+    v2_3 = V*t8 + t7*v1_2 + z1_2*(-p3*t10 + p3*t9) + z2_2*(-p1*t9 - t10*t4)
+    # functions of tau2 in stick-slip
+    t11 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t11)
+    sin_omega3_tau2 = lib.sin(t11)
+    # stick-slip for tau2, until second-reaches-belt
+    z1_4 = V*tau2 + z1_3
+    t12 = 1/omega3
+    t13 = sin_omega3_tau2*t12
+    z2_4 = V*(-t13 + tau2) + cos_omega3_tau2*z2_3 + t13*v2_3 + z1_3*(1 - cos_omega3_tau2)
+    states = [[z10, z20, V, V], [z10, z20, V, V], [z1_2, z2_2, v1_2, V], [z1_3, z2_3, V, v2_3], [z1_4, z2_4, V, V]]
+    if outputs == 1:
+        return states
+    # coefficients
+    t14 = chi*z20
+    t15 = t14 - z10
+    t16 = V*chi
+    t17 = -V + t16
+    t18 = chi*z10
+    t19 = e2 - t14
+    t20 = e2 + t14
+    t21 = chi**2
+    t22 = t21*z20
+    t23 = V*t21 - t16
+    t24 = -chi*t15
+    t25 = -chi*t17
+    t26 = V*p2
+    t27 = p2*z2_2
+    t28 = omega1*z1_2
+    t29 = omega2*z1_2
+    t30 = p3*v1_2
+    t31 = chi*z1_3
+    t32 = chi*(-z1_3 + z2_3)
+    t33 = chi*(-V*t12 + t12*v2_3)
+    coefficients = [-e1 - t15, -t17, -e1 + t14 - z10, t17, -t18 - t19, 0, t18 - t20, 0, t17, 0, -t17, t15, -t19 - t22, -t23, -t24, -t25, -t20 + t22, t23, t24, t25, -V, 0, p1*v1_2 + t26, -t26 + t4*v1_2, -omega1*t27 - p1*t28, omega2*t27 - t29*t4, -V, 0, V*t4 + t30, V*p1 - t30, -omega1*t4*z2_2 - p3*t28, -omega2*p1*z2_2 + p3*t29, -e1 - t31 + z1_3, -t17, -t32, -t33, -e1 + t31 - z1_3, t17, t32, t33, 0, 0, -V + v2_3, omega3*z1_3 - omega3*z2_3]
+    if outputs == 2:
+        return states, coefficients
+    frequencies = [1, omega1, omega2, omega3]
+    return states, coefficients, frequencies
+
+
+def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
+    """Jacobian of the Poincare map in the section's coordinates; saltation matrices, one
+    below the other; monodromy matrix.
+
+    Takes parameters (4): chi, eta, V, e2.
+    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
+    Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
+    Gives poincare_jacobian (2, 2).
+    Gives saltations (16, 4).
+    Gives monodromy (4, 4).
+    Operations: 479. Intermediate terms: 180.
+    """
+    [chi, eta, V, _] = parameters
+    [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
+    [z10, z20, tau, tau1, tau2, _] = unknowns
+    # functions of tau in slip-stick
+    cos_tau = lib.cos(tau)
+    sin_tau = lib.sin(tau)
+    # slip-stick for tau, until second-breaks-forward
+    t0 = chi*cos_tau
+    t1 = chi - t0
+    t2 = chi*tau
+    t3 = chi*sin_tau
+    t4 = t2 - t3
+    z1_2 = V*sin_tau + V*t4 + cos_tau*z10 + t1*z20
+    z2_2 = V*tau + z20
+    v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t3*z20
+    # functions of tau1 in slip-slip
+    t5 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t5)
+    sin_omega1_tau1 = lib.sin(t5)
+    t6 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t6)
+    sin_omega2_tau1 = lib.sin(t6)
+    # slip-slip for tau1, until first-reaches-belt
+    t7 = 1 - p1
+    t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7
+    t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t10 = sin_omega1_tau1/omega1
+    t11 = sin_omega2_tau1/omega2
+    t12 = p1*t10 + t11*t7
+    t13 = p2*t10 - p2*t11
+    z1_3 = V*t13 + t12*v1_2 + t8*z1_2 + t9*z2_2
+    t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t15 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1
+    t16 = p3*t10 - p3*t11
+    t17 = p1*t11 + t10*t7
+    z2_3 = V*t17 + t14*z1_2 + t15*z2_2 + t16*v1_2
+    t18 = omega1*sin_omega1_tau1
+    t19 = omega2*sin_omega2_tau1
+    t20 = -p1*t18 - t19*t7
+    t21 = -p2*t18 + p2*t19
+    v1_3 = V*t9 + t20*z1_2 + t21*z2_2 + t8*v1_2
+    t22 = -p3*t18 + p3*t19
+    t23 = p1*t19
+    t24 = t18*t7
+    t25 = -t23 - t24
+    v2_3 = V*t15 + t14*v1_2 + t22*z1_2 + t25*z2_2
+    # functions of tau2 in stick-slip
+    t26 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t26)
+    sin_omega3_tau2 = lib.sin(t26)
+    # stick-slip for tau2, until second-reaches-belt
+    z1_4 = V*tau2 + z1_3
+    t27 = 1 - cos_omega3_tau2
+    t28 = sin_omega3_tau2/omega3
+    z2_4 = V*(-t28 + tau2) + cos_omega3_tau2*z2_3 + t27*z1_3 + t28*v2_3
+    t29 = omega3*sin_omega3_tau2
+    v2_4 = V*t27 + cos_omega3_tau2*v2_3 + t29*z1_3 - t29*z2_3
+    # rate of the exit boundary after ta
+    t30 = V*chi
+    rate_1 = V - t30
+    # derivatives of the time to the boundary after ta
+    t31 = 1/rate_1
+    delay_ta_by_z10 = -t31
+    delay_ta_by_z20 = chi*t31
+    # perturbation on the boundary after ta
+    t32 = V*delay_ta_by_z10
+    z1_1_on_boundary_by_z10 = t32 + 1
+    z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
+    z2_1_on_boundary_by_z10 = t32
+    z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
+    # Phi along tau
+    carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10
+    carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20
+    carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10
+    carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20
+    # rate of the exit boundary after tau
+    rate_2 = -chi*v1_2 + t30
+    # derivatives of the time to the boundary after tau
+    t33 = 1/rate_2
+    delay_tau_by_z10 = t33*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10)
+    delay_tau_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20)
+    # perturbation on the boundary after tau
+    z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
+    z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
+    z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
+    z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
+    t34 = chi*z2_2
+    t35 = t34 - z1_2
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t35
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t35
+    # Phi along tau1
+    carried_z1_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t8*z1_2_on_boundary_by_z10 + t9*z2_2_on_boundary_by_z10
+    carried_z1_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t8*z1_2_on_boundary_by_z20 + t9*z2_2_on_boundary_by_z20
+    carried_z2_3_by_z10 = t14*z1_2_on_boundary_by_z10 + t15*z2_2_on_boundary_by_z10 + t16*v1_2_on_boundary_by_z10
+    carried_z2_3_by_z20 = t14*z1_2_on_boundary_by_z20 + t15*z2_2_on_boundary_by_z20 + t16*v1_2_on_boundary_by_z20
+    carried_v1_3_by_z10 = t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10
+    carried_v1_3_by_z20 = t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20
+    carried_v2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t25*z2_2_on_boundary_by_z10
+    carried_v2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t25*z2_2_on_boundary_by_z20
+    # rate of the exit boundary after tau1
+    t36 = chi*z2_3
+    rate_3 = t36 - z1_3
+    # derivatives of the time to the boundary after tau1
+    t37 = 1/rate_3
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t37
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t37
+    # perturbation on the boundary after tau1
+    z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
+    z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
+    z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
+    z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
+    t38 = chi*eta
+    t39 = -eta*t36 + t38*z1_3
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t39
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t39
+    # Phi along tau2
+    carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 + t28*v2_3_on_boundary_by_z10
+    carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20
+    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t29*z1_3_on_boundary_by_z10 - t29*z2_3_on_boundary_by_z10
+    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t29*z1_3_on_boundary_by_z20 - t29*z2_3_on_boundary_by_z20
+    # rate of the exit boundary after tau2
+    rate_4 = t38*z1_4 - t38*z2_4
+    # derivatives of the time to the boundary after tau2
+    t40 = 1/rate_4
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t40
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t40
     # perturbation on the boundary after tau2
     z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10
     z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20
@@ -3934,92 +3932,91 @@ def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3)
     # vector fields at transition 1
     behind_v1_1 = chi*z20 - z10
     # vector fields at transition 2
-    before_v1_2 = t39
-    behind_v1_2 = t39
-    behind_v2_2 = -eta*t38 + t43*z1_2
+    before_v1_2 = t35
+    behind_v1_2 = t35
+    behind_v2_2 = -eta*t34 + t38*z1_2
     # vector fields at transition 3
     before_v1_3 = rate_3
-    before_v2_3 = t44
-    behind_v2_3 = t44
+    before_v2_3 = t39
+    behind_v2_3 = t39
     # vector fields at transition 4
     before_v2_4 = rate_4
     # saltations
-    t47 = behind_v1_1/rate_1
-    t48 = -chi*t47
-    t49 = -before_v1_2 + behind_v1_2
-    t50 = 1/rate_2
-    t51 = chi*t50
-    t52 = t49*t51
-    t55 = behind_v2_2*t51
-    t58 = 1/before_v1_3
-    t59 = t58*(V - v1_3)
-    t60 = t58*(-before_v2_3 + behind_v2_3)
-    t61 = (V - v2_4)/before_v2_4
-    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t47, t48, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t52, t52, 1, 0], [-t55, t55, 0, 1], [1, 0, t59, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t60, 1], [1, 0, 0, 0], [0, 1, 0, t61], [0, 0, 1, 0], [0, 0, 0, 0]]
+    t41 = behind_v1_1/rate_1
+    t42 = -chi*t41
+    t43 = -before_v1_2 + behind_v1_2
+    t44 = 1/rate_2
+    t45 = chi*t44
+    t46 = t43*t45
+    t47 = behind_v2_2*t45
+    t48 = 1/before_v1_3
+    t49 = t48*(V - v1_3)
+    t50 = t48*(-before_v2_3 + behind_v2_3)
+    t51 = (V - v2_4)/before_v2_4
+    saltations = [[1, 0, 0, 0], [0, 1, 0, 0], [t41, t42, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [-t46, t46, 1, 0], [-t47, t47, 0, 1], [1, 0, t49, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, t50, 1], [1, 0, 0, 0], [0, 1, 0, t51], [0, 0, 1, 0], [0, 0, 0, 0]]
     if outputs == 2:
         return poincare_jacobian, saltations
     # saltation of phase 1
-    saltation_1_20 = t47
-    saltation_1_21 = t48
+    saltation_1_20 = t41
+    saltation_1_21 = t42
     # Phi of phase 2
     phi_2_00 = cos_tau + saltation_1_20*sin_tau
     phi_2_01 = chi + saltation_1_21*sin_tau - t0
-    phi_2_03 = t3
+    phi_2_03 = t4
     phi_2_20 = cos_tau*saltation_1_20 - sin_tau
-    phi_2_21 = cos_tau*saltation_1_21 + t2
+    phi_2_21 = cos_tau*saltation_1_21 + t3
     phi_2_23 = t1
     # saltation of phase 2
-    saltation_2_20 = -phi_2_00*t52 + phi_2_20
-    saltation_2_21 = -phi_2_01*t52 + phi_2_21 + t52
-    t53 = t49*t50
-    saltation_2_22 = cos_tau - t2*t53
-    t54 = chi*tau
-    saltation_2_23 = -phi_2_03*t52 + phi_2_23 + t53*t54
-    saltation_2_30 = -phi_2_00*t55
-    saltation_2_31 = -phi_2_01*t55 + t55
-    t57 = behind_v2_2*t50
-    saltation_2_32 = -t2*t57
-    saltation_2_33 = -phi_2_03*t55 + t54*t57 + 1
+    saltation_2_20 = -phi_2_00*t46 + phi_2_20
+    saltation_2_21 = -phi_2_01*t46 + phi_2_21 + t46
+    t52 = t43*t44
+    saltation_2_22 = cos_tau - t3*t52
+    saltation_2_23 = -phi_2_03*t46 + phi_2_23 + t2*t52
+    saltation_2_30 = -phi_2_00*t47
+    saltation_2_31 = -phi_2_01*t47 + t47
+    t53 = behind_v2_2*t44
+    saltation_2_32 = -t3*t53
+    saltation_2_33 = -phi_2_03*t47 + t2*t53 + 1
     # Phi of phase 3
-    phi_3_00 = phi_2_00*t11 + saltation_2_20*t10 + saltation_2_30*t13
-    phi_3_01 = phi_2_01*t11 + saltation_2_21*t10 + saltation_2_31*t13 + t12
-    phi_3_02 = saltation_2_22*t10 + saltation_2_32*t13 + sin_tau*t11
-    phi_3_03 = phi_2_03*t11 + saltation_2_23*t10 + saltation_2_33*t13 + t12*tau
-    phi_3_10 = phi_2_00*t15 + saltation_2_20*t14 + saltation_2_30*t17
-    phi_3_11 = phi_2_01*t15 + saltation_2_21*t14 + saltation_2_31*t17 + t16
-    phi_3_12 = saltation_2_22*t14 + saltation_2_32*t17 + sin_tau*t15
-    phi_3_13 = phi_2_03*t15 + saltation_2_23*t14 + saltation_2_33*t17 + t16*tau
-    phi_3_20 = phi_2_00*t20 + saltation_2_20*t11 + saltation_2_30*t12
-    phi_3_21 = p2*t18 + phi_2_01*t20 + saltation_2_21*t11 + saltation_2_31*t12 - t21
-    phi_3_22 = saltation_2_22*t11 + saltation_2_32*t12 + sin_tau*t20
-    phi_3_23 = phi_2_03*t20 + saltation_2_23*t11 + saltation_2_33*t12 + t22*tau
-    phi_3_30 = phi_2_00*t23 + saltation_2_20*t15 + saltation_2_30*t16
-    phi_3_31 = phi_2_01*t23 + saltation_2_21*t15 + saltation_2_31*t16 - t24 - t25
-    phi_3_32 = saltation_2_22*t15 + saltation_2_32*t16 + sin_tau*t23
-    phi_3_33 = phi_2_03*t23 + saltation_2_23*t15 + saltation_2_33*t16 + t26*tau
+    phi_3_00 = phi_2_00*t8 + saltation_2_20*t12 + saltation_2_30*t13
+    phi_3_01 = phi_2_01*t8 + saltation_2_21*t12 + saltation_2_31*t13 + t9
+    phi_3_02 = saltation_2_22*t12 + saltation_2_32*t13 + sin_tau*t8
+    phi_3_03 = phi_2_03*t8 + saltation_2_23*t12 + saltation_2_33*t13 + t9*tau
+    phi_3_10 = phi_2_00*t14 + saltation_2_20*t16 + saltation_2_30*t17
+    phi_3_11 = phi_2_01*t14 + saltation_2_21*t16 + saltation_2_31*t17 + t15
+    phi_3_12 = saltation_2_22*t16 + saltation_2_32*t17 + sin_tau*t14
+    phi_3_13 = phi_2_03*t14 + saltation_2_23*t16 + saltation_2_33*t17 + t15*tau
+    phi_3_20 = phi_2_00*t20 + saltation_2_20*t8 + saltation_2_30*t9
+    phi_3_21 = phi_2_01*t20 + saltation_2_21*t8 + saltation_2_31*t9 + t21
+    phi_3_22 = saltation_2_22*t8 + saltation_2_32*t9 + sin_tau*t20
+    phi_3_23 = phi_2_03*t20 + saltation_2_23*t8 + saltation_2_33*t9 + t21*tau
+    phi_3_30 = phi_2_00*t22 + saltation_2_20*t14 + saltation_2_30*t15
+    phi_3_31 = phi_2_01*t22 + saltation_2_21*t14 + saltation_2_31*t15 - t23 - t24
+    phi_3_32 = saltation_2_22*t14 + saltation_2_32*t15 + sin_tau*t22
+    phi_3_33 = phi_2_03*t22 + saltation_2_23*t14 + saltation_2_33*t15 + t25*tau
     # saltation of phase 3
-    saltation_3_00 = phi_3_00 + phi_3_20*t59
-    saltation_3_01 = phi_3_01 + phi_3_21*t59
-    saltation_3_02 = phi_3_02 + phi_3_22*t59
-    saltation_3_03 = phi_3_03 + phi_3_23*t59
-    saltation_3_30 = phi_3_20*t60 + phi_3_30
-    saltation_3_31 = phi_3_21*t60 + phi_3_31
-    saltation_3_32 = phi_3_22*t60 + phi_3_32
-    saltation_3_33 = phi_3_23*t60 + phi_3_33
+    saltation_3_00 = phi_3_00 + phi_3_20*t49
+    saltation_3_01 = phi_3_01 + phi_3_21*t49
+    saltation_3_02 = phi_3_02 + phi_3_22*t49
+    saltation_3_03 = phi_3_03 + phi_3_23*t49
+    saltation_3_30 = phi_3_20*t50 + phi_3_30
+    saltation_3_31 = phi_3_21*t50 + phi_3_31
+    saltation_3_32 = phi_3_22*t50 + phi_3_32
+    saltation_3_33 = phi_3_23*t50 + phi_3_33
     # Phi of phase 4
-    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t28 + saltation_3_30*t29
-    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t28 + saltation_3_31*t29
-    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t28 + saltation_3_32*t29
-    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t28 + saltation_3_33*t29
-    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t30 + saltation_3_00*t30
-    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t30 + saltation_3_01*t30
-    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t30 + saltation_3_02*t30
-    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t30 + saltation_3_03*t30
+    phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t27 + saltation_3_30*t28
+    phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t27 + saltation_3_31*t28
+    phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t27 + saltation_3_32*t28
+    phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t27 + saltation_3_33*t28
+    phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t29 + saltation_3_00*t29
+    phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t29 + saltation_3_01*t29
+    phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t29 + saltation_3_02*t29
+    phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t29 + saltation_3_03*t29
     # saltation of phase 4
-    saltation_4_10 = phi_4_10 + phi_4_30*t61
-    saltation_4_11 = phi_4_11 + phi_4_31*t61
-    saltation_4_12 = phi_4_12 + phi_4_32*t61
-    saltation_4_13 = phi_4_13 + phi_4_33*t61
+    saltation_4_10 = phi_4_10 + phi_4_30*t51
+    saltation_4_11 = phi_4_11 + phi_4_31*t51
+    saltation_4_12 = phi_4_12 + phi_4_32*t51
+    saltation_4_13 = phi_4_13 + phi_4_33*t51
     monodromy = [[saltation_3_00, saltation_3_01, saltation_3_02, saltation_3_03], [saltation_4_10, saltation_4_11, saltation_4_12, saltation_4_13], [0, 0, 0, 0], [0, 0, 0, 0]]
     return poincare_jacobian, saltations, monodromy
 
@@ -4068,29 +4065,28 @@ def solution_ii_flow_slip_slip(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): z1, z2, v1, v2.
     Gives state_after (4).
-    Operations: 82. Intermediate terms: 16.
+    Operations: 77. Intermediate terms: 15.
     """
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [z1, z2, v1, v2] = state
     # state_after
-    t0 = 1/omega1
-    t1 = omega1*t
-    t2 = lib.sin(t1)
-    t3 = t0*t2
-    t4 = 1 - p1
-    t5 = omega2*t
-    t6 = lib.sin(t5)
-    t7 = t6/omega2
-    t8 = lib.cos(t1)
-    t9 = lib.cos(t5)
-    t10 = p1*t8 + t4*t9
-    t11 = p2*t8 - p2*t9
-    t12 = p3*t8 - p3*t9
-    t13 = p1*t9 + t4*t8
-    t14 = omega2*t6
-    t15 = omega1*t2
-    return [t10*z1 + t11*z2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*z1 + t13*z2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + z1*(-p1*t15 - t14*t4) + z2*(omega2*p2*t6 - p2*t15), t12*v1 + t13*v2 + z1*(omega2*p3*t6 - p3*t15) + z2*(-p1*t14 - t15*t4)]
+    t0 = omega1*t
+    t1 = lib.sin(t0)
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = 1 - p1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 + t6*t7
+    t11 = p1*t7 + t6*t8
+    t12 = -p3*t7 + p3*t8
+    t13 = omega2*t4
+    t14 = omega1*t1
+    return [t10*z1 + t9*z2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5), t11*z2 + t12*z1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6), t10*v1 + t9*v2 + z1*(-p1*t14 - t13*t6) + z2*(p2*t13 - p2*t14), t11*v2 + t12*v1 + z1*(p3*t13 - p3*t14) + z2*(-p1*t13 - t14*t6)]
 
 
 def solution_ii_flow_stick_slip(parameters, spectrum, time, state, *, lib):
@@ -4125,7 +4121,7 @@ def solution_ii_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     Gives unknowns (6).
     Gives reduced_residual (3).
     Gives reduced_jacobian (3, 3).
-    Operations: 303. Intermediate terms: 101.
+    Operations: 295. Intermediate terms: 103.
     """
     [chi, eta, V, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -4134,67 +4130,66 @@ def solution_ii_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
     # z2_1: linear in second-breaks-forward
-    t2 = V*tau
-    t3 = 1/(chi - 1)
-    t4 = cos_tau*t3
-    z2_1 = V*sin_tau - e1*t4 - t2 - e2*t3/chi
+    t0 = V*tau
+    t1 = 1/(chi - 1)
+    t2 = cos_tau*t1
+    z2_1 = V*sin_tau - e1*t2 - t0 - e2*t1/chi
     # slip-stick for tau
-    t5 = chi*z2_1
-    t6 = e1 + t5
-    t7 = -chi*cos_tau + chi
-    z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t6 + t7*z2_1
-    z2_2 = t2 + z2_1
-    v1_2 = V*cos_tau + V*t7 + sin_tau*t5 - sin_tau*t6
+    t3 = chi*z2_1
+    t4 = e1 + t3
+    t5 = -chi*cos_tau + chi
+    z1_2 = V*sin_tau + V*(-chi*sin_tau + chi*tau) + cos_tau*t4 + t5*z2_1
+    z2_2 = t0 + z2_1
+    v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4
     # functions of tau1 in slip-slip
-    t8 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t8)
-    sin_omega1_tau1 = lib.sin(t8)
-    t9 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t9)
-    sin_omega2_tau1 = lib.sin(t9)
+    t6 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t6)
+    sin_omega1_tau1 = lib.sin(t6)
+    t7 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t7)
+    sin_omega2_tau1 = lib.sin(t7)
     # slip-slip for tau1
-    t10 = 1/omega1
-    t13 = sin_omega2_tau1/omega2
-    t11 = sin_omega1_tau1*t10
-    t12 = 1 - p1
-    t14 = p1*t11 + t12*t13
-    t15 = cos_omega1_tau1*p1 + cos_omega2_tau1*t12
-    t16 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    z1_3 = V*(p2*sin_omega1_tau1*t10 - p2*t13) + t14*v1_2 + t15*z1_2 + t16*z2_2
-    t17 = p3*sin_omega1_tau1*t10 - p3*t13
-    t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t19 = cos_omega1_tau1*t12 + cos_omega2_tau1*p1
-    z2_3 = V*(p1*t13 + t11*t12) + t17*v1_2 + t18*z1_2 + t19*z2_2
-    t21 = omega1*sin_omega1_tau1
-    t24 = omega2*p3*sin_omega2_tau1 - p3*t21
-    t20 = omega2*sin_omega2_tau1
-    t25 = -p1*t20 - t12*t21
-    v2_3 = V*t19 + t18*v1_2 + t24*z1_2 + t25*z2_2
+    t8 = 1 - p1
+    t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8
+    t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t11 = sin_omega1_tau1/omega1
+    t12 = sin_omega2_tau1/omega2
+    t13 = p1*t11 + t12*t8
+    z1_3 = V*(p2*t11 - p2*t12) + t10*z2_2 + t13*v1_2 + t9*z1_2
+    t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1
+    t16 = p3*t11 - p3*t12
+    z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2
+    t17 = omega1*sin_omega1_tau1
+    t18 = omega2*sin_omega2_tau1
+    t19 = -p3*t17 + p3*t18
+    t20 = -p1*t18 - t17*t8
+    v2_3 = V*t15 + t14*v1_2 + t19*z1_2 + t20*z2_2
     # first return of tau2
     cosine_part_tau2 = -V + v2_3
     sine_part_tau2 = omega3*z1_3 - omega3*z2_3
     # first return of tau2
     amplitude_tau2 = lib.sqrt(cosine_part_tau2**2 + sine_part_tau2**2)
     # first return of tau2
-    t26 = 1/amplitude_tau2
-    cos_tau2_return = sine_part_tau2*t26
-    sin_tau2_return = -cosine_part_tau2*t26
+    t21 = 1/amplitude_tau2
+    cos_tau2_return = sine_part_tau2*t21
+    sin_tau2_return = -cosine_part_tau2*t21
     # tau2: first return
-    t27 = 1/omega3
-    tau2 = t27*lib.angle(sin_tau2_return, cos_tau2_return)
+    t22 = 1/omega3
+    tau2 = t22*lib.angle(sin_tau2_return, cos_tau2_return)
     # unknowns
-    t28 = V*tau2 + sine_part_tau2*t27 + z2_3
-    t29 = -amplitude_tau2*t27 + t28
-    unknowns = [t28, t29, tau, tau1, tau2, e1]
+    t23 = V*tau2 + sine_part_tau2*t22 + z2_3
+    t24 = -amplitude_tau2*t22 + t23
+    unknowns = [t23, t24, tau, tau1, tau2, e1]
     if outputs == 1:
         return unknowns
     # slip-slip for tau1
-    t22 = -p1*t21 - t12*t20
-    t23 = omega2*p2*sin_omega2_tau1 - p2*t21
-    v1_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2
+    t25 = -p1*t17 - t18*t8
+    t26 = -p2*t17 + p2*t18
+    v1_3 = V*t10 + t25*z1_2 + t26*z2_2 + t9*v1_2
     # stick-stick for no time
-    z1_5 = t28
-    z2_5 = t29
+    z1_5 = t23
+    z2_5 = t24
     reduced_residual = [-V + v1_3, -chi*z2_5 - e1 + z1_5, -z2_1 + z2_5]
     if outputs == 2:
         return unknowns, reduced_residual
@@ -4202,33 +4197,33 @@ def solution_ii_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     cos_tau_by_tau = -sin_tau
     sin_tau_by_tau = cos_tau
     # d/dtau of: z2_1: linear in second-breaks-forward
-    t30 = cos_tau_by_tau*e1
-    z2_1_by_tau = V*sin_tau_by_tau - V - t3*t30
+    t27 = cos_tau_by_tau*e1
+    z2_1_by_tau = V*sin_tau_by_tau - V - t1*t27
     # d/de1 of: z2_1: linear in second-breaks-forward
-    z2_1_by_e1 = -t4
+    z2_1_by_e1 = -t2
     # d/dtau of: slip-stick for tau
-    t31 = V*chi
-    t32 = V - t31
-    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t32 + t30 + t31
+    t28 = V*chi
+    t29 = V - t28
+    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t29 + t27 + t28
     z2_2_by_tau = V + z2_1_by_tau
-    v1_2_by_tau = cos_tau_by_tau*t32 - e1*sin_tau_by_tau
+    v1_2_by_tau = cos_tau_by_tau*t29 - e1*sin_tau_by_tau
     # d/de1 of: slip-stick for tau
     z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau
     v1_2_by_e1 = -sin_tau
     # d/dtau of: slip-slip for tau1
-    z1_3_by_tau = t14*v1_2_by_tau + t15*z1_2_by_tau + t16*z2_2_by_tau
-    z2_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t19*z2_2_by_tau
-    v1_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau
-    v2_3_by_tau = t18*v1_2_by_tau + t24*z1_2_by_tau + t25*z2_2_by_tau
+    z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau
+    z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau
+    v1_3_by_tau = t25*z1_2_by_tau + t26*z2_2_by_tau + t9*v1_2_by_tau
+    v2_3_by_tau = t14*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau
     # d/dtau1 of: slip-slip for tau1
-    t33 = chi*z2_3
-    v1_3_by_tau1 = t33 - z1_3
-    v2_3_by_tau1 = chi*eta*z1_3 - eta*t33
+    t30 = chi*z2_3
+    v1_3_by_tau1 = t30 - z1_3
+    v2_3_by_tau1 = chi*eta*z1_3 - eta*t30
     # d/de1 of: slip-slip for tau1
-    z1_3_by_e1 = t14*v1_2_by_e1 + t15*z1_2_by_e1 + t16*z2_1_by_e1
-    z2_3_by_e1 = t17*v1_2_by_e1 + t18*z1_2_by_e1 + t19*z2_1_by_e1
-    v1_3_by_e1 = t15*v1_2_by_e1 + t22*z1_2_by_e1 + t23*z2_1_by_e1
-    v2_3_by_e1 = t18*v1_2_by_e1 + t24*z1_2_by_e1 + t25*z2_1_by_e1
+    z1_3_by_e1 = t10*z2_1_by_e1 + t13*v1_2_by_e1 + t9*z1_2_by_e1
+    z2_3_by_e1 = t14*z1_2_by_e1 + t15*z2_1_by_e1 + t16*v1_2_by_e1
+    v1_3_by_e1 = t25*z1_2_by_e1 + t26*z2_1_by_e1 + t9*v1_2_by_e1
+    v2_3_by_e1 = t14*v1_2_by_e1 + t19*z1_2_by_e1 + t20*z2_1_by_e1
     # d/dtau of: first return of tau2
     sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau
     # d/dtau1 of: first return of tau2
@@ -4236,26 +4231,29 @@ def solution_ii_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     # d/de1 of: first return of tau2
     sine_part_tau2_by_e1 = omega3*z1_3_by_e1 - omega3*z2_3_by_e1
     # d/dtau of: first return of tau2
-    t34 = 2*cosine_part_tau2
-    t35 = 2*sine_part_tau2
-    t36 = t26/2
-    amplitude_tau2_by_tau = t36*(sine_part_tau2_by_tau*t35 + t34*v2_3_by_tau)
+    t31 = 2*cosine_part_tau2
+    t32 = 2*sine_part_tau2
+    t33 = t21/2
+    amplitude_tau2_by_tau = t33*(sine_part_tau2_by_tau*t32 + t31*v2_3_by_tau)
     # d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1 = t36*(sine_part_tau2_by_tau1*t35 + t34*v2_3_by_tau1)
+    amplitude_tau2_by_tau1 = t33*(sine_part_tau2_by_tau1*t32 + t31*v2_3_by_tau1)
     # d/de1 of: first return of tau2
-    amplitude_tau2_by_e1 = t36*(sine_part_tau2_by_e1*t35 + t34*v2_3_by_e1)
+    amplitude_tau2_by_e1 = t33*(sine_part_tau2_by_e1*t32 + t31*v2_3_by_e1)
     # d/dtau of: first return of tau2
-    t37 = 1/amplitude_tau2**2
-    cos_tau2_return_by_tau = -amplitude_tau2_by_tau*sine_part_tau2*t37 + sine_part_tau2_by_tau*t26
-    sin_tau2_return_by_tau = amplitude_tau2_by_tau*cosine_part_tau2*t37 - t26*v2_3_by_tau
+    t34 = 1/amplitude_tau2**2
+    t35 = amplitude_tau2_by_tau*t34
+    cos_tau2_return_by_tau = -sine_part_tau2*t35 + sine_part_tau2_by_tau*t21
+    sin_tau2_return_by_tau = cosine_part_tau2*t35 - t21*v2_3_by_tau
     # d/dtau1 of: first return of tau2
-    cos_tau2_return_by_tau1 = -amplitude_tau2_by_tau1*sine_part_tau2*t37 + sine_part_tau2_by_tau1*t26
-    sin_tau2_return_by_tau1 = amplitude_tau2_by_tau1*cosine_part_tau2*t37 - t26*v2_3_by_tau1
+    t36 = amplitude_tau2_by_tau1*t34
+    cos_tau2_return_by_tau1 = -sine_part_tau2*t36 + sine_part_tau2_by_tau1*t21
+    sin_tau2_return_by_tau1 = cosine_part_tau2*t36 - t21*v2_3_by_tau1
     # d/de1 of: first return of tau2
-    cos_tau2_return_by_e1 = -amplitude_tau2_by_e1*sine_part_tau2*t37 + sine_part_tau2_by_e1*t26
-    sin_tau2_return_by_e1 = amplitude_tau2_by_e1*cosine_part_tau2*t37 - t26*v2_3_by_e1
+    t37 = amplitude_tau2_by_e1*t34
+    cos_tau2_return_by_e1 = -sine_part_tau2*t37 + sine_part_tau2_by_e1*t21
+    sin_tau2_return_by_e1 = cosine_part_tau2*t37 - t21*v2_3_by_e1
     # d/dtau of: tau2: first return
-    t38 = t27/(cos_tau2_return**2 + sin_tau2_return**2)
+    t38 = t22/(cos_tau2_return**2 + sin_tau2_return**2)
     t39 = cos_tau2_return*t38
     t40 = sin_tau2_return*t38
     tau2_by_tau = -cos_tau2_return_by_tau*t40 + sin_tau2_return_by_tau*t39
@@ -4264,14 +4262,14 @@ def solution_ii_reduced(parameters, spectrum, reduced, *, lib, outputs=3):
     # d/de1 of: tau2: first return
     tau2_by_e1 = -cos_tau2_return_by_e1*t40 + sin_tau2_return_by_e1*t39
     # d/dtau of: stick-stick for no time
-    z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t27 + z2_3_by_tau
-    z2_5_by_tau = -amplitude_tau2_by_tau*t27 + z1_5_by_tau
+    z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t22 + z2_3_by_tau
+    z2_5_by_tau = -amplitude_tau2_by_tau*t22 + z1_5_by_tau
     # d/dtau1 of: stick-stick for no time
-    z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t27 + v2_3
-    z2_5_by_tau1 = -amplitude_tau2_by_tau1*t27 + z1_5_by_tau1
+    z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t22 + v2_3
+    z2_5_by_tau1 = -amplitude_tau2_by_tau1*t22 + z1_5_by_tau1
     # d/de1 of: stick-stick for no time
-    z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t27 + z2_3_by_e1
-    z2_5_by_e1 = -amplitude_tau2_by_e1*t27 + z1_5_by_e1
+    z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t22 + z2_3_by_e1
+    z2_5_by_e1 = -amplitude_tau2_by_e1*t22 + z1_5_by_e1
     reduced_jacobian = [[v1_3_by_tau, v1_3_by_tau1, v1_3_by_e1], [-chi*z2_5_by_tau + z1_5_by_tau, -chi*z2_5_by_tau1 + z1_5_by_tau1, -chi*z2_5_by_e1 + z1_5_by_e1 - 1], [-z2_1_by_tau + z2_5_by_tau, z2_5_by_tau1, -z2_1_by_e1 + z2_5_by_e1]]
     return unknowns, reduced_residual, reduced_jacobian
 
@@ -4286,7 +4284,7 @@ def solution_ii_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives period_map (4, 5).
     Gives linear_start (2).
     Gives compatibility (4).
-    Operations: 249. Intermediate terms: 79.
+    Operations: 243. Intermediate terms: 78.
     """
     [chi, _, V, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -4296,74 +4294,73 @@ def solution_ii_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     sin_tau = lib.sin(tau)
     # slip-stick after tau, by the start
     z1_2_by_z20 = -chi*cos_tau + chi
-    t1 = chi*sin_tau
-    z1_2_by_v20 = chi*tau - t1
+    t0 = chi*sin_tau
+    z1_2_by_v20 = chi*tau - t0
     v1_2_by_z10 = -sin_tau
-    v1_2_by_z20 = t1
+    v1_2_by_z20 = t0
     v1_2_by_v20 = z1_2_by_z20
     # functions of tau1 in slip-slip
-    t3 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t3)
-    sin_omega1_tau1 = lib.sin(t3)
-    t4 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t4)
-    sin_omega2_tau1 = lib.sin(t4)
+    t1 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t1)
+    sin_omega1_tau1 = lib.sin(t1)
+    t2 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t2)
+    sin_omega2_tau1 = lib.sin(t2)
     # slip-slip after tau1, by the start
-    t5 = 1 - p1
-    t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5
-    t7 = cos_tau*t6
-    t8 = 1/omega1
-    t9 = sin_omega1_tau1*t8
-    t10 = sin_omega2_tau1/omega2
-    t11 = p1*t9 + t10*t5
-    z1_3_by_z10 = t11*v1_2_by_z10 + t7
-    t12 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    z1_3_by_z20 = t11*v1_2_by_z20 + t12 + t6*z1_2_by_z20
-    z1_3_by_v10 = cos_tau*t11 + sin_tau*t6
-    z1_3_by_v20 = -p2*t10 + p2*t9 + t11*v1_2_by_v20 + t12*tau + t6*z1_2_by_v20
-    t13 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t14 = cos_tau*t13
-    t15 = p3*sin_omega1_tau1*t8 - p3*t10
-    z2_3_by_z10 = t14 + t15*v1_2_by_z10
-    t16 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1
-    z2_3_by_z20 = t13*z1_2_by_z20 + t15*v1_2_by_z20 + t16
-    z2_3_by_v10 = cos_tau*t15 + sin_tau*t13
-    z2_3_by_v20 = p1*t10 + t13*z1_2_by_v20 + t15*v1_2_by_v20 + t16*tau + t5*t9
-    t17 = omega2*sin_omega2_tau1
-    t18 = omega1*sin_omega1_tau1
-    t19 = -p1*t18 - t17*t5
-    v1_3_by_z10 = cos_tau*t19 + t6*v1_2_by_z10
-    t20 = p2*t18
-    v1_3_by_z20 = p2*t17 + t19*z1_2_by_z20 - t20 + t6*v1_2_by_z20
-    v1_3_by_v10 = sin_tau*t19 + t7
-    v1_3_by_v20 = t12 + t19*z1_2_by_v20 + t6*v1_2_by_v20 + tau*(omega2*p2*sin_omega2_tau1 - t20)
-    t21 = omega2*p3*sin_omega2_tau1 - p3*t18
-    v2_3_by_z10 = cos_tau*t21 + t13*v1_2_by_z10
-    t22 = p1*t17 + t18*t5
-    v2_3_by_z20 = t13*v1_2_by_z20 + t21*z1_2_by_z20 - t22
-    v2_3_by_v10 = sin_tau*t21 + t14
-    v2_3_by_v20 = t13*v1_2_by_v20 + t16 + t21*z1_2_by_v20 - t22*tau
+    t3 = 1 - p1
+    t4 = cos_omega1_tau1*p1 + cos_omega2_tau1*t3
+    t5 = cos_tau*t4
+    t6 = sin_omega1_tau1/omega1
+    t7 = sin_omega2_tau1/omega2
+    t8 = p1*t6 + t3*t7
+    z1_3_by_z10 = t5 + t8*v1_2_by_z10
+    t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    z1_3_by_z20 = t4*z1_2_by_z20 + t8*v1_2_by_z20 + t9
+    z1_3_by_v10 = cos_tau*t8 + sin_tau*t4
+    z1_3_by_v20 = p2*t6 - p2*t7 + t4*z1_2_by_v20 + t8*v1_2_by_v20 + t9*tau
+    t10 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t11 = cos_tau*t10
+    t12 = p3*t6 - p3*t7
+    z2_3_by_z10 = t11 + t12*v1_2_by_z10
+    t13 = cos_omega1_tau1*t3 + cos_omega2_tau1*p1
+    z2_3_by_z20 = t10*z1_2_by_z20 + t12*v1_2_by_z20 + t13
+    z2_3_by_v10 = cos_tau*t12 + sin_tau*t10
+    z2_3_by_v20 = p1*t7 + t10*z1_2_by_v20 + t12*v1_2_by_v20 + t13*tau + t3*t6
+    t14 = omega1*sin_omega1_tau1
+    t15 = omega2*sin_omega2_tau1
+    t16 = -p1*t14 - t15*t3
+    v1_3_by_z10 = cos_tau*t16 + t4*v1_2_by_z10
+    t17 = -p2*t14 + p2*t15
+    v1_3_by_z20 = t16*z1_2_by_z20 + t17 + t4*v1_2_by_z20
+    v1_3_by_v10 = sin_tau*t16 + t5
+    v1_3_by_v20 = t16*z1_2_by_v20 + t17*tau + t4*v1_2_by_v20 + t9
+    t18 = -p3*t14 + p3*t15
+    v2_3_by_z10 = cos_tau*t18 + t10*v1_2_by_z10
+    t19 = p1*t15 + t14*t3
+    v2_3_by_z20 = t10*v1_2_by_z20 + t18*z1_2_by_z20 - t19
+    v2_3_by_v10 = sin_tau*t18 + t11
+    v2_3_by_v20 = t10*v1_2_by_v20 + t13 + t18*z1_2_by_v20 - t19*tau
     # functions of tau2 in stick-slip
-    t23 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t23)
-    sin_omega3_tau2 = lib.sin(t23)
+    t20 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t20)
+    sin_omega3_tau2 = lib.sin(t20)
     # stick-slip after tau2, by the start
     z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10
     z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20
     z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10
     z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20
-    t24 = sin_omega3_tau2/omega3
-    t25 = -t24 + tau2
-    t26 = 1 - cos_omega3_tau2
-    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t24*v2_3_by_z10 + t25*v1_3_by_z10 + t26*z1_3_by_z10
-    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t24*v2_3_by_z20 + t25*v1_3_by_z20 + t26*z1_3_by_z20
-    z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t24*v2_3_by_v10 + t25*v1_3_by_v10 + t26*z1_3_by_v10
-    z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t24*v2_3_by_v20 + t25*v1_3_by_v20 + t26*z1_3_by_v20
-    t27 = omega3*sin_omega3_tau2
-    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t26*v1_3_by_z10 + t27*z1_3_by_z10 - t27*z2_3_by_z10
-    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t26*v1_3_by_z20 + t27*z1_3_by_z20 - t27*z2_3_by_z20
-    v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t26*v1_3_by_v10 + t27*z1_3_by_v10 - t27*z2_3_by_v10
-    v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t26*v1_3_by_v20 + t27*z1_3_by_v20 - t27*z2_3_by_v20
+    t21 = 1 - cos_omega3_tau2
+    t22 = sin_omega3_tau2/omega3
+    t23 = -t22 + tau2
+    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t21*z1_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10
+    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t21*z1_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20
+    z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t21*z1_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10
+    z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t21*z1_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20
+    t24 = omega3*sin_omega3_tau2
+    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t21*v1_3_by_z10 + t24*z1_3_by_z10 - t24*z2_3_by_z10
+    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t21*v1_3_by_z20 + t24*z1_3_by_z20 - t24*z2_3_by_z20
+    v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10
+    v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20
     period_map = [[z1_4_by_z10, z1_4_by_z20, z1_4_by_v10, z1_4_by_v20, 0], [z2_4_by_z10, z2_4_by_z20, z2_4_by_v10, z2_4_by_v20, 0], [v1_3_by_z10, v1_3_by_z20, v1_3_by_v10, v1_3_by_v20, 0], [v2_4_by_z10, v2_4_by_z20, v2_4_by_v10, v2_4_by_v20, 0]]
     if outputs == 1:
         return period_map
@@ -4379,9 +4376,9 @@ def solution_ii_period_map(parameters, spectrum, unknowns, *, lib, outputs=3):
     numerator1 = coefficient22*right1 - right2*z1_4_by_z20
     numerator2 = coefficient11*right2 - right1*z2_4_by_z10
     # z10, z20 by Cramer's rule
-    t28 = 1/determinant
-    z1_0 = numerator1*t28
-    z2_0 = numerator2*t28
+    t25 = 1/determinant
+    z1_0 = numerator1*t25
+    z2_0 = numerator2*t25
     linear_start = [z1_0, z2_0]
     if outputs == 2:
         return period_map, linear_start

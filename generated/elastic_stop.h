@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 795b651b261d23ea */
+ * SymPy 1.14.0, derivation 9398124ac0939a59 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 
@@ -21,9 +21,9 @@
  *
  *     parameters            of the system, or of the orbit in the orbit's functions
  *     spectrum              gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6:
- *                           what elastic_stop_spectrum gives, once for each point of k1, k2, k3,
- *                           m1, m2
- *     spectrum_derivatives  of spectrum[i] by the j-th of k1, k2, k3, m1, m2
+ *                           what elastic_stop_spectrum gives, once for each point of m1, m2, k1,
+ *                           k2, k3
+ *     spectrum_derivatives  of spectrum[i] by the j-th of m1, m2, k1, k2, k3
  *     state                 x1, x2, v1, v2; of an orbit as its comment says
  *     state_after           the same after `time`
  *     unknowns              of the orbit
@@ -101,7 +101,7 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are k1, k2, k3, m1, m2, in this order. Gives spectrum (12), spectrum_derivatives
+ * `parameters` are m1, m2, k1, k2, k3, in this order. Gives spectrum (12), spectrum_derivatives
  * (12, 5). */
 void elastic_stop_spectrum(
     const double parameters[5], double *spectrum, double *spectrum_derivatives);

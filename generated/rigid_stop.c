@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 26948aa7169362e0 */
+ * SymPy 1.14.0, derivation 8daa9dfa261d8c6c */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -13,14 +13,14 @@
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Operations: 179. Intermediate terms: 70. */
+ * Operations: 177. Intermediate terms: 70. */
 static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
     int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double k1 = parameters[lane];
-    const double k2 = parameters[1*lanes + lane];
-    const double m1 = parameters[2*lanes + lane];
-    const double m2 = parameters[3*lanes + lane];
+    const double m1 = parameters[lane];
+    const double m2 = parameters[1*lanes + lane];
+    const double k1 = parameters[2*lanes + lane];
+    const double k2 = parameters[3*lanes + lane];
     /* spectrum */
     const double t0 = (1.0/(m1));
     const double t1 = k1*t0;
@@ -33,20 +33,21 @@ static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
     const double gap1 = sqrt(t0*t7 + (t5*t5));
     const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t1 + (1.0/2.0)*t4);
     const double t8 = (1.0/(omega1));
-    const double t9 = sqrt(k1);
+    const double t9 = (1.0/sqrt(m1));
     const double t10 = (1.0/sqrt(m2));
     const double t11 = sqrt(k2);
-    const double t12 = (1.0/sqrt(m1));
-    const double t13 = t10*t11*t12*t9;
-    const double omega2 = t13*t8;
-    const double t14 = (1.0/(gap1));
-    const double t15 = (1.0/2.0)*t14;
-    const double p1 = t15*t5 + 1.0/2.0;
-    const double p2 = -t1*t14;
-    const double t16 = t14*t2;
-    const double p3 = -k1*t16;
-    const double t17 = sqrt(t3);
-    const double omega3 = t10*t17;
+    const double t12 = sqrt(k1);
+    const double t13 = t10*t11*t12;
+    const double t14 = t13*t9;
+    const double omega2 = t14*t8;
+    const double t15 = (1.0/(gap1));
+    const double t16 = (1.0/2.0)*t15;
+    const double p1 = t16*t5 + 1.0/2.0;
+    const double p2 = -t1*t15;
+    const double t17 = t15*t2;
+    const double p3 = -k1*t17;
+    const double t18 = sqrt(t3);
+    const double omega3 = t10*t18;
     if (spectrum) {
         spectrum[lane] = gap1;
         spectrum[1*lanes + lane] = omega1;
@@ -58,84 +59,83 @@ static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
     }
     if (!spectrum_derivatives)
         return;
-    /* d/dk1 of: spectrum */
-    const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
-    const double t18 = (1.0/2.0)*gap1_by_k1;
-    const double t19 = (1.0/2.0)*t2;
-    const double t20 = (1.0/2.0)*t8;
-    const double omega1_by_k1 = t20*((1.0/2.0)*t0 + t18 + t19);
-    const double t21 = t13/(omega1*omega1);
-    const double omega2_by_k1 = -omega1_by_k1*t21 + (1.0/2.0)*t10*t11*t12*t8/t9;
-    const double t22 = (1.0/(gap1*gap1));
-    const double t23 = t22*t5;
-    const double p1_by_k1 = t15*(t0 - t2) - t18*t23;
-    const double p2_by_k1 = gap1_by_k1*k1*t0*t22 - t0*t14;
-    const double p3_by_k1 = gap1_by_k1*k1*t2*t22 - t16;
-    const double omega3_by_k1 = (1.0/2.0)*t10/t17;
-    /* d/dk2 of: spectrum */
-    const double gap1_by_k2 = -t16*t5;
-    const double t25 = (1.0/2.0)*gap1_by_k2;
-    const double omega1_by_k2 = t20*(t19 + t25);
-    const double omega2_by_k2 = -omega1_by_k2*t21 + (1.0/2.0)*t10*t12*t8*t9/t11;
-    const double p1_by_k2 = -t14*t19 - t23*t25;
-    const double t26 = gap1_by_k2*t22;
-    const double p2_by_k2 = t1*t26;
-    const double t27 = k1*t2;
-    const double p3_by_k2 = t26*t27;
-    const double omega3_by_k2 = omega3_by_k1;
     /* d/dm1 of: spectrum */
-    const double t28 = (1.0/(m1*m1));
-    const double t29 = k1*t28;
-    const double gap1_by_m1 = t15*(-t28*t7 - 2*t29*t5);
-    const double t30 = (1.0/2.0)*gap1_by_m1;
-    const double omega1_by_m1 = t20*(-1.0/2.0*t29 + t30);
-    const double omega2_by_m1 = -omega1_by_m1*t21 - t10*t11*t20*t9/(sqrt(m1)*sqrt(m1)*sqrt(m1));
-    const double p1_by_m1 = -t15*t29 - t23*t30;
-    const double t31 = gap1_by_m1*t22;
-    const double p2_by_m1 = t1*t31 + t14*t29;
-    const double p3_by_m1 = t27*t31;
+    const double t19 = (1.0/(m1*m1));
+    const double t20 = k1*t19;
+    const double gap1_by_m1 = t16*(-t19*t7 - 2*t20*t5);
+    const double t21 = (1.0/2.0)*t8;
+    const double omega1_by_m1 = t21*((1.0/2.0)*gap1_by_m1 - 1.0/2.0*t20);
+    const double t22 = t14/(omega1*omega1);
+    const double omega2_by_m1 = -omega1_by_m1*t22 - t13*t21/(sqrt(m1)*sqrt(m1)*sqrt(m1));
+    const double t23 = (1.0/(gap1*gap1));
+    const double t24 = t23*t5;
+    const double p1_by_m1 = -1.0/2.0*gap1_by_m1*t24 - t16*t20;
+    const double t25 = gap1_by_m1*t23;
+    const double p2_by_m1 = t1*t25 + t15*t20;
+    const double t26 = k1*t2;
+    const double p3_by_m1 = t25*t26;
     /* d/dm2 of: spectrum */
-    const double t32 = (1.0/(m2*m2));
-    const double gap1_by_m2 = t15*(-4*t0*t32*t6 + 2*t3*t32*t5);
-    const double t33 = (1.0/2.0)*gap1_by_m2;
-    const double t34 = t3*t32;
-    const double omega1_by_m2 = t20*(t33 - 1.0/2.0*t34);
-    const double t35 = (1.0/(sqrt(m2)*sqrt(m2)*sqrt(m2)));
-    const double omega2_by_m2 = -omega1_by_m2*t21 - t11*t12*t20*t35*t9;
-    const double p1_by_m2 = t15*t34 - t23*t33;
-    const double t36 = gap1_by_m2*t22;
-    const double p2_by_m2 = t1*t36;
-    const double p3_by_m2 = k1*t14*t32 + t27*t36;
-    const double omega3_by_m2 = -1.0/2.0*t17*t35;
+    const double t27 = (1.0/(m2*m2));
+    const double gap1_by_m2 = t16*(-4*t0*t27*t6 + 2*t27*t3*t5);
+    const double t28 = (1.0/2.0)*gap1_by_m2;
+    const double omega1_by_m2 = t21*(-1.0/2.0*t27*t3 + t28);
+    const double t29 = (1.0/(sqrt(m2)*sqrt(m2)*sqrt(m2)));
+    const double omega2_by_m2 = -omega1_by_m2*t22 - t11*t12*t21*t29*t9;
+    const double p1_by_m2 = (1.0/2.0)*t15*t27*t3 - t24*t28;
+    const double t30 = gap1_by_m2*t23;
+    const double p2_by_m2 = t1*t30;
+    const double p3_by_m2 = k1*t15*t27 + t26*t30;
+    const double omega3_by_m2 = -1.0/2.0*t18*t29;
+    /* d/dk1 of: spectrum */
+    const double gap1_by_k1 = t16*(8*t1*t2 + t5*(2*t0 - 2*t2));
+    const double t31 = (1.0/2.0)*gap1_by_k1;
+    const double t32 = (1.0/2.0)*t2;
+    const double omega1_by_k1 = t21*((1.0/2.0)*t0 + t31 + t32);
+    const double omega2_by_k1 = -omega1_by_k1*t22 + (1.0/2.0)*t10*t11*t8*t9/t12;
+    const double p1_by_k1 = t16*(t0 - t2) - t24*t31;
+    const double t33 = gap1_by_k1*t23;
+    const double p2_by_k1 = -t0*t15 + t1*t33;
+    const double p3_by_k1 = -t17 + t26*t33;
+    const double omega3_by_k1 = (1.0/2.0)*t10/t18;
+    /* d/dk2 of: spectrum */
+    const double gap1_by_k2 = -t17*t5;
+    const double t34 = (1.0/2.0)*gap1_by_k2;
+    const double omega1_by_k2 = t21*(t32 + t34);
+    const double omega2_by_k2 = -omega1_by_k2*t22 + (1.0/2.0)*t10*t12*t8*t9/t11;
+    const double p1_by_k2 = -t15*t32 - t24*t34;
+    const double t35 = gap1_by_k2*t23;
+    const double p2_by_k2 = t1*t35;
+    const double p3_by_k2 = t26*t35;
+    const double omega3_by_k2 = omega3_by_k1;
     if (spectrum_derivatives) {
-        spectrum_derivatives[lane] = gap1_by_k1;
-        spectrum_derivatives[1*lanes + lane] = gap1_by_k2;
-        spectrum_derivatives[2*lanes + lane] = gap1_by_m1;
-        spectrum_derivatives[3*lanes + lane] = gap1_by_m2;
-        spectrum_derivatives[4*lanes + lane] = omega1_by_k1;
-        spectrum_derivatives[5*lanes + lane] = omega1_by_k2;
-        spectrum_derivatives[6*lanes + lane] = omega1_by_m1;
-        spectrum_derivatives[7*lanes + lane] = omega1_by_m2;
-        spectrum_derivatives[8*lanes + lane] = omega2_by_k1;
-        spectrum_derivatives[9*lanes + lane] = omega2_by_k2;
-        spectrum_derivatives[10*lanes + lane] = omega2_by_m1;
-        spectrum_derivatives[11*lanes + lane] = omega2_by_m2;
-        spectrum_derivatives[12*lanes + lane] = p1_by_k1;
-        spectrum_derivatives[13*lanes + lane] = p1_by_k2;
-        spectrum_derivatives[14*lanes + lane] = p1_by_m1;
-        spectrum_derivatives[15*lanes + lane] = p1_by_m2;
-        spectrum_derivatives[16*lanes + lane] = p2_by_k1;
-        spectrum_derivatives[17*lanes + lane] = p2_by_k2;
-        spectrum_derivatives[18*lanes + lane] = p2_by_m1;
-        spectrum_derivatives[19*lanes + lane] = p2_by_m2;
-        spectrum_derivatives[20*lanes + lane] = p3_by_k1;
-        spectrum_derivatives[21*lanes + lane] = p3_by_k2;
-        spectrum_derivatives[22*lanes + lane] = p3_by_m1;
-        spectrum_derivatives[23*lanes + lane] = p3_by_m2;
-        spectrum_derivatives[24*lanes + lane] = omega3_by_k1;
-        spectrum_derivatives[25*lanes + lane] = omega3_by_k2;
-        spectrum_derivatives[26*lanes + lane] = 0;
-        spectrum_derivatives[27*lanes + lane] = omega3_by_m2;
+        spectrum_derivatives[lane] = gap1_by_m1;
+        spectrum_derivatives[1*lanes + lane] = gap1_by_m2;
+        spectrum_derivatives[2*lanes + lane] = gap1_by_k1;
+        spectrum_derivatives[3*lanes + lane] = gap1_by_k2;
+        spectrum_derivatives[4*lanes + lane] = omega1_by_m1;
+        spectrum_derivatives[5*lanes + lane] = omega1_by_m2;
+        spectrum_derivatives[6*lanes + lane] = omega1_by_k1;
+        spectrum_derivatives[7*lanes + lane] = omega1_by_k2;
+        spectrum_derivatives[8*lanes + lane] = omega2_by_m1;
+        spectrum_derivatives[9*lanes + lane] = omega2_by_m2;
+        spectrum_derivatives[10*lanes + lane] = omega2_by_k1;
+        spectrum_derivatives[11*lanes + lane] = omega2_by_k2;
+        spectrum_derivatives[12*lanes + lane] = p1_by_m1;
+        spectrum_derivatives[13*lanes + lane] = p1_by_m2;
+        spectrum_derivatives[14*lanes + lane] = p1_by_k1;
+        spectrum_derivatives[15*lanes + lane] = p1_by_k2;
+        spectrum_derivatives[16*lanes + lane] = p2_by_m1;
+        spectrum_derivatives[17*lanes + lane] = p2_by_m2;
+        spectrum_derivatives[18*lanes + lane] = p2_by_k1;
+        spectrum_derivatives[19*lanes + lane] = p2_by_k2;
+        spectrum_derivatives[20*lanes + lane] = p3_by_m1;
+        spectrum_derivatives[21*lanes + lane] = p3_by_m2;
+        spectrum_derivatives[22*lanes + lane] = p3_by_k1;
+        spectrum_derivatives[23*lanes + lane] = p3_by_k2;
+        spectrum_derivatives[24*lanes + lane] = 0;
+        spectrum_derivatives[25*lanes + lane] = omega3_by_m2;
+        spectrum_derivatives[26*lanes + lane] = omega3_by_k1;
+        spectrum_derivatives[27*lanes + lane] = omega3_by_k2;
     }
 }
 
@@ -146,7 +146,7 @@ void rigid_stop_spectrum(
 }
 
 /* State after a time in free.
- * Operations: 82. Intermediate terms: 16. */
+ * Operations: 77. Intermediate terms: 15. */
 void rigid_stop_flow_free(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
     double state_after[4])
@@ -163,26 +163,25 @@ void rigid_stop_flow_free(
     const double v1 = state[2];
     const double v2 = state[3];
     /* state_after */
-    const double t0 = (1.0/(omega1));
-    const double t1 = omega1*t;
-    const double t2 = sin(t1);
-    const double t3 = t0*t2;
-    const double t4 = 1 - p1;
-    const double t5 = omega2*t;
-    const double t6 = sin(t5);
-    const double t7 = t6/omega2;
-    const double t8 = cos(t1);
-    const double t9 = cos(t5);
-    const double t10 = p1*t8 + t4*t9;
-    const double t11 = p2*t8 - p2*t9;
-    const double t12 = p3*t8 - p3*t9;
-    const double t13 = p1*t9 + t4*t8;
-    const double t14 = omega1*t2;
-    const double t15 = omega2*t6;
-    state_after[0] = t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
-    state_after[1] = t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
-    state_after[2] = t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14);
-    state_after[3] = t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4);
+    const double t0 = omega1*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = 1 - p1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 + t6*t7;
+    const double t11 = p1*t7 + t6*t8;
+    const double t12 = -p3*t7 + p3*t8;
+    const double t13 = omega2*t4;
+    const double t14 = omega1*t1;
+    state_after[0] = t10*x1 + t9*x2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t11*x2 + t12*x1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6);
+    state_after[2] = t10*v1 + t9*v2 + x1*(-p1*t14 - t13*t6) + x2*(p2*t13 - p2*t14);
+    state_after[3] = t11*v2 + t12*v1 + x1*(p3*t13 - p3*t14) + x2*(-p1*t13 - t14*t6);
 }
 
 /* State after a time in contact.
@@ -325,9 +324,9 @@ void rigid_stop_modes(
     /* coefficients */
     const double t0 = 1 - p1;
     const double t1 = (1.0/(omega1));
-    const double t4 = (1.0/(omega2));
-    const double t5 = k1/(k1 + k2);
-    const double t7 = (1.0/(omega3));
+    const double t2 = (1.0/(omega2));
+    const double t3 = k1/(k1 + k2);
+    const double t4 = (1.0/(omega3));
     if (coefficients) {
         static const unsigned char nonsmooth_coefficients_places[] = {
             0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0,
@@ -355,20 +354,20 @@ void rigid_stop_modes(
         nonsmooth_coefficients_values[12] = -omega1*t0;
         nonsmooth_coefficients_values[13] = -p2;
         nonsmooth_coefficients_values[14] = -p3;
-        nonsmooth_coefficients_values[15] = t0*t4;
-        nonsmooth_coefficients_values[16] = -p2*t4;
-        nonsmooth_coefficients_values[17] = -p3*t4;
-        nonsmooth_coefficients_values[18] = p1*t4;
+        nonsmooth_coefficients_values[15] = t0*t2;
+        nonsmooth_coefficients_values[16] = -p2*t2;
+        nonsmooth_coefficients_values[17] = -p3*t2;
+        nonsmooth_coefficients_values[18] = p1*t2;
         nonsmooth_coefficients_values[19] = -omega2*t0;
         nonsmooth_coefficients_values[20] = omega2*p2;
         nonsmooth_coefficients_values[21] = omega2*p3;
         nonsmooth_coefficients_values[22] = -omega2*p1;
         nonsmooth_coefficients_values[23] = 1;
-        nonsmooth_coefficients_values[24] = t5;
-        nonsmooth_coefficients_values[25] = -t5;
-        nonsmooth_coefficients_values[26] = -t5*t7;
-        nonsmooth_coefficients_values[27] = t7;
-        nonsmooth_coefficients_values[28] = omega3*t5;
+        nonsmooth_coefficients_values[24] = t3;
+        nonsmooth_coefficients_values[25] = -t3;
+        nonsmooth_coefficients_values[26] = -t3*t4;
+        nonsmooth_coefficients_values[27] = t4;
+        nonsmooth_coefficients_values[28] = omega3*t3;
         nonsmooth_coefficients_values[29] = -omega3;
         for (int i = 0; i < 180; ++i)
             coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
@@ -397,117 +396,117 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_equations_in_lane(
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
     const double cos_omega1_half_T = wave_0.cosine;
     const double sin_omega1_half_T = wave_0.sine;
-    const double t3 = half_T*omega2;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double t1 = half_T*omega2;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
     const double cos_omega2_half_T = wave_1.cosine;
     const double sin_omega2_half_T = wave_1.sine;
     /* residual */
-    const double t16 = cos_omega1_half_T*p1;
-    const double t17 = p2*y;
-    const double t18 = p1 - 1;
-    const double t19 = t17 + t18;
-    const double t20 = omega2*sin_omega2_half_T;
-    const double t21 = cos_omega2_half_T*t18;
-    const double t22 = p1 + t17;
-    const double t23 = omega1*sin_omega1_half_T;
-    const double t24 = cos_omega1_half_T*p3;
-    const double t25 = p1*y - p3 - y;
-    const double t26 = cos_omega2_half_T*p3;
-    const double t27 = p1*y - p3;
+    const double t2 = cos_omega1_half_T*p1;
+    const double t3 = p2*y;
+    const double t4 = p1 - 1;
+    const double t5 = t3 + t4;
+    const double t6 = omega2*sin_omega2_half_T;
+    const double t7 = cos_omega2_half_T*t4;
+    const double t8 = p1 + t3;
+    const double t9 = omega1*sin_omega1_half_T;
+    const double t10 = cos_omega1_half_T*p3;
+    const double t11 = -p1*y + p3;
+    const double t12 = -t11 - y;
+    const double t13 = cos_omega2_half_T*p3;
     if (residual) {
-        residual[lane] = t16*u + t19*t20 - t21*u - t22*t23;
-        residual[1*lanes + lane] = -t20*t27 + t23*t25 + t24*u - t26*u;
+        residual[lane] = t2*u + t5*t6 - t7*u - t8*t9;
+        residual[1*lanes + lane] = t10*u + t11*t6 + t12*t9 - t13*u;
     }
     if (!jacobian && !parameter_jacobian)
         return;
     if (jacobian) {
-        jacobian[lane] = omega2*p2*sin_omega2_half_T - p2*t23;
-        jacobian[1*lanes + lane] = t16 - t21;
-        jacobian[2*lanes + lane] = -p1*t20 + t18*t23;
-        jacobian[3*lanes + lane] = t24 - t26;
+        jacobian[lane] = p2*t6 - p2*t9;
+        jacobian[1*lanes + lane] = t2 - t7;
+        jacobian[2*lanes + lane] = omega1*sin_omega1_half_T*t4 - p1*t6;
+        jacobian[3*lanes + lane] = t10 - t13;
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_k1 = spectrum_derivatives[4*lanes + lane];
-    const double omega1_by_k2 = spectrum_derivatives[5*lanes + lane];
-    const double omega1_by_m1 = spectrum_derivatives[6*lanes + lane];
-    const double omega1_by_m2 = spectrum_derivatives[7*lanes + lane];
-    const double omega2_by_k1 = spectrum_derivatives[8*lanes + lane];
-    const double omega2_by_k2 = spectrum_derivatives[9*lanes + lane];
-    const double omega2_by_m1 = spectrum_derivatives[10*lanes + lane];
-    const double omega2_by_m2 = spectrum_derivatives[11*lanes + lane];
-    const double p1_by_k1 = spectrum_derivatives[12*lanes + lane];
-    const double p1_by_k2 = spectrum_derivatives[13*lanes + lane];
-    const double p1_by_m1 = spectrum_derivatives[14*lanes + lane];
-    const double p1_by_m2 = spectrum_derivatives[15*lanes + lane];
-    const double p2_by_k1 = spectrum_derivatives[16*lanes + lane];
-    const double p2_by_k2 = spectrum_derivatives[17*lanes + lane];
-    const double p2_by_m1 = spectrum_derivatives[18*lanes + lane];
-    const double p2_by_m2 = spectrum_derivatives[19*lanes + lane];
-    const double p3_by_k1 = spectrum_derivatives[20*lanes + lane];
-    const double p3_by_k2 = spectrum_derivatives[21*lanes + lane];
-    const double p3_by_m1 = spectrum_derivatives[22*lanes + lane];
-    const double p3_by_m2 = spectrum_derivatives[23*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[4*lanes + lane];
+    const double omega1_by_m2 = spectrum_derivatives[5*lanes + lane];
+    const double omega1_by_k1 = spectrum_derivatives[6*lanes + lane];
+    const double omega1_by_k2 = spectrum_derivatives[7*lanes + lane];
+    const double omega2_by_m1 = spectrum_derivatives[8*lanes + lane];
+    const double omega2_by_m2 = spectrum_derivatives[9*lanes + lane];
+    const double omega2_by_k1 = spectrum_derivatives[10*lanes + lane];
+    const double omega2_by_k2 = spectrum_derivatives[11*lanes + lane];
+    const double p1_by_m1 = spectrum_derivatives[12*lanes + lane];
+    const double p1_by_m2 = spectrum_derivatives[13*lanes + lane];
+    const double p1_by_k1 = spectrum_derivatives[14*lanes + lane];
+    const double p1_by_k2 = spectrum_derivatives[15*lanes + lane];
+    const double p2_by_m1 = spectrum_derivatives[16*lanes + lane];
+    const double p2_by_m2 = spectrum_derivatives[17*lanes + lane];
+    const double p2_by_k1 = spectrum_derivatives[18*lanes + lane];
+    const double p2_by_k2 = spectrum_derivatives[19*lanes + lane];
+    const double p3_by_m1 = spectrum_derivatives[20*lanes + lane];
+    const double p3_by_m2 = spectrum_derivatives[21*lanes + lane];
+    const double p3_by_k1 = spectrum_derivatives[22*lanes + lane];
+    const double p3_by_k2 = spectrum_derivatives[23*lanes + lane];
     /* d/dm1 of: functions of half_T in free */
-    const double t6 = half_T*omega1_by_m1;
-    const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
-    const double sin_omega1_half_T_by_m1 = cos_omega1_half_T*t6;
-    const double t7 = half_T*omega2_by_m1;
-    const double cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t7;
-    const double sin_omega2_half_T_by_m1 = cos_omega2_half_T*t7;
+    const double t14 = half_T*omega1_by_m1;
+    const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t14;
+    const double sin_omega1_half_T_by_m1 = cos_omega1_half_T*t14;
+    const double t15 = half_T*omega2_by_m1;
+    const double cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t15;
+    const double sin_omega2_half_T_by_m1 = cos_omega2_half_T*t15;
     /* d/dm2 of: functions of half_T in free */
-    const double t8 = half_T*omega1_by_m2;
-    const double cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t8;
-    const double sin_omega1_half_T_by_m2 = cos_omega1_half_T*t8;
-    const double t9 = half_T*omega2_by_m2;
-    const double cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t9;
-    const double sin_omega2_half_T_by_m2 = cos_omega2_half_T*t9;
+    const double t16 = half_T*omega1_by_m2;
+    const double cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t16;
+    const double sin_omega1_half_T_by_m2 = cos_omega1_half_T*t16;
+    const double t17 = half_T*omega2_by_m2;
+    const double cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t17;
+    const double sin_omega2_half_T_by_m2 = cos_omega2_half_T*t17;
     /* d/dk1 of: functions of half_T in free */
-    const double t10 = half_T*omega1_by_k1;
-    const double cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t10;
-    const double sin_omega1_half_T_by_k1 = cos_omega1_half_T*t10;
-    const double t11 = half_T*omega2_by_k1;
-    const double cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t11;
-    const double sin_omega2_half_T_by_k1 = cos_omega2_half_T*t11;
+    const double t18 = half_T*omega1_by_k1;
+    const double cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t18;
+    const double sin_omega1_half_T_by_k1 = cos_omega1_half_T*t18;
+    const double t19 = half_T*omega2_by_k1;
+    const double cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t19;
+    const double sin_omega2_half_T_by_k1 = cos_omega2_half_T*t19;
     /* d/dk2 of: functions of half_T in free */
-    const double t12 = half_T*omega1_by_k2;
-    const double cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t12;
-    const double sin_omega1_half_T_by_k2 = cos_omega1_half_T*t12;
-    const double t13 = half_T*omega2_by_k2;
-    const double cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t13;
-    const double sin_omega2_half_T_by_k2 = cos_omega2_half_T*t13;
+    const double t20 = half_T*omega1_by_k2;
+    const double cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t20;
+    const double sin_omega1_half_T_by_k2 = cos_omega1_half_T*t20;
+    const double t21 = half_T*omega2_by_k2;
+    const double cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t21;
+    const double sin_omega2_half_T_by_k2 = cos_omega2_half_T*t21;
     /* d/dT of: functions of half_T in free */
-    const double t14 = (1.0/2.0)*omega1;
-    const double cos_omega1_half_T_by_T = -sin_omega1_half_T*t14;
-    const double sin_omega1_half_T_by_T = cos_omega1_half_T*t14;
-    const double t15 = (1.0/2.0)*omega2;
-    const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t15;
-    const double sin_omega2_half_T_by_T = cos_omega2_half_T*t15;
+    const double t22 = (1.0/2.0)*omega1;
+    const double cos_omega1_half_T_by_T = -sin_omega1_half_T*t22;
+    const double sin_omega1_half_T_by_T = cos_omega1_half_T*t22;
+    const double t23 = (1.0/2.0)*omega2;
+    const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t23;
+    const double sin_omega2_half_T_by_T = cos_omega2_half_T*t23;
     /* parameter_jacobian */
-    const double t28 = cos_omega1_half_T*u - cos_omega2_half_T*u + t20 - t23;
-    const double t29 = -omega2*sin_omega2_half_T*y + t23*y;
-    const double t31 = p1*u;
-    const double t32 = sin_omega2_half_T*t19;
-    const double t33 = omega2*t19;
-    const double t34 = t18*u;
-    const double t35 = sin_omega1_half_T*t22;
-    const double t36 = omega1*t22;
-    const double t37 = p3*u;
-    const double t38 = sin_omega1_half_T*t25;
-    const double t39 = omega1*t25;
-    const double t40 = sin_omega2_half_T*t27;
-    const double t41 = omega2*t27;
+    const double t24 = t6*y - t9*y;
+    const double t25 = cos_omega1_half_T*u - cos_omega2_half_T*u + t6 - t9;
+    const double t26 = p1*u;
+    const double t27 = sin_omega2_half_T*t5;
+    const double t28 = omega2*t5;
+    const double t29 = t4*u;
+    const double t30 = sin_omega1_half_T*t8;
+    const double t31 = omega1*t8;
+    const double t32 = p3*u;
+    const double t33 = sin_omega1_half_T*t12;
+    const double t34 = omega1*t12;
+    const double t35 = -sin_omega2_half_T*t11;
+    const double t36 = -omega2*t11;
     if (parameter_jacobian) {
-        parameter_jacobian[lane] = cos_omega1_half_T_by_m1*t31 - cos_omega2_half_T_by_m1*t34 - omega1_by_m1*t35 + omega2_by_m1*t32 + p1_by_m1*t28 - p2_by_m1*t29 - sin_omega1_half_T_by_m1*t36 + sin_omega2_half_T_by_m1*t33;
-        parameter_jacobian[1*lanes + lane] = cos_omega1_half_T_by_m2*t31 - cos_omega2_half_T_by_m2*t34 - omega1_by_m2*t35 + omega2_by_m2*t32 + p1_by_m2*t28 - p2_by_m2*t29 - sin_omega1_half_T_by_m2*t36 + sin_omega2_half_T_by_m2*t33;
-        parameter_jacobian[2*lanes + lane] = cos_omega1_half_T_by_k1*t31 - cos_omega2_half_T_by_k1*t34 - omega1_by_k1*t35 + omega2_by_k1*t32 + p1_by_k1*t28 - p2_by_k1*t29 - sin_omega1_half_T_by_k1*t36 + sin_omega2_half_T_by_k1*t33;
-        parameter_jacobian[3*lanes + lane] = cos_omega1_half_T_by_k2*t31 - cos_omega2_half_T_by_k2*t34 - omega1_by_k2*t35 + omega2_by_k2*t32 + p1_by_k2*t28 - p2_by_k2*t29 - sin_omega1_half_T_by_k2*t36 + sin_omega2_half_T_by_k2*t33;
-        parameter_jacobian[4*lanes + lane] = cos_omega1_half_T_by_T*t31 - cos_omega2_half_T_by_T*t34 - sin_omega1_half_T_by_T*t36 + sin_omega2_half_T_by_T*t33;
-        parameter_jacobian[5*lanes + lane] = cos_omega1_half_T_by_m1*t37 - cos_omega2_half_T_by_m1*t37 + omega1_by_m1*t38 - omega2_by_m1*t40 + p1_by_m1*t29 + p3_by_m1*t28 + sin_omega1_half_T_by_m1*t39 - sin_omega2_half_T_by_m1*t41;
-        parameter_jacobian[6*lanes + lane] = cos_omega1_half_T_by_m2*t37 - cos_omega2_half_T_by_m2*t37 + omega1_by_m2*t38 - omega2_by_m2*t40 + p1_by_m2*t29 + p3_by_m2*t28 + sin_omega1_half_T_by_m2*t39 - sin_omega2_half_T_by_m2*t41;
-        parameter_jacobian[7*lanes + lane] = cos_omega1_half_T_by_k1*t37 - cos_omega2_half_T_by_k1*t37 + omega1_by_k1*t38 - omega2_by_k1*t40 + p1_by_k1*t29 + p3_by_k1*t28 + sin_omega1_half_T_by_k1*t39 - sin_omega2_half_T_by_k1*t41;
-        parameter_jacobian[8*lanes + lane] = cos_omega1_half_T_by_k2*t37 - cos_omega2_half_T_by_k2*t37 + omega1_by_k2*t38 - omega2_by_k2*t40 + p1_by_k2*t29 + p3_by_k2*t28 + sin_omega1_half_T_by_k2*t39 - sin_omega2_half_T_by_k2*t41;
-        parameter_jacobian[9*lanes + lane] = cos_omega1_half_T_by_T*t37 - cos_omega2_half_T_by_T*t37 + sin_omega1_half_T_by_T*t39 - sin_omega2_half_T_by_T*t41;
+        parameter_jacobian[lane] = cos_omega1_half_T_by_m1*t26 - cos_omega2_half_T_by_m1*t29 - omega1_by_m1*t30 + omega2_by_m1*t27 + p1_by_m1*t25 + p2_by_m1*t24 - sin_omega1_half_T_by_m1*t31 + sin_omega2_half_T_by_m1*t28;
+        parameter_jacobian[1*lanes + lane] = cos_omega1_half_T_by_m2*t26 - cos_omega2_half_T_by_m2*t29 - omega1_by_m2*t30 + omega2_by_m2*t27 + p1_by_m2*t25 + p2_by_m2*t24 - sin_omega1_half_T_by_m2*t31 + sin_omega2_half_T_by_m2*t28;
+        parameter_jacobian[2*lanes + lane] = cos_omega1_half_T_by_k1*t26 - cos_omega2_half_T_by_k1*t29 - omega1_by_k1*t30 + omega2_by_k1*t27 + p1_by_k1*t25 + p2_by_k1*t24 - sin_omega1_half_T_by_k1*t31 + sin_omega2_half_T_by_k1*t28;
+        parameter_jacobian[3*lanes + lane] = cos_omega1_half_T_by_k2*t26 - cos_omega2_half_T_by_k2*t29 - omega1_by_k2*t30 + omega2_by_k2*t27 + p1_by_k2*t25 + p2_by_k2*t24 - sin_omega1_half_T_by_k2*t31 + sin_omega2_half_T_by_k2*t28;
+        parameter_jacobian[4*lanes + lane] = cos_omega1_half_T_by_T*t26 - cos_omega2_half_T_by_T*t29 - sin_omega1_half_T_by_T*t31 + sin_omega2_half_T_by_T*t28;
+        parameter_jacobian[5*lanes + lane] = cos_omega1_half_T_by_m1*t32 - cos_omega2_half_T_by_m1*t32 + omega1_by_m1*t33 - omega2_by_m1*t35 - p1_by_m1*t24 + p3_by_m1*t25 + sin_omega1_half_T_by_m1*t34 - sin_omega2_half_T_by_m1*t36;
+        parameter_jacobian[6*lanes + lane] = cos_omega1_half_T_by_m2*t32 - cos_omega2_half_T_by_m2*t32 + omega1_by_m2*t33 - omega2_by_m2*t35 - p1_by_m2*t24 + p3_by_m2*t25 + sin_omega1_half_T_by_m2*t34 - sin_omega2_half_T_by_m2*t36;
+        parameter_jacobian[7*lanes + lane] = cos_omega1_half_T_by_k1*t32 - cos_omega2_half_T_by_k1*t32 + omega1_by_k1*t33 - omega2_by_k1*t35 - p1_by_k1*t24 + p3_by_k1*t25 + sin_omega1_half_T_by_k1*t34 - sin_omega2_half_T_by_k1*t36;
+        parameter_jacobian[8*lanes + lane] = cos_omega1_half_T_by_k2*t32 - cos_omega2_half_T_by_k2*t32 + omega1_by_k2*t33 - omega2_by_k2*t35 - p1_by_k2*t24 + p3_by_k2*t25 + sin_omega1_half_T_by_k2*t34 - sin_omega2_half_T_by_k2*t36;
+        parameter_jacobian[9*lanes + lane] = cos_omega1_half_T_by_T*t32 - cos_omega2_half_T_by_T*t32 + sin_omega1_half_T_by_T*t34 - sin_omega2_half_T_by_T*t36;
     }
 }
 
@@ -522,7 +521,7 @@ void rigid_stop_one_impact_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 373. Intermediate terms: 99. */
+ * Operations: 367. Intermediate terms: 102. */
 static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -544,145 +543,148 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
     const double cos_omega1_T = wave_0.cosine;
     const double sin_omega1_T = wave_0.sine;
-    const double t3 = T*omega2;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double t1 = T*omega2;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
     const double cos_omega2_T = wave_1.cosine;
     const double sin_omega2_T = wave_1.sine;
     /* free for T, until first-reaches-stop */
-    const double t6 = (1.0/(omega1));
-    const double t7 = p1*sin_omega1_T;
-    const double t8 = (1.0/(omega2));
-    const double t9 = p1 - 1;
-    const double t11 = -sin_omega2_T*t9;
-    const double t12 = t11*t8 + t6*t7;
-    const double t13 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t14 = cos_omega1_T*p1 - cos_omega2_T*t9;
-    const double x1_1 = t12*u + t13*y + t14;
-    const double t15 = p3*sin_omega2_T;
-    const double t16 = p3*sin_omega1_T*t6 - t15*t8;
-    const double t17 = -cos_omega1_T*t9 + cos_omega2_T*p1;
-    const double t18 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t16*u + t17*y + t18;
-    const double t19 = omega1*sin_omega1_T;
-    const double t20 = omega2*p2*sin_omega2_T - p2*t19;
-    const double t21 = omega1*p1;
-    const double t22 = -omega2*t9;
-    const double v1_1 = -sin_omega1_T*t21 - sin_omega2_T*t22 + t14*u + t20*y;
-    const double t23 = omega2*sin_omega2_T;
-    const double t24 = -p1*t23 + t19*t9;
-    const double t25 = omega1*p3;
-    const double v2_1 = omega2*p3*sin_omega2_T - sin_omega1_T*t25 + t18*u + t24*y;
+    const double t2 = (1.0/(omega1));
+    const double t3 = sin_omega1_T*t2;
+    const double t4 = p1 - 1;
+    const double t5 = (1.0/(omega2));
+    const double t6 = sin_omega2_T*t5;
+    const double t7 = p1*t3 - t4*t6;
+    const double t8 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t9 = cos_omega1_T*p1 - cos_omega2_T*t4;
+    const double x1_1 = t7*u + t8*y + t9;
+    const double t10 = p3*t3 - p3*t6;
+    const double t11 = -cos_omega1_T*t4 + cos_omega2_T*p1;
+    const double t12 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t10*u + t11*y + t12;
+    const double t13 = omega2*sin_omega2_T;
+    const double t14 = omega1*sin_omega1_T;
+    const double t15 = p2*t13 - p2*t14;
+    const double t16 = omega1*p1;
+    const double t17 = -omega2*t4;
+    const double v1_1 = -sin_omega1_T*t16 - sin_omega2_T*t17 + t15*y + t9*u;
+    const double t18 = -p1*t13 + t14*t4;
+    const double t19 = omega2*p3;
+    const double t20 = omega1*p3;
+    const double v2_1 = -sin_omega1_T*t20 + sin_omega2_T*t19 + t12*u + t18*y;
     /* Phi along T */
-    const double carried_x1_1_by_y = t13;
-    const double carried_x1_1_by_u = t12;
-    const double t26 = sin_omega2_T*t8;
-    const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26;
-    const double carried_x2_1_by_y = t17;
-    const double carried_v1_1_by_u = t14;
-    const double carried_v2_1_by_w = t17;
+    const double carried_x1_1_by_y = t8;
+    const double carried_x1_1_by_u = t7;
+    const double carried_x1_1_by_w = p2*t3 - p2*t6;
+    const double carried_x2_1_by_y = t11;
+    const double carried_v1_1_by_u = t9;
+    const double carried_v2_1_by_w = t11;
     /* derivatives of the time to the boundary after T */
-    const double t27 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t27;
-    const double delay_T_by_u = -carried_x1_1_by_u*t27;
-    const double delay_T_by_w = -carried_x1_1_by_w*t27;
+    const double t21 = (1.0/(v1_1));
+    const double delay_T_by_y = -carried_x1_1_by_y*t21;
+    const double delay_T_by_u = -carried_x1_1_by_u*t21;
+    const double delay_T_by_w = -carried_x1_1_by_w*t21;
     /* perturbation on the boundary after T */
     const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
-    const double t28 = (1.0/(m1));
-    const double t29 = t28*x1_1;
-    const double t30 = -k1*t28*x2_1 + k1*t29;
-    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t30;
-    const double t31 = (1.0/(m2));
-    const double t32 = t31*x1_1;
-    const double t33 = k1 + k2;
-    const double t34 = t31*x2_1;
-    const double t35 = k1*t32 - t33*t34;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t35;
+    const double t22 = (1.0/(m1));
+    const double t23 = t22*x1_1;
+    const double t24 = -k1*t22*x2_1 + k1*t23;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t24;
+    const double t25 = (1.0/(m2));
+    const double t26 = t25*x1_1;
+    const double t27 = k1 + k2;
+    const double t28 = t25*x2_1;
+    const double t29 = k1*t26 - t27*t28;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t29;
     if (trace) {
         trace[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_k1 = spectrum_derivatives[4*lanes + lane];
-    const double omega1_by_k2 = spectrum_derivatives[5*lanes + lane];
-    const double omega1_by_m1 = spectrum_derivatives[6*lanes + lane];
-    const double omega1_by_m2 = spectrum_derivatives[7*lanes + lane];
-    const double omega2_by_k1 = spectrum_derivatives[8*lanes + lane];
-    const double omega2_by_k2 = spectrum_derivatives[9*lanes + lane];
-    const double omega2_by_m1 = spectrum_derivatives[10*lanes + lane];
-    const double omega2_by_m2 = spectrum_derivatives[11*lanes + lane];
-    const double p1_by_k1 = spectrum_derivatives[12*lanes + lane];
-    const double p1_by_k2 = spectrum_derivatives[13*lanes + lane];
-    const double p1_by_m1 = spectrum_derivatives[14*lanes + lane];
-    const double p1_by_m2 = spectrum_derivatives[15*lanes + lane];
-    const double p2_by_k1 = spectrum_derivatives[16*lanes + lane];
-    const double p2_by_k2 = spectrum_derivatives[17*lanes + lane];
-    const double p2_by_m1 = spectrum_derivatives[18*lanes + lane];
-    const double p2_by_m2 = spectrum_derivatives[19*lanes + lane];
-    const double p3_by_k1 = spectrum_derivatives[20*lanes + lane];
-    const double p3_by_k2 = spectrum_derivatives[21*lanes + lane];
-    const double p3_by_m1 = spectrum_derivatives[22*lanes + lane];
-    const double p3_by_m2 = spectrum_derivatives[23*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[4*lanes + lane];
+    const double omega1_by_m2 = spectrum_derivatives[5*lanes + lane];
+    const double omega1_by_k1 = spectrum_derivatives[6*lanes + lane];
+    const double omega1_by_k2 = spectrum_derivatives[7*lanes + lane];
+    const double omega2_by_m1 = spectrum_derivatives[8*lanes + lane];
+    const double omega2_by_m2 = spectrum_derivatives[9*lanes + lane];
+    const double omega2_by_k1 = spectrum_derivatives[10*lanes + lane];
+    const double omega2_by_k2 = spectrum_derivatives[11*lanes + lane];
+    const double p1_by_m1 = spectrum_derivatives[12*lanes + lane];
+    const double p1_by_m2 = spectrum_derivatives[13*lanes + lane];
+    const double p1_by_k1 = spectrum_derivatives[14*lanes + lane];
+    const double p1_by_k2 = spectrum_derivatives[15*lanes + lane];
+    const double p2_by_m1 = spectrum_derivatives[16*lanes + lane];
+    const double p2_by_m2 = spectrum_derivatives[17*lanes + lane];
+    const double p2_by_k1 = spectrum_derivatives[18*lanes + lane];
+    const double p2_by_k2 = spectrum_derivatives[19*lanes + lane];
+    const double p3_by_m1 = spectrum_derivatives[20*lanes + lane];
+    const double p3_by_m2 = spectrum_derivatives[21*lanes + lane];
+    const double p3_by_k1 = spectrum_derivatives[22*lanes + lane];
+    const double p3_by_k2 = spectrum_derivatives[23*lanes + lane];
     /* back through: derivatives of the time to the boundary after T */
-    const double slope_by_delay_T_by_w = t35;
-    const double slope_by_delay_T_by_u = t30;
+    const double slope_by_delay_T_by_w = t29;
+    const double slope_by_delay_T_by_u = t24;
     /* back through: Phi along T */
-    const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27;
-    const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27;
-    const double slope_by_carried_x1_1_by_y = -t27*v2_1;
+    const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t21;
+    const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t21;
+    const double slope_by_carried_x1_1_by_y = -t21*v2_1;
     /* back through: free for T, until first-reaches-stop */
-    const double t36 = (1.0/(v1_1*v1_1));
-    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t36 + carried_x1_1_by_w*slope_by_delay_T_by_w*t36 + carried_x1_1_by_y*t36*v2_1;
-    const double t37 = delay_T_by_u*k1*t28;
-    const double t38 = delay_T_by_w*t31;
-    const double slope_by_x2_1 = -t33*t38 - t37;
-    const double slope_by_x1_1 = k1*t38 + t37;
+    const double t30 = (1.0/(v1_1*v1_1));
+    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t30 + carried_x1_1_by_w*slope_by_delay_T_by_w*t30 + carried_x1_1_by_y*t30*v2_1;
+    const double t31 = delay_T_by_u*k1*t22;
+    const double t32 = delay_T_by_w*t25;
+    const double slope_by_x2_1 = -t27*t32 - t31;
+    const double slope_by_x1_1 = k1*t32 + t31;
     /* back through: functions of T in free */
-    const double t39 = p1*y;
-    const double t40 = p2*y;
-    const double t41 = -t8*t9;
-    const double t42 = p2*slope_by_carried_x1_1_by_w;
-    const double t43 = slope_by_x1_1*u;
-    const double t44 = p3*u;
-    const double t45 = slope_by_x2_1*t44;
-    const double slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t39) + slope_by_carried_x1_1_by_u*t41 + slope_by_v1_1*(omega2*t40 - t22) + t41*t43 - t42*t8 - t45*t8;
-    const double t46 = 3*p1;
-    const double t47 = p2*slope_by_carried_x1_1_by_y;
-    const double t48 = slope_by_v1_1*u;
-    const double t49 = delay_T_by_y*t44;
-    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t40 - t9) + slope_by_x2_1*(-p3 + t39) + t46 - t47 - t48*t9 - t49 - 1;
-    const double t50 = -t9*y;
-    const double t51 = p1*t6;
-    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t50 - t25) + slope_by_carried_x1_1_by_u*t51 + slope_by_v1_1*(-omega1*t40 - t21) + t42*t6 + t43*t51 + t45*t6;
-    const double slope_by_cos_omega1_T = p1*t48 + slope_by_x1_1*(p1 + t40) + slope_by_x2_1*(p3 + t50) - t46 + t47 + t49 + 2;
+    const double t33 = p1*y;
+    const double t34 = p2*y;
+    const double t35 = -t4*t5;
+    const double t36 = p2*slope_by_carried_x1_1_by_w;
+    const double t37 = slope_by_x1_1*u;
+    const double t38 = p3*u;
+    const double t39 = slope_by_x2_1*t38;
+    const double slope_by_sin_omega2_T = delay_T_by_y*(-omega2*t33 + t19) + slope_by_carried_x1_1_by_u*t35 + slope_by_v1_1*(omega2*t34 - t17) + t35*t37 - t36*t5 - t39*t5;
+    const double t40 = 3*p1;
+    const double t41 = p2*slope_by_carried_x1_1_by_y;
+    const double t42 = slope_by_v1_1*u;
+    const double t43 = delay_T_by_y*t38;
+    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t34 - t4) + slope_by_x2_1*(p1*y - p3) - t4*t42 + t40 - t41 - t43 - 1;
+    const double t44 = -t4*y;
+    const double t45 = p1*t2;
+    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t44 - t20) + slope_by_carried_x1_1_by_u*t45 + slope_by_v1_1*(-omega1*t34 - t16) + t2*t36 + t2*t39 + t37*t45;
+    const double slope_by_cos_omega1_T = p1*t42 + slope_by_x1_1*(p1 + t34) + slope_by_x2_1*(p3 + t44) - t40 + t41 + t43 + 2;
     /* trace_gradient */
-    const double t52 = p3*sin_omega1_T;
-    const double t53 = sin_omega1_T*slope_by_cos_omega1_T;
-    const double t54 = (1.0/(omega1*omega1));
-    const double t55 = t54*t7;
-    const double t56 = slope_by_x2_1*u;
-    const double t57 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t53 + delay_T_by_y*(-sin_omega1_T*t50 - t52) - sin_omega1_T*t42*t54 - slope_by_carried_x1_1_by_u*t55 + slope_by_v1_1*(-sin_omega1_T*t40 - t7) - t43*t55 - t52*t54*t56;
-    const double t58 = sin_omega2_T*slope_by_cos_omega2_T;
-    const double t59 = (1.0/(omega2*omega2));
-    const double t60 = t11*t59;
-    const double t61 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t58 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t39) + sin_omega2_T*t42*t59 - slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*(sin_omega2_T*t40 - t11) + t15*t56*t59 - t43*t60;
-    const double t62 = sin_omega1_T*t6 - t26;
-    const double t63 = cos_omega1_T - cos_omega2_T;
-    const double t64 = -t19 + t23 + t63*u;
-    const double t65 = t62*u + t63;
-    const double t66 = t19 - t23;
-    const double t67 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t66*y + slope_by_carried_x1_1_by_u*t62 + slope_by_v1_1*t64 + slope_by_x1_1*t65 - slope_by_x2_1*t63*y;
-    const double t68 = slope_by_carried_x1_1_by_w*t62 + slope_by_carried_x1_1_by_y*t63 - slope_by_v1_1*t66*y + slope_by_x1_1*t63*y;
-    const double t69 = delay_T_by_y*t64 + slope_by_x2_1*t65;
-    const double t70 = k1/(m1*m1);
-    const double t71 = (1.0/(m2*m2));
+    const double t46 = cos_omega1_T - cos_omega2_T;
+    const double t47 = t13 - t14;
+    const double t48 = t46*u + t47;
+    const double t49 = t3 - t6;
+    const double t50 = t46 + t49*u;
+    const double t51 = delay_T_by_y*t48 + slope_by_x2_1*t50;
+    const double t52 = slope_by_carried_x1_1_by_w*t49 + slope_by_carried_x1_1_by_y*t46 + slope_by_v1_1*t47*y + slope_by_x1_1*t46*y;
+    const double t53 = -3*cos_omega1_T + 3*cos_omega2_T - delay_T_by_y*t47*y + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*t48 + slope_by_x1_1*t50 - slope_by_x2_1*t46*y;
+    const double t54 = p3*sin_omega2_T;
+    const double t55 = -sin_omega2_T*t4;
+    const double t56 = cos_omega2_T*slope_by_sin_omega2_T;
+    const double t57 = sin_omega2_T*slope_by_cos_omega2_T;
+    const double t58 = (1.0/(omega2*omega2));
+    const double t59 = t55*t58;
+    const double t60 = slope_by_x2_1*u;
+    const double t61 = T*t56 - T*t57 + delay_T_by_y*(-sin_omega2_T*t33 + t54) + sin_omega2_T*t36*t58 - slope_by_carried_x1_1_by_u*t59 + slope_by_v1_1*(sin_omega2_T*t34 - t55) - t37*t59 + t54*t58*t60;
+    const double t62 = p3*sin_omega1_T;
+    const double t63 = p1*sin_omega1_T;
+    const double t64 = sin_omega1_T*slope_by_cos_omega1_T;
+    const double t65 = (1.0/(omega1*omega1));
+    const double t66 = t63*t65;
+    const double t67 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t64 + delay_T_by_y*(-sin_omega1_T*t44 - t62) - sin_omega1_T*t36*t65 - slope_by_carried_x1_1_by_u*t66 + slope_by_v1_1*(-sin_omega1_T*t34 - t63) - t37*t66 - t60*t62*t65;
+    const double t68 = k1/(m1*m1);
+    const double t69 = (1.0/(m2*m2));
     if (trace_gradient) {
-        trace_gradient[lane] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
-        trace_gradient[1*lanes + lane] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
-        trace_gradient[2*lanes + lane] = -delay_T_by_u*(t70*x1_1 - t70*x2_1) + omega1_by_m1*t57 + omega2_by_m1*t61 + p1_by_m1*t67 + p2_by_m1*t68 + p3_by_m1*t69;
-        trace_gradient[3*lanes + lane] = delay_T_by_w*(-k1*t71*x1_1 + t33*t71*x2_1) + omega1_by_m2*t57 + omega2_by_m2*t61 + p1_by_m2*t67 + p2_by_m2*t68 + p3_by_m2*t69;
-        trace_gradient[4*lanes + lane] = -delay_T_by_u*(t28*x2_1 - t29) + delay_T_by_w*(t32 - t34) + omega1_by_k1*t57 + omega2_by_k1*t61 + p1_by_k1*t67 + p2_by_k1*t68 + p3_by_k1*t69;
-        trace_gradient[5*lanes + lane] = -delay_T_by_w*t34 + omega1_by_k2*t57 + omega2_by_k2*t61 + p1_by_k2*t67 + p2_by_k2*t68 + p3_by_k2*t69;
-        trace_gradient[6*lanes + lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t53 - omega2*t58;
+        trace_gradient[lane] = delay_T_by_y*t18 + slope_by_v1_1*t15 + slope_by_x1_1*t8 + slope_by_x2_1*t11;
+        trace_gradient[1*lanes + lane] = delay_T_by_y*t12 + slope_by_v1_1*t9 + slope_by_x1_1*t7 + slope_by_x2_1*t10;
+        trace_gradient[2*lanes + lane] = -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t67 + omega2_by_m1*t61 + p1_by_m1*t53 + p2_by_m1*t52 + p3_by_m1*t51;
+        trace_gradient[3*lanes + lane] = delay_T_by_w*(-k1*t69*x1_1 + t27*t69*x2_1) + omega1_by_m2*t67 + omega2_by_m2*t61 + p1_by_m2*t53 + p2_by_m2*t52 + p3_by_m2*t51;
+        trace_gradient[4*lanes + lane] = -delay_T_by_u*(t22*x2_1 - t23) + delay_T_by_w*(t26 - t28) + omega1_by_k1*t67 + omega2_by_k1*t61 + p1_by_k1*t53 + p2_by_k1*t52 + p3_by_k1*t51;
+        trace_gradient[5*lanes + lane] = -delay_T_by_w*t28 + omega1_by_k2*t67 + omega2_by_k2*t61 + p1_by_k2*t53 + p2_by_k2*t52 + p3_by_k2*t51;
+        trace_gradient[6*lanes + lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T - omega1*t64 + omega2*t56 - omega2*t57;
     }
 }
 
@@ -696,7 +698,7 @@ void rigid_stop_one_impact_trace(
 }
 
 /* State at the start and behind each transition. Boundaries along the phases: constant, slope, cosine and sine amplitudes, one after the other; and the frequencies of each phase.
- * Operations: 72. Intermediate terms: 20. */
+ * Operations: 70. Intermediate terms: 21. */
 NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_passage(
     const double parameters[5], const double spectrum[7], const double unknowns[2], double *states,
@@ -719,17 +721,18 @@ void rigid_stop_one_impact_passage(
     const double sin_omega2_T = sin(t1);
     /* free for T, until first-reaches-stop */
     const double t2 = (1.0/(omega1));
-    const double t3 = p1 - 1;
+    const double t3 = sin_omega1_T*t2;
+    const double t4 = p1 - 1;
     const double t5 = (1.0/(omega2));
     const double t6 = sin_omega2_T*t5;
-    const double t7 = cos_omega1_T*p1 - cos_omega2_T*t3;
-    const double x1_1 = t7 + u*(p1*sin_omega1_T*t2 - t3*t6) + y*(cos_omega1_T*p2 - cos_omega2_T*p2);
+    const double t7 = cos_omega1_T*p1 - cos_omega2_T*t4;
+    const double x1_1 = t7 + u*(p1*t3 - t4*t6) + y*(cos_omega1_T*p2 - cos_omega2_T*p2);
     const double t8 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t8 + u*(p3*sin_omega1_T*t2 - p3*t6) + y*(-cos_omega1_T*t3 + cos_omega2_T*p1);
-    const double t9 = omega1*sin_omega1_T;
-    const double t10 = omega2*sin_omega2_T;
-    const double v1_1 = -p1*t9 + t10*t3 + t7*u + y*(omega2*p2*sin_omega2_T - p2*t9);
-    const double v2_1 = p3*t10 - p3*t9 + t8*u + y*(-p1*t10 + t3*t9);
+    const double x2_1 = t8 + u*(p3*t3 - p3*t6) + y*(-cos_omega1_T*t4 + cos_omega2_T*p1);
+    const double t9 = omega2*sin_omega2_T;
+    const double t10 = omega1*sin_omega1_T;
+    const double v1_1 = -p1*t10 + t4*t9 + t7*u + y*(-p2*t10 + p2*t9);
+    const double v2_1 = -p3*t10 + p3*t9 + t8*u + y*(-p1*t9 + t10*t4);
     /* transition to free */
     const double v1_1_reset = -v1_1;
     if (states) {
@@ -750,9 +753,9 @@ void rigid_stop_one_impact_passage(
         coefficients[0] = -1;
         coefficients[1] = 0;
         coefficients[2] = p1 + t11;
-        coefficients[3] = -t11 - t3;
+        coefficients[3] = -t11 - t4;
         coefficients[4] = p1*t2*u;
-        coefficients[5] = -t3*t5*u;
+        coefficients[5] = -t4*t5*u;
     }
     if (!frequencies)
         return;
@@ -763,7 +766,7 @@ void rigid_stop_one_impact_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 142. Intermediate terms: 91. */
+ * Operations: 139. Intermediate terms: 90. */
 NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
@@ -789,58 +792,57 @@ void rigid_stop_one_impact_linearisation(
     const double cos_omega2_T = cos(t1);
     const double sin_omega2_T = sin(t1);
     /* free for T, until first-reaches-stop */
-    const double t2 = (1.0/(omega1));
-    const double t3 = sin_omega1_T*t2;
-    const double t4 = 1 - p1;
-    const double t5 = sin_omega2_T/omega2;
-    const double t6 = p1*t3 + t4*t5;
-    const double t7 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t8 = cos_omega1_T*p1 + cos_omega2_T*t4;
-    const double x1_1 = t6*u + t7*y + t8;
-    const double t9 = p3*sin_omega1_T*t2 - p3*t5;
-    const double t10 = cos_omega1_T*t4 + cos_omega2_T*p1;
-    const double t11 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t10*y + t11 + t9*u;
+    const double t2 = sin_omega1_T/omega1;
+    const double t3 = 1 - p1;
+    const double t4 = sin_omega2_T/omega2;
+    const double t5 = p1*t2 + t3*t4;
+    const double t6 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t7 = cos_omega1_T*p1 + cos_omega2_T*t3;
+    const double x1_1 = t5*u + t6*y + t7;
+    const double t8 = p3*t2 - p3*t4;
+    const double t9 = cos_omega1_T*t3 + cos_omega2_T*p1;
+    const double t10 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t10 + t8*u + t9*y;
+    const double t11 = omega2*sin_omega2_T;
     const double t12 = omega1*sin_omega1_T;
-    const double t13 = omega2*p2*sin_omega2_T - p2*t12;
-    const double t14 = omega2*sin_omega2_T;
-    const double t15 = p1*t12 + t14*t4;
-    const double v1_1 = t13*y - t15 + t8*u;
-    const double t16 = -p1*t14 - t12*t4;
-    const double t17 = p3*t12;
-    const double v2_1 = p3*t14 + t11*u + t16*y - t17;
+    const double t13 = p2*t11 - p2*t12;
+    const double t14 = p1*t12 + t11*t3;
+    const double v1_1 = t13*y - t14 + t7*u;
+    const double t15 = -p1*t11 - t12*t3;
+    const double t16 = p3*t11 - p3*t12;
+    const double v2_1 = t10*u + t15*y + t16;
     /* Phi along T */
-    const double carried_x1_1_by_y = t7;
-    const double carried_x1_1_by_u = t6;
-    const double carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t5;
-    const double carried_x2_1_by_y = t10;
-    const double carried_x2_1_by_u = t9;
-    const double carried_x2_1_by_w = p1*t5 + t3*t4;
+    const double carried_x1_1_by_y = t6;
+    const double carried_x1_1_by_u = t5;
+    const double carried_x1_1_by_w = p2*t2 - p2*t4;
+    const double carried_x2_1_by_y = t9;
+    const double carried_x2_1_by_u = t8;
+    const double carried_x2_1_by_w = p1*t4 + t2*t3;
     const double carried_v1_1_by_y = t13;
-    const double carried_v1_1_by_u = t8;
-    const double carried_v1_1_by_w = t7;
-    const double carried_v2_1_by_y = t16;
-    const double carried_v2_1_by_u = t11;
-    const double carried_v2_1_by_w = t10;
+    const double carried_v1_1_by_u = t7;
+    const double carried_v1_1_by_w = t6;
+    const double carried_v2_1_by_y = t15;
+    const double carried_v2_1_by_u = t10;
+    const double carried_v2_1_by_w = t9;
     /* derivatives of the time to the boundary after T */
-    const double t20 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t20;
-    const double delay_T_by_u = -carried_x1_1_by_u*t20;
-    const double delay_T_by_w = -carried_x1_1_by_w*t20;
+    const double t17 = (1.0/(v1_1));
+    const double delay_T_by_y = -carried_x1_1_by_y*t17;
+    const double delay_T_by_u = -carried_x1_1_by_u*t17;
+    const double delay_T_by_w = -carried_x1_1_by_w*t17;
     /* perturbation on the boundary after T */
     const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
     const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1;
     const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1;
-    const double t21 = (1.0/(m1));
-    const double t22 = -k1*t21*x1_1 + k1*t21*x2_1;
-    const double v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t22;
-    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t22;
-    const double v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t22;
-    const double t23 = (1.0/(m2));
-    const double t24 = k1*t23*x1_1 - t23*x2_1*(k1 + k2);
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t24;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t24;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t24;
+    const double t18 = (1.0/(m1));
+    const double t19 = -k1*t18*x1_1 + k1*t18*x2_1;
+    const double v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t19;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t19;
+    const double v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t19;
+    const double t20 = (1.0/(m2));
+    const double t21 = k1*t20*x1_1 - t20*x2_1*(k1 + k2);
+    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t21;
+    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t21;
+    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t21;
     if (poincare_jacobian) {
         poincare_jacobian[0] = x2_1_on_boundary_by_y;
         poincare_jacobian[1] = x2_1_on_boundary_by_u;
@@ -857,16 +859,16 @@ void rigid_stop_one_impact_linearisation(
     /* transition to free */
     const double v1_1_reset = -v1_1;
     /* vector fields at transition 1 */
-    const double before_v1_1 = t22;
-    const double before_v2_1 = t24;
-    const double behind_v1_1 = t22;
-    const double behind_v2_1 = t24;
+    const double before_v1_1 = t19;
+    const double before_v2_1 = t21;
+    const double behind_v1_1 = t19;
+    const double behind_v2_1 = t21;
     /* saltations */
-    const double t25 = t20*(-v1_1 + v1_1_reset) + 1;
-    const double t26 = t20*(before_v1_1 + behind_v1_1);
-    const double t27 = t20*(-before_v2_1 + behind_v2_1);
+    const double t22 = t17*(-v1_1 + v1_1_reset) + 1;
+    const double t23 = before_v1_1 + behind_v1_1;
+    const double t24 = t17*(-before_v2_1 + behind_v2_1);
     if (saltations) {
-        saltations[0] = t25;
+        saltations[0] = t22;
         saltations[1] = 0;
         saltations[2] = 0;
         saltations[3] = 0;
@@ -874,11 +876,11 @@ void rigid_stop_one_impact_linearisation(
         saltations[5] = 1;
         saltations[6] = 0;
         saltations[7] = 0;
-        saltations[8] = t26;
+        saltations[8] = t17*t23;
         saltations[9] = 0;
         saltations[10] = -1;
         saltations[11] = 0;
-        saltations[12] = t27;
+        saltations[12] = t24;
         saltations[13] = 0;
         saltations[14] = 0;
         saltations[15] = 1;
@@ -886,35 +888,35 @@ void rigid_stop_one_impact_linearisation(
     if (!monodromy)
         return;
     /* Phi of phase 1 */
-    const double phi_1_00 = t8;
-    const double phi_1_01 = t7;
-    const double phi_1_02 = t6;
+    const double phi_1_00 = t7;
+    const double phi_1_01 = t6;
+    const double phi_1_02 = t5;
     const double phi_1_03 = carried_x1_1_by_w;
-    const double phi_1_10 = t11;
-    const double phi_1_11 = t10;
-    const double phi_1_12 = t9;
+    const double phi_1_10 = t10;
+    const double phi_1_11 = t9;
+    const double phi_1_12 = t8;
     const double phi_1_13 = carried_x2_1_by_w;
-    const double phi_1_20 = -t15;
+    const double phi_1_20 = -t14;
     const double phi_1_21 = t13;
-    const double phi_1_22 = t8;
-    const double phi_1_23 = t7;
-    const double phi_1_30 = omega2*p3*sin_omega2_T - t17;
-    const double phi_1_31 = t16;
-    const double phi_1_32 = t11;
-    const double phi_1_33 = t10;
+    const double phi_1_22 = t7;
+    const double phi_1_23 = t6;
+    const double phi_1_30 = t16;
+    const double phi_1_31 = t15;
+    const double phi_1_32 = t10;
+    const double phi_1_33 = t9;
     /* saltation of phase 1 */
-    const double saltation_1_00 = phi_1_00*t25;
-    const double saltation_1_01 = phi_1_01*t25;
-    const double saltation_1_02 = phi_1_02*t25;
-    const double saltation_1_03 = phi_1_03*t25;
-    const double saltation_1_20 = phi_1_00*t26 - phi_1_20;
-    const double saltation_1_21 = phi_1_01*t26 - phi_1_21;
-    const double saltation_1_22 = phi_1_02*t26 - phi_1_22;
-    const double saltation_1_23 = phi_1_03*t26 - phi_1_23;
-    const double saltation_1_30 = phi_1_00*t27 + phi_1_30;
-    const double saltation_1_31 = phi_1_01*t27 + phi_1_31;
-    const double saltation_1_32 = phi_1_02*t27 + phi_1_32;
-    const double saltation_1_33 = phi_1_03*t27 + phi_1_33;
+    const double saltation_1_00 = phi_1_00*t22;
+    const double saltation_1_01 = phi_1_01*t22;
+    const double saltation_1_02 = phi_1_02*t22;
+    const double saltation_1_03 = phi_1_03*t22;
+    const double saltation_1_20 = phi_1_00*t17*t23 - phi_1_20;
+    const double saltation_1_21 = phi_1_01*t17*t23 - phi_1_21;
+    const double saltation_1_22 = phi_1_02*t17*t23 - phi_1_22;
+    const double saltation_1_23 = phi_1_03*t17*t23 - phi_1_23;
+    const double saltation_1_30 = phi_1_00*t24 + phi_1_30;
+    const double saltation_1_31 = phi_1_01*t24 + phi_1_31;
+    const double saltation_1_32 = phi_1_02*t24 + phi_1_32;
+    const double saltation_1_33 = phi_1_03*t24 + phi_1_33;
     if (monodromy) {
         monodromy[0] = saltation_1_00;
         monodromy[1] = saltation_1_01;
@@ -936,7 +938,7 @@ void rigid_stop_one_impact_linearisation(
 }
 
 /* State after a time in free.
- * Operations: 82. Intermediate terms: 16. */
+ * Operations: 77. Intermediate terms: 15. */
 NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_flow_free(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
@@ -954,30 +956,29 @@ void rigid_stop_one_impact_flow_free(
     const double v1 = state[2];
     const double v2 = state[3];
     /* state_after */
-    const double t0 = (1.0/(omega1));
-    const double t1 = omega1*t;
-    const double t2 = sin(t1);
-    const double t3 = t0*t2;
-    const double t4 = 1 - p1;
-    const double t5 = omega2*t;
-    const double t6 = sin(t5);
-    const double t7 = t6/omega2;
-    const double t8 = cos(t1);
-    const double t9 = cos(t5);
-    const double t10 = p1*t8 + t4*t9;
-    const double t11 = p2*t8 - p2*t9;
-    const double t12 = p3*t8 - p3*t9;
-    const double t13 = p1*t9 + t4*t8;
-    const double t14 = omega1*t2;
-    const double t15 = omega2*t6;
-    state_after[0] = t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7);
-    state_after[1] = t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4);
-    state_after[2] = t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14);
-    state_after[3] = t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4);
+    const double t0 = omega1*t;
+    const double t1 = sin(t0);
+    const double t2 = t1/omega1;
+    const double t3 = omega2*t;
+    const double t4 = sin(t3);
+    const double t5 = t4/omega2;
+    const double t6 = 1 - p1;
+    const double t7 = cos(t3);
+    const double t8 = cos(t0);
+    const double t9 = -p2*t7 + p2*t8;
+    const double t10 = p1*t8 + t6*t7;
+    const double t11 = p1*t7 + t6*t8;
+    const double t12 = -p3*t7 + p3*t8;
+    const double t13 = omega2*t4;
+    const double t14 = omega1*t1;
+    state_after[0] = t10*x1 + t9*x2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5);
+    state_after[1] = t11*x2 + t12*x1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6);
+    state_after[2] = t10*v1 + t9*v2 + x1*(-p1*t14 - t13*t6) + x2*(p2*t13 - p2*t14);
+    state_after[3] = t11*v2 + t12*v1 + x1*(p3*t13 - p3*t14) + x2*(-p1*t13 - t14*t6);
 }
 
 /* All unknowns; how singular the linear equations for them are: 0 if they are.
- * Operations: 76. Intermediate terms: 28. */
+ * Operations: 77. Intermediate terms: 28. */
 NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_reduced(
     const double parameters[5], const double spectrum[7], double *unknowns, double *determinants)
@@ -998,16 +999,16 @@ void rigid_stop_one_impact_reduced(
     const double cos_omega2_half_T = cos(t1);
     const double sin_omega2_half_T = sin(t1);
     /* coefficients of the linear equations */
-    const double t2 = omega1*sin_omega1_half_T;
-    const double coefficient11 = omega2*p2*sin_omega2_half_T - p2*t2;
-    const double t3 = p1 - 1;
-    const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t3;
-    const double t4 = omega2*sin_omega2_half_T;
-    const double coefficient21 = -p1*t4 + t2*t3;
+    const double t2 = omega2*sin_omega2_half_T;
+    const double t3 = omega1*sin_omega1_half_T;
+    const double coefficient11 = p2*t2 - p2*t3;
+    const double t4 = p1 - 1;
+    const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t4;
+    const double coefficient21 = omega1*sin_omega1_half_T*t4 - p1*t2;
     const double coefficient22 = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
     /* right-hand sides of the linear equations */
-    const double right1 = p1*t2 - t3*t4;
-    const double right2 = p3*t2 - p3*t4;
+    const double right1 = p1*t3 - t2*t4;
+    const double right2 = omega1*p3*sin_omega1_half_T - p3*t2;
     /* determinant of the linear equations */
     const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
     /* numerators of Cramer's rule */
@@ -1031,7 +1032,7 @@ void rigid_stop_one_impact_reduced(
     const double t10 = (omega1*omega1*omega1*omega1)*t8/((omega1*omega1)*t7 + 1);
     const double t11 = (p2*p2);
     if (determinants) {
-        determinants[0] = determinant/(sqrt(2*(p3*p3) + t10*(t3*t3) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t3*t3) + t6));
+        determinants[0] = determinant/(sqrt(2*(p3*p3) + t10*(t4*t4) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t4*t4) + t6));
     }
 }
 
@@ -1079,16 +1080,16 @@ void rigid_stop_one_impact_solve(
             const double cos_omega2_half_T = cos(t1);
             const double sin_omega2_half_T = sin(t1);
             /* coefficients of the linear equations */
-            const double t2 = omega1*sin_omega1_half_T;
-            const double coefficient11 = omega2*p2*sin_omega2_half_T - p2*t2;
-            const double t3 = p1 - 1;
-            const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t3;
-            const double t4 = omega2*sin_omega2_half_T;
-            const double coefficient21 = -p1*t4 + t2*t3;
+            const double t2 = omega2*sin_omega2_half_T;
+            const double t3 = omega1*sin_omega1_half_T;
+            const double coefficient11 = p2*t2 - p2*t3;
+            const double t4 = p1 - 1;
+            const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t4;
+            const double coefficient21 = omega1*sin_omega1_half_T*t4 - p1*t2;
             const double coefficient22 = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
             /* right-hand sides of the linear equations */
-            const double right1 = p1*t2 - t3*t4;
-            const double right2 = p3*t2 - p3*t4;
+            const double right1 = p1*t3 - t2*t4;
+            const double right2 = omega1*p3*sin_omega1_half_T - p3*t2;
             /* determinant of the linear equations */
             const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
             /* numerators of Cramer's rule */
@@ -1106,73 +1107,73 @@ void rigid_stop_one_impact_solve(
             const double cos_omega2_T = cos(t7);
             const double sin_omega2_T = sin(t7);
             /* free for T, until first-reaches-stop */
-            const double t8 = (1.0/(omega1));
+            const double t8 = cos_omega1_T*p2 - cos_omega2_T*p2;
+            const double t9 = sin_omega1_T/omega1;
             const double t10 = sin_omega2_T/omega2;
-            const double t11 = p1*sin_omega1_T*t8 - t10*t3;
-            const double t12 = cos_omega1_T*p2 - cos_omega2_T*p2;
-            const double t13 = cos_omega1_T*p1 - cos_omega2_T*t3;
-            const double x1_1 = t11*u + t12*y + t13;
-            const double t14 = -cos_omega1_T*t3 + cos_omega2_T*p1;
-            const double t15 = cos_omega1_T*p3 - cos_omega2_T*p3;
-            const double x2_1 = t14*y + t15 + u*(p3*sin_omega1_T*t8 - p3*t10);
+            const double t11 = p1*t9 - t10*t4;
+            const double t12 = cos_omega1_T*p1 - cos_omega2_T*t4;
+            const double x1_1 = t11*u + t12 + t8*y;
+            const double t13 = -cos_omega1_T*t4 + cos_omega2_T*p1;
+            const double t14 = cos_omega1_T*p3 - cos_omega2_T*p3;
+            const double x2_1 = t13*y + t14 + u*(-p3*t10 + p3*t9);
+            const double t15 = omega2*sin_omega2_T;
             const double t16 = omega1*sin_omega1_T;
-            const double t17 = omega2*sin_omega2_T;
-            const double v1_1 = -p1*t16 + t13*u + t17*t3 + y*(omega2*p2*sin_omega2_T - p2*t16);
-            const double v2_1 = -p3*t16 + p3*t17 + t15*u + y*(-p1*t17 + t16*t3);
+            const double v1_1 = -p1*t16 + t12*u + t15*t4 + y*(p2*t15 - p2*t16);
+            const double v2_1 = p3*t15 - p3*t16 + t14*u + y*(-p1*t15 + t16*t4);
             /* Phi along T */
-            const double carried_x1_1_by_y = t12;
+            const double carried_x1_1_by_y = t8;
             const double carried_x1_1_by_u = t11;
-            const double carried_x1_1_by_w = p2*sin_omega1_T*t8 - p2*t10;
-            const double carried_x2_1_by_y = t14;
-            const double carried_v1_1_by_u = t13;
-            const double carried_v2_1_by_w = t14;
+            const double carried_x1_1_by_w = -p2*t10 + p2*t9;
+            const double carried_x2_1_by_y = t13;
+            const double carried_v1_1_by_u = t12;
+            const double carried_v2_1_by_w = t13;
             /* derivatives of the time to the boundary after T */
-            const double t18 = (1.0/(v1_1));
-            const double delay_T_by_y = -carried_x1_1_by_y*t18;
-            const double delay_T_by_u = -carried_x1_1_by_u*t18;
-            const double delay_T_by_w = -carried_x1_1_by_w*t18;
+            const double t17 = (1.0/(v1_1));
+            const double delay_T_by_y = -carried_x1_1_by_y*t17;
+            const double delay_T_by_u = -carried_x1_1_by_u*t17;
+            const double delay_T_by_w = -carried_x1_1_by_w*t17;
             /* perturbation on the boundary after T */
             const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
-            const double t19 = (1.0/(m1));
-            const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t19*x1_1 + k1*t19*x2_1);
-            const double t20 = (1.0/(m2));
-            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t20*x1_1 - t20*x2_1*(k1 + k2));
+            const double t18 = (1.0/(m1));
+            const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t18*x1_1 + k1*t18*x2_1);
+            const double t19 = (1.0/(m2));
+            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t19*x1_1 - t19*x2_1*(k1 + k2));
             /* determinants */
-            const double t21 = (p1*p1);
-            const double t22 = (half_T*half_T);
-            const double t23 = 2*t22;
-            const double t24 = (omega2*omega2*omega2*omega2)*t23/((omega2*omega2)*t22 + 1);
-            const double t25 = (omega1*omega1*omega1*omega1)*t23/((omega1*omega1)*t22 + 1);
-            const double t26 = (p2*p2);
+            const double t20 = (p1*p1);
+            const double t21 = (half_T*half_T);
+            const double t22 = 2*t21;
+            const double t23 = (omega2*omega2*omega2*omega2)*t22/((omega2*omega2)*t21 + 1);
+            const double t24 = (omega1*omega1*omega1*omega1)*t22/((omega1*omega1)*t21 + 1);
+            const double t25 = (p2*p2);
             fixed[0][lane] = p3;
-            fixed[1][lane] = t3;
+            fixed[1][lane] = t4;
             fixed[2][lane] = determinant;
             fixed[3][lane] = y;
             fixed[4][lane] = u;
             fixed[5][lane] = x2_1_on_boundary_by_y;
             fixed[6][lane] = v1_1_on_boundary_by_u;
             fixed[7][lane] = v2_1_on_boundary_by_w;
-            fixed[8][lane] = t21;
-            fixed[9][lane] = t24;
-            fixed[10][lane] = t25;
-            fixed[11][lane] = t26;
+            fixed[8][lane] = t20;
+            fixed[9][lane] = t23;
+            fixed[10][lane] = t24;
+            fixed[11][lane] = t25;
         }
         double result[2][lanes], slope[lanes], defect[lanes];
         int32_t ended[lanes];
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
             const double p3 = fixed[0][lane];
-            const double t3 = fixed[1][lane];
+            const double t4 = fixed[1][lane];
             const double determinant = fixed[2][lane];
             const double y = fixed[3][lane];
             const double u = fixed[4][lane];
             const double x2_1_on_boundary_by_y = fixed[5][lane];
             const double v1_1_on_boundary_by_u = fixed[6][lane];
             const double v2_1_on_boundary_by_w = fixed[7][lane];
-            const double t21 = fixed[8][lane];
-            const double t24 = fixed[9][lane];
-            const double t25 = fixed[10][lane];
-            const double t26 = fixed[11][lane];
+            const double t20 = fixed[8][lane];
+            const double t23 = fixed[9][lane];
+            const double t24 = fixed[10][lane];
+            const double t25 = fixed[11][lane];
             result[0][lane] = y;
             result[1][lane] = u;
             slope[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
@@ -1182,7 +1183,7 @@ void rigid_stop_one_impact_solve(
             int32_t ending = ((parameter[4][lane] <= 0.0)) ? RIGID_STOP_NOT_POSITIVE : RIGID_STOP_CONVERGED;
             ending = open[lane] != 0.0 ? RIGID_STOP_NOT_CONVERGED : ending;
             ending = finite == 0.0 ? ending : RIGID_STOP_NOT_FINITE;
-            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t21*t24 + t25*(t3*t3))*sqrt(t21 + t24*t26 + t25*t26 + (t3*t3)))) <= 1e-12)) ? RIGID_STOP_SINGULAR : ending;
+            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t20*t23 + t24*(t4*t4))*sqrt(t20 + t23*t25 + t24*t25 + (t4*t4)))) <= 1e-12)) ? RIGID_STOP_SINGULAR : ending;
             ended[lane] = ending;
         }
         for (int i = 0; i < 2; ++i)
@@ -1210,7 +1211,7 @@ void rigid_stop_one_impact_admissible(
     static const double per_unit[] = {0.0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 2 * point;
-        const double q[4] = {p[2], p[3], p[0], p[1]};
+        const double q[4] = {p[0], p[1], p[2], p[3]};
         const double durations[] = {p[4]};
         double spectral[7], coefficients[6], frequencies[2];
         rigid_stop_spectrum(q, spectral, NULL);
@@ -1287,10 +1288,10 @@ void rigid_stop_one_impact_directions(
         nonsmooth_load(p, parameters, count, start, parameter);
         nonsmooth_load(n, unknowns, count, start, unknown);
         double own[4 * lanes], spectrum[7 * lanes], spectrum_derivatives[28 * lanes];
-        nonsmooth_load(1, parameters + 2 * count, count, start, own + 0 * lanes);
-        nonsmooth_load(1, parameters + 3 * count, count, start, own + 1 * lanes);
-        nonsmooth_load(1, parameters + 0 * count, count, start, own + 2 * lanes);
-        nonsmooth_load(1, parameters + 1 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(1, parameters + 2 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(1, parameters + 3 * count, count, start, own + 3 * lanes);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane)
             rigid_stop_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);

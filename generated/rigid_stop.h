@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 26948aa7169362e0 */
+ * SymPy 1.14.0, derivation 8daa9dfa261d8c6c */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 
@@ -21,8 +21,8 @@
  *
  *     parameters            of the system, or of the orbit in the orbit's functions
  *     spectrum              gap1, omega1, omega2, p1, p2, p3, omega3: what rigid_stop_spectrum
- *                           gives, once for each point of k1, k2, m1, m2
- *     spectrum_derivatives  of spectrum[i] by the j-th of k1, k2, m1, m2
+ *                           gives, once for each point of m1, m2, k1, k2
+ *     spectrum_derivatives  of spectrum[i] by the j-th of m1, m2, k1, k2
  *     state                 x1, x2, v1, v2; of an orbit as its comment says
  *     state_after           the same after `time`
  *     unknowns              of the orbit
@@ -94,7 +94,7 @@ enum { /* boundary that ..._admissible gives where it is no row */
 };
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters. Its
- * `parameters` are k1, k2, m1, m2, in this order. Gives spectrum (7), spectrum_derivatives (7,
+ * `parameters` are m1, m2, k1, k2, in this order. Gives spectrum (7), spectrum_derivatives (7,
  * 4). */
 void rigid_stop_spectrum(
     const double parameters[4], double *spectrum, double *spectrum_derivatives);

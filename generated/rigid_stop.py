@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 26948aa7169362e0
+# SymPy 1.14.0, derivation 8daa9dfa261d8c6c
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "26948aa7169362e0"
+DERIVATION = "8daa9dfa261d8c6c"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",
@@ -29,7 +29,7 @@ SYSTEM = json.loads(r"""{
   "contact": [{"name": "first-leaves-stop", "acts_when": "exceeded"}]
  },
  "spectrum": ["gap1", "omega1", "omega2", "p1", "p2", "p3", "omega3"],
- "spectrum_parameters": ["k1", "k2", "m1", "m2"],
+ "spectrum_parameters": ["m1", "m2", "k1", "k2"],
  "modes": {
   "free": [{"length": 1, "oscillates": false}, {"length": 1, "oscillates": true}, {"length": 1, "oscillates": true}],
   "contact": [{"length": 2, "oscillates": false}, {"length": 1, "oscillates": true}]
@@ -119,12 +119,12 @@ KERNELS = json.loads(r"""{
 def spectrum(parameters, *, lib, outputs=2):
     """Frequencies and projector coefficients, with their derivatives by the parameters.
 
-    Takes parameters (4): k1, k2, m1, m2.
+    Takes parameters (4): m1, m2, k1, k2.
     Gives spectrum (7).
     Gives spectrum_derivatives (7, 4).
-    Operations: 179. Intermediate terms: 70.
+    Operations: 177. Intermediate terms: 70.
     """
-    [k1, k2, m1, m2] = parameters
+    [m1, m2, k1, k2] = parameters
     # spectrum
     t0 = 1/m1
     t1 = k1*t0
@@ -137,73 +137,73 @@ def spectrum(parameters, *, lib, outputs=2):
     gap1 = lib.sqrt(t0*t7 + t5**2)
     omega1 = lib.sqrt(gap1/2 + t1/2 + t4/2)
     t8 = 1/omega1
-    t9 = lib.sqrt(k1)
+    t9 = 1/lib.sqrt(m1)
     t10 = 1/lib.sqrt(m2)
     t11 = lib.sqrt(k2)
-    t12 = 1/lib.sqrt(m1)
-    t13 = t10*t11*t12*t9
-    omega2 = t13*t8
-    t14 = 1/gap1
-    t15 = t14/2
-    p1 = t15*t5 + lib.rational(1, 2)
-    p2 = -t1*t14
-    t16 = t14*t2
-    p3 = -k1*t16
-    t17 = lib.sqrt(t3)
-    omega3 = t10*t17
+    t12 = lib.sqrt(k1)
+    t13 = t10*t11*t12
+    t14 = t13*t9
+    omega2 = t14*t8
+    t15 = 1/gap1
+    t16 = t15/2
+    p1 = t16*t5 + lib.rational(1, 2)
+    p2 = -t1*t15
+    t17 = t15*t2
+    p3 = -k1*t17
+    t18 = lib.sqrt(t3)
+    omega3 = t10*t18
     spectrum = [gap1, omega1, omega2, p1, p2, p3, omega3]
     if outputs == 1:
         return spectrum
-    # d/dk1 of: spectrum
-    gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2))
-    t18 = gap1_by_k1/2
-    t19 = t2/2
-    t20 = t8/2
-    omega1_by_k1 = t20*(t0/2 + t18 + t19)
-    t21 = t13/omega1**2
-    omega2_by_k1 = -omega1_by_k1*t21 + t10*t11*t12*t8/(2*t9)
-    t22 = 1/gap1**2
-    t23 = t22*t5
-    p1_by_k1 = t15*(t0 - t2) - t18*t23
-    p2_by_k1 = gap1_by_k1*k1*t0*t22 - t0*t14
-    p3_by_k1 = gap1_by_k1*k1*t2*t22 - t16
-    omega3_by_k1 = t10/(2*t17)
-    # d/dk2 of: spectrum
-    gap1_by_k2 = -t16*t5
-    t25 = gap1_by_k2/2
-    omega1_by_k2 = t20*(t19 + t25)
-    omega2_by_k2 = -omega1_by_k2*t21 + t10*t12*t8*t9/(2*t11)
-    p1_by_k2 = -t14*t19 - t23*t25
-    t26 = gap1_by_k2*t22
-    p2_by_k2 = t1*t26
-    t27 = k1*t2
-    p3_by_k2 = t26*t27
-    omega3_by_k2 = omega3_by_k1
     # d/dm1 of: spectrum
-    t28 = 1/m1**2
-    t29 = k1*t28
-    gap1_by_m1 = t15*(-t28*t7 - 2*t29*t5)
-    t30 = gap1_by_m1/2
-    omega1_by_m1 = t20*(-t29/2 + t30)
-    omega2_by_m1 = -omega1_by_m1*t21 - t10*t11*t20*t9/lib.sqrt(m1)**3
-    p1_by_m1 = -t15*t29 - t23*t30
-    t31 = gap1_by_m1*t22
-    p2_by_m1 = t1*t31 + t14*t29
-    p3_by_m1 = t27*t31
+    t19 = 1/m1**2
+    t20 = k1*t19
+    gap1_by_m1 = t16*(-t19*t7 - 2*t20*t5)
+    t21 = t8/2
+    omega1_by_m1 = t21*(gap1_by_m1/2 - t20/2)
+    t22 = t14/omega1**2
+    omega2_by_m1 = -omega1_by_m1*t22 - t13*t21/lib.sqrt(m1)**3
+    t23 = 1/gap1**2
+    t24 = t23*t5
+    p1_by_m1 = -gap1_by_m1*t24/2 - t16*t20
+    t25 = gap1_by_m1*t23
+    p2_by_m1 = t1*t25 + t15*t20
+    t26 = k1*t2
+    p3_by_m1 = t25*t26
     # d/dm2 of: spectrum
-    t32 = 1/m2**2
-    gap1_by_m2 = t15*(-4*t0*t32*t6 + 2*t3*t32*t5)
-    t33 = gap1_by_m2/2
-    t34 = t3*t32
-    omega1_by_m2 = t20*(t33 - t34/2)
-    t35 = 1/lib.sqrt(m2)**3
-    omega2_by_m2 = -omega1_by_m2*t21 - t11*t12*t20*t35*t9
-    p1_by_m2 = t15*t34 - t23*t33
-    t36 = gap1_by_m2*t22
-    p2_by_m2 = t1*t36
-    p3_by_m2 = k1*t14*t32 + t27*t36
-    omega3_by_m2 = -t17*t35/2
-    spectrum_derivatives = [[gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [omega3_by_k1, omega3_by_k2, 0, omega3_by_m2]]
+    t27 = 1/m2**2
+    gap1_by_m2 = t16*(-4*t0*t27*t6 + 2*t27*t3*t5)
+    t28 = gap1_by_m2/2
+    omega1_by_m2 = t21*(-t27*t3/2 + t28)
+    t29 = 1/lib.sqrt(m2)**3
+    omega2_by_m2 = -omega1_by_m2*t22 - t11*t12*t21*t29*t9
+    p1_by_m2 = t15*t27*t3/2 - t24*t28
+    t30 = gap1_by_m2*t23
+    p2_by_m2 = t1*t30
+    p3_by_m2 = k1*t15*t27 + t26*t30
+    omega3_by_m2 = -t18*t29/2
+    # d/dk1 of: spectrum
+    gap1_by_k1 = t16*(8*t1*t2 + t5*(2*t0 - 2*t2))
+    t31 = gap1_by_k1/2
+    t32 = t2/2
+    omega1_by_k1 = t21*(t0/2 + t31 + t32)
+    omega2_by_k1 = -omega1_by_k1*t22 + t10*t11*t8*t9/(2*t12)
+    p1_by_k1 = t16*(t0 - t2) - t24*t31
+    t33 = gap1_by_k1*t23
+    p2_by_k1 = -t0*t15 + t1*t33
+    p3_by_k1 = -t17 + t26*t33
+    omega3_by_k1 = t10/(2*t18)
+    # d/dk2 of: spectrum
+    gap1_by_k2 = -t17*t5
+    t34 = gap1_by_k2/2
+    omega1_by_k2 = t21*(t32 + t34)
+    omega2_by_k2 = -omega1_by_k2*t22 + t10*t12*t8*t9/(2*t11)
+    p1_by_k2 = -t15*t32 - t24*t34
+    t35 = gap1_by_k2*t23
+    p2_by_k2 = t1*t35
+    p3_by_k2 = t26*t35
+    omega3_by_k2 = omega3_by_k1
+    spectrum_derivatives = [[gap1_by_m1, gap1_by_m2, gap1_by_k1, gap1_by_k2], [omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2], [omega2_by_m1, omega2_by_m2, omega2_by_k1, omega2_by_k2], [p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2], [p2_by_m1, p2_by_m2, p2_by_k1, p2_by_k2], [p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2], [0, omega3_by_m2, omega3_by_k1, omega3_by_k2]]
     return spectrum, spectrum_derivatives
 
 
@@ -215,29 +215,28 @@ def flow_free(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
-    Operations: 82. Intermediate terms: 16.
+    Operations: 77. Intermediate terms: 15.
     """
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
     # state_after
-    t0 = 1/omega1
-    t1 = omega1*t
-    t2 = lib.sin(t1)
-    t3 = t0*t2
-    t4 = 1 - p1
-    t5 = omega2*t
-    t6 = lib.sin(t5)
-    t7 = t6/omega2
-    t8 = lib.cos(t1)
-    t9 = lib.cos(t5)
-    t10 = p1*t8 + t4*t9
-    t11 = p2*t8 - p2*t9
-    t12 = p3*t8 - p3*t9
-    t13 = p1*t9 + t4*t8
-    t14 = omega1*t2
-    t15 = omega2*t6
-    return [t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14), t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4)]
+    t0 = omega1*t
+    t1 = lib.sin(t0)
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = 1 - p1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 + t6*t7
+    t11 = p1*t7 + t6*t8
+    t12 = -p3*t7 + p3*t8
+    t13 = omega2*t4
+    t14 = omega1*t1
+    return [t10*x1 + t9*x2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5), t11*x2 + t12*x1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6), t10*v1 + t9*v2 + x1*(-p1*t14 - t13*t6) + x2*(p2*t13 - p2*t14), t11*v2 + t12*v1 + x1*(p3*t13 - p3*t14) + x2*(-p1*t13 - t14*t6)]
 
 
 def flow_contact(parameters, spectrum, time, state, *, lib):
@@ -321,10 +320,10 @@ def modes(parameters, spectrum, *, lib, outputs=2):
     # coefficients
     t0 = 1 - p1
     t1 = 1/omega1
-    t4 = 1/omega2
-    t5 = k1/(k1 + k2)
-    t7 = 1/omega3
-    coefficients = [[0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, 0], [p3, t0, 0, 0, 0], [0, 0, p1, p2, 0], [0, 0, p3, t0, 0], [0, 0, p1*t1, p2*t1, 0], [0, 0, p3*t1, t0*t1, 0], [-omega1*p1, -omega1*p2, 0, 0, 0], [-omega1*p3, -omega1*t0, 0, 0, 0], [t0, -p2, 0, 0, 0], [-p3, p1, 0, 0, 0], [0, 0, t0, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t0*t4, -p2*t4, 0], [0, 0, -p3*t4, p1*t4, 0], [-omega2*t0, omega2*p2, 0, 0, 0], [omega2*p3, -omega2*p1, 0, 0, 0], [1, 0, 0, 0, 0], [t5, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 1, 0, 0], [0, 0, t5, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-t5, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, -t5, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t5*t7, t7, 0], [0, 0, 0, 0, 0], [omega3*t5, -omega3, 0, 0, 0]]
+    t2 = 1/omega2
+    t3 = k1/(k1 + k2)
+    t4 = 1/omega3
+    coefficients = [[0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [p1, p2, 0, 0, 0], [p3, t0, 0, 0, 0], [0, 0, p1, p2, 0], [0, 0, p3, t0, 0], [0, 0, p1*t1, p2*t1, 0], [0, 0, p3*t1, t0*t1, 0], [-omega1*p1, -omega1*p2, 0, 0, 0], [-omega1*p3, -omega1*t0, 0, 0, 0], [t0, -p2, 0, 0, 0], [-p3, p1, 0, 0, 0], [0, 0, t0, -p2, 0], [0, 0, -p3, p1, 0], [0, 0, t0*t2, -p2*t2, 0], [0, 0, -p3*t2, p1*t2, 0], [-omega2*t0, omega2*p2, 0, 0, 0], [omega2*p3, -omega2*p1, 0, 0, 0], [1, 0, 0, 0, 0], [t3, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, t3, 0, 0], [0, 0, 1, 0, 0], [0, 0, t3, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [-t3, 1, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, -t3, 1, 0], [0, 0, 0, 0, 0], [0, 0, -t3*t4, t4, 0], [0, 0, 0, 0, 0], [omega3*t3, -omega3, 0, 0, 0]]
     return exponents, coefficients
 
 
@@ -335,11 +334,11 @@ def one_impact_equations(parameters, spectrum, unknowns, spectrum_derivatives=No
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
-    Takes spectrum_derivatives (7, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
-        omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2, omega2_by_k1, omega2_by_k2,
-        omega2_by_m1, omega2_by_m2, p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2, p2_by_k1,
-        p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2, omega3_by_k1,
-        omega3_by_k2, omega3_by_m1, omega3_by_m2, for parameter_jacobian.
+    Takes spectrum_derivatives (7, 4): gap1_by_m1, gap1_by_m2, gap1_by_k1, gap1_by_k2,
+        omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2, omega2_by_m1, omega2_by_m2,
+        omega2_by_k1, omega2_by_k2, p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2, p2_by_m1,
+        p2_by_m2, p2_by_k1, p2_by_k2, p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2, omega3_by_m1,
+        omega3_by_m2, omega3_by_k1, omega3_by_k2, for parameter_jacobian.
     Gives residual (2).
     Gives jacobian (2, 2).
     Gives parameter_jacobian (2, 5).
@@ -354,79 +353,79 @@ def one_impact_equations(parameters, spectrum, unknowns, spectrum_derivatives=No
     t0 = half_T*omega1
     cos_omega1_half_T = lib.cos(t0)
     sin_omega1_half_T = lib.sin(t0)
-    t3 = half_T*omega2
-    cos_omega2_half_T = lib.cos(t3)
-    sin_omega2_half_T = lib.sin(t3)
+    t1 = half_T*omega2
+    cos_omega2_half_T = lib.cos(t1)
+    sin_omega2_half_T = lib.sin(t1)
     # residual
-    t16 = cos_omega1_half_T*p1
-    t17 = p2*y
-    t18 = p1 - 1
-    t19 = t17 + t18
-    t20 = omega2*sin_omega2_half_T
-    t21 = cos_omega2_half_T*t18
-    t22 = p1 + t17
-    t23 = omega1*sin_omega1_half_T
-    t24 = cos_omega1_half_T*p3
-    t25 = p1*y - p3 - y
-    t26 = cos_omega2_half_T*p3
-    t27 = p1*y - p3
-    residual = [t16*u + t19*t20 - t21*u - t22*t23, -t20*t27 + t23*t25 + t24*u - t26*u]
+    t2 = cos_omega1_half_T*p1
+    t3 = p2*y
+    t4 = p1 - 1
+    t5 = t3 + t4
+    t6 = omega2*sin_omega2_half_T
+    t7 = cos_omega2_half_T*t4
+    t8 = p1 + t3
+    t9 = omega1*sin_omega1_half_T
+    t10 = cos_omega1_half_T*p3
+    t11 = -p1*y + p3
+    t12 = -t11 - y
+    t13 = cos_omega2_half_T*p3
+    residual = [t2*u + t5*t6 - t7*u - t8*t9, t10*u + t11*t6 + t12*t9 - t13*u]
     if outputs == 1:
         return residual
-    jacobian = [[omega2*p2*sin_omega2_half_T - p2*t23, t16 - t21], [-p1*t20 + t18*t23, t24 - t26]]
+    jacobian = [[p2*t6 - p2*t9, t2 - t7], [omega1*sin_omega1_half_T*t4 - p1*t6, t10 - t13]]
     if outputs == 2:
         return residual, jacobian
-    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
+    [[_, _, _, _], [omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2], [omega2_by_m1, omega2_by_m2, omega2_by_k1, omega2_by_k2], [p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2], [p2_by_m1, p2_by_m2, p2_by_k1, p2_by_k2], [p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2], [_, _, _, _]] = spectrum_derivatives
     # d/dm1 of: functions of half_T in free
-    t6 = half_T*omega1_by_m1
-    cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6
-    sin_omega1_half_T_by_m1 = cos_omega1_half_T*t6
-    t7 = half_T*omega2_by_m1
-    cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t7
-    sin_omega2_half_T_by_m1 = cos_omega2_half_T*t7
+    t14 = half_T*omega1_by_m1
+    cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t14
+    sin_omega1_half_T_by_m1 = cos_omega1_half_T*t14
+    t15 = half_T*omega2_by_m1
+    cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t15
+    sin_omega2_half_T_by_m1 = cos_omega2_half_T*t15
     # d/dm2 of: functions of half_T in free
-    t8 = half_T*omega1_by_m2
-    cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t8
-    sin_omega1_half_T_by_m2 = cos_omega1_half_T*t8
-    t9 = half_T*omega2_by_m2
-    cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t9
-    sin_omega2_half_T_by_m2 = cos_omega2_half_T*t9
+    t16 = half_T*omega1_by_m2
+    cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t16
+    sin_omega1_half_T_by_m2 = cos_omega1_half_T*t16
+    t17 = half_T*omega2_by_m2
+    cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t17
+    sin_omega2_half_T_by_m2 = cos_omega2_half_T*t17
     # d/dk1 of: functions of half_T in free
-    t10 = half_T*omega1_by_k1
-    cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t10
-    sin_omega1_half_T_by_k1 = cos_omega1_half_T*t10
-    t11 = half_T*omega2_by_k1
-    cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t11
-    sin_omega2_half_T_by_k1 = cos_omega2_half_T*t11
+    t18 = half_T*omega1_by_k1
+    cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t18
+    sin_omega1_half_T_by_k1 = cos_omega1_half_T*t18
+    t19 = half_T*omega2_by_k1
+    cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t19
+    sin_omega2_half_T_by_k1 = cos_omega2_half_T*t19
     # d/dk2 of: functions of half_T in free
-    t12 = half_T*omega1_by_k2
-    cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t12
-    sin_omega1_half_T_by_k2 = cos_omega1_half_T*t12
-    t13 = half_T*omega2_by_k2
-    cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t13
-    sin_omega2_half_T_by_k2 = cos_omega2_half_T*t13
+    t20 = half_T*omega1_by_k2
+    cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t20
+    sin_omega1_half_T_by_k2 = cos_omega1_half_T*t20
+    t21 = half_T*omega2_by_k2
+    cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t21
+    sin_omega2_half_T_by_k2 = cos_omega2_half_T*t21
     # d/dT of: functions of half_T in free
-    t14 = omega1/2
-    cos_omega1_half_T_by_T = -sin_omega1_half_T*t14
-    sin_omega1_half_T_by_T = cos_omega1_half_T*t14
-    t15 = omega2/2
-    cos_omega2_half_T_by_T = -sin_omega2_half_T*t15
-    sin_omega2_half_T_by_T = cos_omega2_half_T*t15
+    t22 = omega1/2
+    cos_omega1_half_T_by_T = -sin_omega1_half_T*t22
+    sin_omega1_half_T_by_T = cos_omega1_half_T*t22
+    t23 = omega2/2
+    cos_omega2_half_T_by_T = -sin_omega2_half_T*t23
+    sin_omega2_half_T_by_T = cos_omega2_half_T*t23
     # parameter_jacobian
-    t28 = cos_omega1_half_T*u - cos_omega2_half_T*u + t20 - t23
-    t29 = -omega2*sin_omega2_half_T*y + t23*y
-    t31 = p1*u
-    t32 = sin_omega2_half_T*t19
-    t33 = omega2*t19
-    t34 = t18*u
-    t35 = sin_omega1_half_T*t22
-    t36 = omega1*t22
-    t37 = p3*u
-    t38 = sin_omega1_half_T*t25
-    t39 = omega1*t25
-    t40 = sin_omega2_half_T*t27
-    t41 = omega2*t27
-    parameter_jacobian = [[cos_omega1_half_T_by_m1*t31 - cos_omega2_half_T_by_m1*t34 - omega1_by_m1*t35 + omega2_by_m1*t32 + p1_by_m1*t28 - p2_by_m1*t29 - sin_omega1_half_T_by_m1*t36 + sin_omega2_half_T_by_m1*t33, cos_omega1_half_T_by_m2*t31 - cos_omega2_half_T_by_m2*t34 - omega1_by_m2*t35 + omega2_by_m2*t32 + p1_by_m2*t28 - p2_by_m2*t29 - sin_omega1_half_T_by_m2*t36 + sin_omega2_half_T_by_m2*t33, cos_omega1_half_T_by_k1*t31 - cos_omega2_half_T_by_k1*t34 - omega1_by_k1*t35 + omega2_by_k1*t32 + p1_by_k1*t28 - p2_by_k1*t29 - sin_omega1_half_T_by_k1*t36 + sin_omega2_half_T_by_k1*t33, cos_omega1_half_T_by_k2*t31 - cos_omega2_half_T_by_k2*t34 - omega1_by_k2*t35 + omega2_by_k2*t32 + p1_by_k2*t28 - p2_by_k2*t29 - sin_omega1_half_T_by_k2*t36 + sin_omega2_half_T_by_k2*t33, cos_omega1_half_T_by_T*t31 - cos_omega2_half_T_by_T*t34 - sin_omega1_half_T_by_T*t36 + sin_omega2_half_T_by_T*t33], [cos_omega1_half_T_by_m1*t37 - cos_omega2_half_T_by_m1*t37 + omega1_by_m1*t38 - omega2_by_m1*t40 + p1_by_m1*t29 + p3_by_m1*t28 + sin_omega1_half_T_by_m1*t39 - sin_omega2_half_T_by_m1*t41, cos_omega1_half_T_by_m2*t37 - cos_omega2_half_T_by_m2*t37 + omega1_by_m2*t38 - omega2_by_m2*t40 + p1_by_m2*t29 + p3_by_m2*t28 + sin_omega1_half_T_by_m2*t39 - sin_omega2_half_T_by_m2*t41, cos_omega1_half_T_by_k1*t37 - cos_omega2_half_T_by_k1*t37 + omega1_by_k1*t38 - omega2_by_k1*t40 + p1_by_k1*t29 + p3_by_k1*t28 + sin_omega1_half_T_by_k1*t39 - sin_omega2_half_T_by_k1*t41, cos_omega1_half_T_by_k2*t37 - cos_omega2_half_T_by_k2*t37 + omega1_by_k2*t38 - omega2_by_k2*t40 + p1_by_k2*t29 + p3_by_k2*t28 + sin_omega1_half_T_by_k2*t39 - sin_omega2_half_T_by_k2*t41, cos_omega1_half_T_by_T*t37 - cos_omega2_half_T_by_T*t37 + sin_omega1_half_T_by_T*t39 - sin_omega2_half_T_by_T*t41]]
+    t24 = t6*y - t9*y
+    t25 = cos_omega1_half_T*u - cos_omega2_half_T*u + t6 - t9
+    t26 = p1*u
+    t27 = sin_omega2_half_T*t5
+    t28 = omega2*t5
+    t29 = t4*u
+    t30 = sin_omega1_half_T*t8
+    t31 = omega1*t8
+    t32 = p3*u
+    t33 = sin_omega1_half_T*t12
+    t34 = omega1*t12
+    t35 = -sin_omega2_half_T*t11
+    t36 = -omega2*t11
+    parameter_jacobian = [[cos_omega1_half_T_by_m1*t26 - cos_omega2_half_T_by_m1*t29 - omega1_by_m1*t30 + omega2_by_m1*t27 + p1_by_m1*t25 + p2_by_m1*t24 - sin_omega1_half_T_by_m1*t31 + sin_omega2_half_T_by_m1*t28, cos_omega1_half_T_by_m2*t26 - cos_omega2_half_T_by_m2*t29 - omega1_by_m2*t30 + omega2_by_m2*t27 + p1_by_m2*t25 + p2_by_m2*t24 - sin_omega1_half_T_by_m2*t31 + sin_omega2_half_T_by_m2*t28, cos_omega1_half_T_by_k1*t26 - cos_omega2_half_T_by_k1*t29 - omega1_by_k1*t30 + omega2_by_k1*t27 + p1_by_k1*t25 + p2_by_k1*t24 - sin_omega1_half_T_by_k1*t31 + sin_omega2_half_T_by_k1*t28, cos_omega1_half_T_by_k2*t26 - cos_omega2_half_T_by_k2*t29 - omega1_by_k2*t30 + omega2_by_k2*t27 + p1_by_k2*t25 + p2_by_k2*t24 - sin_omega1_half_T_by_k2*t31 + sin_omega2_half_T_by_k2*t28, cos_omega1_half_T_by_T*t26 - cos_omega2_half_T_by_T*t29 - sin_omega1_half_T_by_T*t31 + sin_omega2_half_T_by_T*t28], [cos_omega1_half_T_by_m1*t32 - cos_omega2_half_T_by_m1*t32 + omega1_by_m1*t33 - omega2_by_m1*t35 - p1_by_m1*t24 + p3_by_m1*t25 + sin_omega1_half_T_by_m1*t34 - sin_omega2_half_T_by_m1*t36, cos_omega1_half_T_by_m2*t32 - cos_omega2_half_T_by_m2*t32 + omega1_by_m2*t33 - omega2_by_m2*t35 - p1_by_m2*t24 + p3_by_m2*t25 + sin_omega1_half_T_by_m2*t34 - sin_omega2_half_T_by_m2*t36, cos_omega1_half_T_by_k1*t32 - cos_omega2_half_T_by_k1*t32 + omega1_by_k1*t33 - omega2_by_k1*t35 - p1_by_k1*t24 + p3_by_k1*t25 + sin_omega1_half_T_by_k1*t34 - sin_omega2_half_T_by_k1*t36, cos_omega1_half_T_by_k2*t32 - cos_omega2_half_T_by_k2*t32 + omega1_by_k2*t33 - omega2_by_k2*t35 - p1_by_k2*t24 + p3_by_k2*t25 + sin_omega1_half_T_by_k2*t34 - sin_omega2_half_T_by_k2*t36, cos_omega1_half_T_by_T*t32 - cos_omega2_half_T_by_T*t32 + sin_omega1_half_T_by_T*t34 - sin_omega2_half_T_by_T*t36]]
     return residual, jacobian, parameter_jacobian
 
 
@@ -437,14 +436,14 @@ def one_impact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, 
     Takes parameters (5): m1, m2, k1, k2, T.
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Takes unknowns (2): y, u.
-    Takes spectrum_derivatives (7, 4): gap1_by_k1, gap1_by_k2, gap1_by_m1, gap1_by_m2,
-        omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2, omega2_by_k1, omega2_by_k2,
-        omega2_by_m1, omega2_by_m2, p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2, p2_by_k1,
-        p2_by_k2, p2_by_m1, p2_by_m2, p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2, omega3_by_k1,
-        omega3_by_k2, omega3_by_m1, omega3_by_m2, for trace_gradient.
+    Takes spectrum_derivatives (7, 4): gap1_by_m1, gap1_by_m2, gap1_by_k1, gap1_by_k2,
+        omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2, omega2_by_m1, omega2_by_m2,
+        omega2_by_k1, omega2_by_k2, p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2, p2_by_m1,
+        p2_by_m2, p2_by_k1, p2_by_k2, p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2, omega3_by_m1,
+        omega3_by_m2, omega3_by_k1, omega3_by_k2, for trace_gradient.
     Gives trace.
     Gives trace_gradient (7).
-    Operations: 373. Intermediate terms: 99.
+    Operations: 367. Intermediate terms: 102.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -453,116 +452,119 @@ def one_impact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, 
     t0 = T*omega1
     cos_omega1_T = lib.cos(t0)
     sin_omega1_T = lib.sin(t0)
-    t3 = T*omega2
-    cos_omega2_T = lib.cos(t3)
-    sin_omega2_T = lib.sin(t3)
+    t1 = T*omega2
+    cos_omega2_T = lib.cos(t1)
+    sin_omega2_T = lib.sin(t1)
     # free for T, until first-reaches-stop
-    t6 = 1/omega1
-    t7 = p1*sin_omega1_T
-    t8 = 1/omega2
-    t9 = p1 - 1
-    t11 = -sin_omega2_T*t9
-    t12 = t11*t8 + t6*t7
-    t13 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t14 = cos_omega1_T*p1 - cos_omega2_T*t9
-    x1_1 = t12*u + t13*y + t14
-    t15 = p3*sin_omega2_T
-    t16 = p3*sin_omega1_T*t6 - t15*t8
-    t17 = -cos_omega1_T*t9 + cos_omega2_T*p1
-    t18 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t16*u + t17*y + t18
-    t19 = omega1*sin_omega1_T
-    t20 = omega2*p2*sin_omega2_T - p2*t19
-    t21 = omega1*p1
-    t22 = -omega2*t9
-    v1_1 = -sin_omega1_T*t21 - sin_omega2_T*t22 + t14*u + t20*y
-    t23 = omega2*sin_omega2_T
-    t24 = -p1*t23 + t19*t9
-    t25 = omega1*p3
-    v2_1 = omega2*p3*sin_omega2_T - sin_omega1_T*t25 + t18*u + t24*y
+    t2 = 1/omega1
+    t3 = sin_omega1_T*t2
+    t4 = p1 - 1
+    t5 = 1/omega2
+    t6 = sin_omega2_T*t5
+    t7 = p1*t3 - t4*t6
+    t8 = cos_omega1_T*p2 - cos_omega2_T*p2
+    t9 = cos_omega1_T*p1 - cos_omega2_T*t4
+    x1_1 = t7*u + t8*y + t9
+    t10 = p3*t3 - p3*t6
+    t11 = -cos_omega1_T*t4 + cos_omega2_T*p1
+    t12 = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = t10*u + t11*y + t12
+    t13 = omega2*sin_omega2_T
+    t14 = omega1*sin_omega1_T
+    t15 = p2*t13 - p2*t14
+    t16 = omega1*p1
+    t17 = -omega2*t4
+    v1_1 = -sin_omega1_T*t16 - sin_omega2_T*t17 + t15*y + t9*u
+    t18 = -p1*t13 + t14*t4
+    t19 = omega2*p3
+    t20 = omega1*p3
+    v2_1 = -sin_omega1_T*t20 + sin_omega2_T*t19 + t12*u + t18*y
     # Phi along T
-    carried_x1_1_by_y = t13
-    carried_x1_1_by_u = t12
-    t26 = sin_omega2_T*t8
-    carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26
-    carried_x2_1_by_y = t17
-    carried_v1_1_by_u = t14
-    carried_v2_1_by_w = t17
+    carried_x1_1_by_y = t8
+    carried_x1_1_by_u = t7
+    carried_x1_1_by_w = p2*t3 - p2*t6
+    carried_x2_1_by_y = t11
+    carried_v1_1_by_u = t9
+    carried_v2_1_by_w = t11
     # derivatives of the time to the boundary after T
-    t27 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t27
-    delay_T_by_u = -carried_x1_1_by_u*t27
-    delay_T_by_w = -carried_x1_1_by_w*t27
+    t21 = 1/v1_1
+    delay_T_by_y = -carried_x1_1_by_y*t21
+    delay_T_by_u = -carried_x1_1_by_u*t21
+    delay_T_by_w = -carried_x1_1_by_w*t21
     # perturbation on the boundary after T
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
-    t28 = 1/m1
-    t29 = t28*x1_1
-    t30 = -k1*t28*x2_1 + k1*t29
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t30
-    t31 = 1/m2
-    t32 = t31*x1_1
-    t33 = k1 + k2
-    t34 = t31*x2_1
-    t35 = k1*t32 - t33*t34
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t35
+    t22 = 1/m1
+    t23 = t22*x1_1
+    t24 = -k1*t22*x2_1 + k1*t23
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t24
+    t25 = 1/m2
+    t26 = t25*x1_1
+    t27 = k1 + k2
+    t28 = t25*x2_1
+    t29 = k1*t26 - t27*t28
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t29
     trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y
     if outputs == 1:
         return trace
-    [[_, _, _, _], [omega1_by_k1, omega1_by_k2, omega1_by_m1, omega1_by_m2], [omega2_by_k1, omega2_by_k2, omega2_by_m1, omega2_by_m2], [p1_by_k1, p1_by_k2, p1_by_m1, p1_by_m2], [p2_by_k1, p2_by_k2, p2_by_m1, p2_by_m2], [p3_by_k1, p3_by_k2, p3_by_m1, p3_by_m2], [_, _, _, _]] = spectrum_derivatives
+    [[_, _, _, _], [omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2], [omega2_by_m1, omega2_by_m2, omega2_by_k1, omega2_by_k2], [p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2], [p2_by_m1, p2_by_m2, p2_by_k1, p2_by_k2], [p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2], [_, _, _, _]] = spectrum_derivatives
     # back through: derivatives of the time to the boundary after T
-    slope_by_delay_T_by_w = t35
-    slope_by_delay_T_by_u = t30
+    slope_by_delay_T_by_w = t29
+    slope_by_delay_T_by_u = t24
     # back through: Phi along T
-    slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27
-    slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27
-    slope_by_carried_x1_1_by_y = -t27*v2_1
+    slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t21
+    slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t21
+    slope_by_carried_x1_1_by_y = -t21*v2_1
     # back through: free for T, until first-reaches-stop
-    t36 = 1/v1_1**2
-    slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t36 + carried_x1_1_by_w*slope_by_delay_T_by_w*t36 + carried_x1_1_by_y*t36*v2_1
-    t37 = delay_T_by_u*k1*t28
-    t38 = delay_T_by_w*t31
-    slope_by_x2_1 = -t33*t38 - t37
-    slope_by_x1_1 = k1*t38 + t37
+    t30 = 1/v1_1**2
+    slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t30 + carried_x1_1_by_w*slope_by_delay_T_by_w*t30 + carried_x1_1_by_y*t30*v2_1
+    t31 = delay_T_by_u*k1*t22
+    t32 = delay_T_by_w*t25
+    slope_by_x2_1 = -t27*t32 - t31
+    slope_by_x1_1 = k1*t32 + t31
     # back through: functions of T in free
-    t39 = p1*y
-    t40 = p2*y
-    t41 = -t8*t9
-    t42 = p2*slope_by_carried_x1_1_by_w
-    t43 = slope_by_x1_1*u
-    t44 = p3*u
-    t45 = slope_by_x2_1*t44
-    slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t39) + slope_by_carried_x1_1_by_u*t41 + slope_by_v1_1*(omega2*t40 - t22) + t41*t43 - t42*t8 - t45*t8
-    t46 = 3*p1
-    t47 = p2*slope_by_carried_x1_1_by_y
-    t48 = slope_by_v1_1*u
-    t49 = delay_T_by_y*t44
-    slope_by_cos_omega2_T = slope_by_x1_1*(-t40 - t9) + slope_by_x2_1*(-p3 + t39) + t46 - t47 - t48*t9 - t49 - 1
-    t50 = -t9*y
-    t51 = p1*t6
-    slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t50 - t25) + slope_by_carried_x1_1_by_u*t51 + slope_by_v1_1*(-omega1*t40 - t21) + t42*t6 + t43*t51 + t45*t6
-    slope_by_cos_omega1_T = p1*t48 + slope_by_x1_1*(p1 + t40) + slope_by_x2_1*(p3 + t50) - t46 + t47 + t49 + 2
+    t33 = p1*y
+    t34 = p2*y
+    t35 = -t4*t5
+    t36 = p2*slope_by_carried_x1_1_by_w
+    t37 = slope_by_x1_1*u
+    t38 = p3*u
+    t39 = slope_by_x2_1*t38
+    slope_by_sin_omega2_T = delay_T_by_y*(-omega2*t33 + t19) + slope_by_carried_x1_1_by_u*t35 + slope_by_v1_1*(omega2*t34 - t17) + t35*t37 - t36*t5 - t39*t5
+    t40 = 3*p1
+    t41 = p2*slope_by_carried_x1_1_by_y
+    t42 = slope_by_v1_1*u
+    t43 = delay_T_by_y*t38
+    slope_by_cos_omega2_T = slope_by_x1_1*(-t34 - t4) + slope_by_x2_1*(p1*y - p3) - t4*t42 + t40 - t41 - t43 - 1
+    t44 = -t4*y
+    t45 = p1*t2
+    slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t44 - t20) + slope_by_carried_x1_1_by_u*t45 + slope_by_v1_1*(-omega1*t34 - t16) + t2*t36 + t2*t39 + t37*t45
+    slope_by_cos_omega1_T = p1*t42 + slope_by_x1_1*(p1 + t34) + slope_by_x2_1*(p3 + t44) - t40 + t41 + t43 + 2
     # trace_gradient
-    t52 = p3*sin_omega1_T
-    t53 = sin_omega1_T*slope_by_cos_omega1_T
-    t54 = 1/omega1**2
-    t55 = t54*t7
-    t56 = slope_by_x2_1*u
-    t57 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t53 + delay_T_by_y*(-sin_omega1_T*t50 - t52) - sin_omega1_T*t42*t54 - slope_by_carried_x1_1_by_u*t55 + slope_by_v1_1*(-sin_omega1_T*t40 - t7) - t43*t55 - t52*t54*t56
-    t58 = sin_omega2_T*slope_by_cos_omega2_T
-    t59 = 1/omega2**2
-    t60 = t11*t59
-    t61 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t58 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t39) + sin_omega2_T*t42*t59 - slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*(sin_omega2_T*t40 - t11) + t15*t56*t59 - t43*t60
-    t62 = sin_omega1_T*t6 - t26
-    t63 = cos_omega1_T - cos_omega2_T
-    t64 = -t19 + t23 + t63*u
-    t65 = t62*u + t63
-    t66 = t19 - t23
-    t67 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t66*y + slope_by_carried_x1_1_by_u*t62 + slope_by_v1_1*t64 + slope_by_x1_1*t65 - slope_by_x2_1*t63*y
-    t68 = slope_by_carried_x1_1_by_w*t62 + slope_by_carried_x1_1_by_y*t63 - slope_by_v1_1*t66*y + slope_by_x1_1*t63*y
-    t69 = delay_T_by_y*t64 + slope_by_x2_1*t65
-    t70 = k1/m1**2
-    t71 = 1/m2**2
-    trace_gradient = [delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17, delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16, -delay_T_by_u*(t70*x1_1 - t70*x2_1) + omega1_by_m1*t57 + omega2_by_m1*t61 + p1_by_m1*t67 + p2_by_m1*t68 + p3_by_m1*t69, delay_T_by_w*(-k1*t71*x1_1 + t33*t71*x2_1) + omega1_by_m2*t57 + omega2_by_m2*t61 + p1_by_m2*t67 + p2_by_m2*t68 + p3_by_m2*t69, -delay_T_by_u*(t28*x2_1 - t29) + delay_T_by_w*(t32 - t34) + omega1_by_k1*t57 + omega2_by_k1*t61 + p1_by_k1*t67 + p2_by_k1*t68 + p3_by_k1*t69, -delay_T_by_w*t34 + omega1_by_k2*t57 + omega2_by_k2*t61 + p1_by_k2*t67 + p2_by_k2*t68 + p3_by_k2*t69, cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t53 - omega2*t58]
+    t46 = cos_omega1_T - cos_omega2_T
+    t47 = t13 - t14
+    t48 = t46*u + t47
+    t49 = t3 - t6
+    t50 = t46 + t49*u
+    t51 = delay_T_by_y*t48 + slope_by_x2_1*t50
+    t52 = slope_by_carried_x1_1_by_w*t49 + slope_by_carried_x1_1_by_y*t46 + slope_by_v1_1*t47*y + slope_by_x1_1*t46*y
+    t53 = -3*cos_omega1_T + 3*cos_omega2_T - delay_T_by_y*t47*y + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*t48 + slope_by_x1_1*t50 - slope_by_x2_1*t46*y
+    t54 = p3*sin_omega2_T
+    t55 = -sin_omega2_T*t4
+    t56 = cos_omega2_T*slope_by_sin_omega2_T
+    t57 = sin_omega2_T*slope_by_cos_omega2_T
+    t58 = 1/omega2**2
+    t59 = t55*t58
+    t60 = slope_by_x2_1*u
+    t61 = T*t56 - T*t57 + delay_T_by_y*(-sin_omega2_T*t33 + t54) + sin_omega2_T*t36*t58 - slope_by_carried_x1_1_by_u*t59 + slope_by_v1_1*(sin_omega2_T*t34 - t55) - t37*t59 + t54*t58*t60
+    t62 = p3*sin_omega1_T
+    t63 = p1*sin_omega1_T
+    t64 = sin_omega1_T*slope_by_cos_omega1_T
+    t65 = 1/omega1**2
+    t66 = t63*t65
+    t67 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t64 + delay_T_by_y*(-sin_omega1_T*t44 - t62) - sin_omega1_T*t36*t65 - slope_by_carried_x1_1_by_u*t66 + slope_by_v1_1*(-sin_omega1_T*t34 - t63) - t37*t66 - t60*t62*t65
+    t68 = k1/m1**2
+    t69 = 1/m2**2
+    trace_gradient = [delay_T_by_y*t18 + slope_by_v1_1*t15 + slope_by_x1_1*t8 + slope_by_x2_1*t11, delay_T_by_y*t12 + slope_by_v1_1*t9 + slope_by_x1_1*t7 + slope_by_x2_1*t10, -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t67 + omega2_by_m1*t61 + p1_by_m1*t53 + p2_by_m1*t52 + p3_by_m1*t51, delay_T_by_w*(-k1*t69*x1_1 + t27*t69*x2_1) + omega1_by_m2*t67 + omega2_by_m2*t61 + p1_by_m2*t53 + p2_by_m2*t52 + p3_by_m2*t51, -delay_T_by_u*(t22*x2_1 - t23) + delay_T_by_w*(t26 - t28) + omega1_by_k1*t67 + omega2_by_k1*t61 + p1_by_k1*t53 + p2_by_k1*t52 + p3_by_k1*t51, -delay_T_by_w*t28 + omega1_by_k2*t67 + omega2_by_k2*t61 + p1_by_k2*t53 + p2_by_k2*t52 + p3_by_k2*t51, cos_omega1_T*omega1*slope_by_sin_omega1_T - omega1*t64 + omega2*t56 - omega2*t57]
     return trace, trace_gradient
 
 
@@ -577,7 +579,7 @@ def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives states (2, 4).
     Gives coefficients (6).
     Gives frequencies (2).
-    Operations: 72. Intermediate terms: 20.
+    Operations: 70. Intermediate terms: 21.
     """
     [_, _, _, _, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -591,17 +593,18 @@ def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
     sin_omega2_T = lib.sin(t1)
     # free for T, until first-reaches-stop
     t2 = 1/omega1
-    t3 = p1 - 1
+    t3 = sin_omega1_T*t2
+    t4 = p1 - 1
     t5 = 1/omega2
     t6 = sin_omega2_T*t5
-    t7 = cos_omega1_T*p1 - cos_omega2_T*t3
-    x1_1 = t7 + u*(p1*sin_omega1_T*t2 - t3*t6) + y*(cos_omega1_T*p2 - cos_omega2_T*p2)
+    t7 = cos_omega1_T*p1 - cos_omega2_T*t4
+    x1_1 = t7 + u*(p1*t3 - t4*t6) + y*(cos_omega1_T*p2 - cos_omega2_T*p2)
     t8 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t8 + u*(p3*sin_omega1_T*t2 - p3*t6) + y*(-cos_omega1_T*t3 + cos_omega2_T*p1)
-    t9 = omega1*sin_omega1_T
-    t10 = omega2*sin_omega2_T
-    v1_1 = -p1*t9 + t10*t3 + t7*u + y*(omega2*p2*sin_omega2_T - p2*t9)
-    v2_1 = p3*t10 - p3*t9 + t8*u + y*(-p1*t10 + t3*t9)
+    x2_1 = t8 + u*(p3*t3 - p3*t6) + y*(-cos_omega1_T*t4 + cos_omega2_T*p1)
+    t9 = omega2*sin_omega2_T
+    t10 = omega1*sin_omega1_T
+    v1_1 = -p1*t10 + t4*t9 + t7*u + y*(-p2*t10 + p2*t9)
+    v2_1 = -p3*t10 + p3*t9 + t8*u + y*(-p1*t9 + t10*t4)
     # transition to free
     v1_1_reset = -v1_1
     states = [[1, y, u, 0], [x1_1, x2_1, v1_1_reset, v2_1]]
@@ -609,7 +612,7 @@ def one_impact_passage(parameters, spectrum, unknowns, *, lib, outputs=3):
         return states
     # coefficients
     t11 = p2*y
-    coefficients = [-1, 0, p1 + t11, -t11 - t3, p1*t2*u, -t3*t5*u]
+    coefficients = [-1, 0, p1 + t11, -t11 - t4, p1*t2*u, -t4*t5*u]
     if outputs == 2:
         return states, coefficients
     frequencies = [omega1, omega2]
@@ -626,7 +629,7 @@ def one_impact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives poincare_jacobian (3, 3).
     Gives saltations (4, 4).
     Gives monodromy (4, 4).
-    Operations: 142. Intermediate terms: 91.
+    Operations: 139. Intermediate terms: 90.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -639,105 +642,104 @@ def one_impact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
     cos_omega2_T = lib.cos(t1)
     sin_omega2_T = lib.sin(t1)
     # free for T, until first-reaches-stop
-    t2 = 1/omega1
-    t3 = sin_omega1_T*t2
-    t4 = 1 - p1
-    t5 = sin_omega2_T/omega2
-    t6 = p1*t3 + t4*t5
-    t7 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t8 = cos_omega1_T*p1 + cos_omega2_T*t4
-    x1_1 = t6*u + t7*y + t8
-    t9 = p3*sin_omega1_T*t2 - p3*t5
-    t10 = cos_omega1_T*t4 + cos_omega2_T*p1
-    t11 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t10*y + t11 + t9*u
+    t2 = sin_omega1_T/omega1
+    t3 = 1 - p1
+    t4 = sin_omega2_T/omega2
+    t5 = p1*t2 + t3*t4
+    t6 = cos_omega1_T*p2 - cos_omega2_T*p2
+    t7 = cos_omega1_T*p1 + cos_omega2_T*t3
+    x1_1 = t5*u + t6*y + t7
+    t8 = p3*t2 - p3*t4
+    t9 = cos_omega1_T*t3 + cos_omega2_T*p1
+    t10 = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = t10 + t8*u + t9*y
+    t11 = omega2*sin_omega2_T
     t12 = omega1*sin_omega1_T
-    t13 = omega2*p2*sin_omega2_T - p2*t12
-    t14 = omega2*sin_omega2_T
-    t15 = p1*t12 + t14*t4
-    v1_1 = t13*y - t15 + t8*u
-    t16 = -p1*t14 - t12*t4
-    t17 = p3*t12
-    v2_1 = p3*t14 + t11*u + t16*y - t17
+    t13 = p2*t11 - p2*t12
+    t14 = p1*t12 + t11*t3
+    v1_1 = t13*y - t14 + t7*u
+    t15 = -p1*t11 - t12*t3
+    t16 = p3*t11 - p3*t12
+    v2_1 = t10*u + t15*y + t16
     # Phi along T
-    carried_x1_1_by_y = t7
-    carried_x1_1_by_u = t6
-    carried_x1_1_by_w = p2*sin_omega1_T*t2 - p2*t5
-    carried_x2_1_by_y = t10
-    carried_x2_1_by_u = t9
-    carried_x2_1_by_w = p1*t5 + t3*t4
+    carried_x1_1_by_y = t6
+    carried_x1_1_by_u = t5
+    carried_x1_1_by_w = p2*t2 - p2*t4
+    carried_x2_1_by_y = t9
+    carried_x2_1_by_u = t8
+    carried_x2_1_by_w = p1*t4 + t2*t3
     carried_v1_1_by_y = t13
-    carried_v1_1_by_u = t8
-    carried_v1_1_by_w = t7
-    carried_v2_1_by_y = t16
-    carried_v2_1_by_u = t11
-    carried_v2_1_by_w = t10
+    carried_v1_1_by_u = t7
+    carried_v1_1_by_w = t6
+    carried_v2_1_by_y = t15
+    carried_v2_1_by_u = t10
+    carried_v2_1_by_w = t9
     # derivatives of the time to the boundary after T
-    t20 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t20
-    delay_T_by_u = -carried_x1_1_by_u*t20
-    delay_T_by_w = -carried_x1_1_by_w*t20
+    t17 = 1/v1_1
+    delay_T_by_y = -carried_x1_1_by_y*t17
+    delay_T_by_u = -carried_x1_1_by_u*t17
+    delay_T_by_w = -carried_x1_1_by_w*t17
     # perturbation on the boundary after T
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
     x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1
     x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1
-    t21 = 1/m1
-    t22 = -k1*t21*x1_1 + k1*t21*x2_1
-    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t22
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t22
-    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t22
-    t23 = 1/m2
-    t24 = k1*t23*x1_1 - t23*x2_1*(k1 + k2)
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t24
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t24
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t24
+    t18 = 1/m1
+    t19 = -k1*t18*x1_1 + k1*t18*x2_1
+    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t19
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t19
+    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t19
+    t20 = 1/m2
+    t21 = k1*t20*x1_1 - t20*x2_1*(k1 + k2)
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t21
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t21
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t21
     poincare_jacobian = [[x2_1_on_boundary_by_y, x2_1_on_boundary_by_u, x2_1_on_boundary_by_w], [v1_1_on_boundary_by_y, v1_1_on_boundary_by_u, v1_1_on_boundary_by_w], [v2_1_on_boundary_by_y, v2_1_on_boundary_by_u, v2_1_on_boundary_by_w]]
     if outputs == 1:
         return poincare_jacobian
     # transition to free
     v1_1_reset = -v1_1
     # vector fields at transition 1
-    before_v1_1 = t22
-    before_v2_1 = t24
-    behind_v1_1 = t22
-    behind_v2_1 = t24
+    before_v1_1 = t19
+    before_v2_1 = t21
+    behind_v1_1 = t19
+    behind_v2_1 = t21
     # saltations
-    t25 = t20*(-v1_1 + v1_1_reset) + 1
-    t26 = t20*(before_v1_1 + behind_v1_1)
-    t27 = t20*(-before_v2_1 + behind_v2_1)
-    saltations = [[t25, 0, 0, 0], [0, 1, 0, 0], [t26, 0, -1, 0], [t27, 0, 0, 1]]
+    t22 = t17*(-v1_1 + v1_1_reset) + 1
+    t23 = before_v1_1 + behind_v1_1
+    t24 = t17*(-before_v2_1 + behind_v2_1)
+    saltations = [[t22, 0, 0, 0], [0, 1, 0, 0], [t17*t23, 0, -1, 0], [t24, 0, 0, 1]]
     if outputs == 2:
         return poincare_jacobian, saltations
     # Phi of phase 1
-    phi_1_00 = t8
-    phi_1_01 = t7
-    phi_1_02 = t6
+    phi_1_00 = t7
+    phi_1_01 = t6
+    phi_1_02 = t5
     phi_1_03 = carried_x1_1_by_w
-    phi_1_10 = t11
-    phi_1_11 = t10
-    phi_1_12 = t9
+    phi_1_10 = t10
+    phi_1_11 = t9
+    phi_1_12 = t8
     phi_1_13 = carried_x2_1_by_w
-    phi_1_20 = -t15
+    phi_1_20 = -t14
     phi_1_21 = t13
-    phi_1_22 = t8
-    phi_1_23 = t7
-    phi_1_30 = omega2*p3*sin_omega2_T - t17
-    phi_1_31 = t16
-    phi_1_32 = t11
-    phi_1_33 = t10
+    phi_1_22 = t7
+    phi_1_23 = t6
+    phi_1_30 = t16
+    phi_1_31 = t15
+    phi_1_32 = t10
+    phi_1_33 = t9
     # saltation of phase 1
-    saltation_1_00 = phi_1_00*t25
-    saltation_1_01 = phi_1_01*t25
-    saltation_1_02 = phi_1_02*t25
-    saltation_1_03 = phi_1_03*t25
-    saltation_1_20 = phi_1_00*t26 - phi_1_20
-    saltation_1_21 = phi_1_01*t26 - phi_1_21
-    saltation_1_22 = phi_1_02*t26 - phi_1_22
-    saltation_1_23 = phi_1_03*t26 - phi_1_23
-    saltation_1_30 = phi_1_00*t27 + phi_1_30
-    saltation_1_31 = phi_1_01*t27 + phi_1_31
-    saltation_1_32 = phi_1_02*t27 + phi_1_32
-    saltation_1_33 = phi_1_03*t27 + phi_1_33
+    saltation_1_00 = phi_1_00*t22
+    saltation_1_01 = phi_1_01*t22
+    saltation_1_02 = phi_1_02*t22
+    saltation_1_03 = phi_1_03*t22
+    saltation_1_20 = phi_1_00*t17*t23 - phi_1_20
+    saltation_1_21 = phi_1_01*t17*t23 - phi_1_21
+    saltation_1_22 = phi_1_02*t17*t23 - phi_1_22
+    saltation_1_23 = phi_1_03*t17*t23 - phi_1_23
+    saltation_1_30 = phi_1_00*t24 + phi_1_30
+    saltation_1_31 = phi_1_01*t24 + phi_1_31
+    saltation_1_32 = phi_1_02*t24 + phi_1_32
+    saltation_1_33 = phi_1_03*t24 + phi_1_33
     monodromy = [[saltation_1_00, saltation_1_01, saltation_1_02, saltation_1_03], [phi_1_10, phi_1_11, phi_1_12, phi_1_13], [saltation_1_20, saltation_1_21, saltation_1_22, saltation_1_23], [saltation_1_30, saltation_1_31, saltation_1_32, saltation_1_33]]
     return poincare_jacobian, saltations, monodromy
 
@@ -750,29 +752,28 @@ def one_impact_flow_free(parameters, spectrum, time, state, *, lib):
     Takes time.
     Takes state (4): x1, x2, v1, v2.
     Gives state_after (4).
-    Operations: 82. Intermediate terms: 16.
+    Operations: 77. Intermediate terms: 15.
     """
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
     t = time
     [x1, x2, v1, v2] = state
     # state_after
-    t0 = 1/omega1
-    t1 = omega1*t
-    t2 = lib.sin(t1)
-    t3 = t0*t2
-    t4 = 1 - p1
-    t5 = omega2*t
-    t6 = lib.sin(t5)
-    t7 = t6/omega2
-    t8 = lib.cos(t1)
-    t9 = lib.cos(t5)
-    t10 = p1*t8 + t4*t9
-    t11 = p2*t8 - p2*t9
-    t12 = p3*t8 - p3*t9
-    t13 = p1*t9 + t4*t8
-    t14 = omega1*t2
-    t15 = omega2*t6
-    return [t10*x1 + t11*x2 + v1*(p1*t3 + t4*t7) + v2*(p2*t0*t2 - p2*t7), t12*x1 + t13*x2 + v1*(p3*t0*t2 - p3*t7) + v2*(p1*t7 + t3*t4), t10*v1 + t11*v2 + x1*(-p1*t14 - t15*t4) + x2*(omega2*p2*t6 - p2*t14), t12*v1 + t13*v2 + x1*(omega2*p3*t6 - p3*t14) + x2*(-p1*t15 - t14*t4)]
+    t0 = omega1*t
+    t1 = lib.sin(t0)
+    t2 = t1/omega1
+    t3 = omega2*t
+    t4 = lib.sin(t3)
+    t5 = t4/omega2
+    t6 = 1 - p1
+    t7 = lib.cos(t3)
+    t8 = lib.cos(t0)
+    t9 = -p2*t7 + p2*t8
+    t10 = p1*t8 + t6*t7
+    t11 = p1*t7 + t6*t8
+    t12 = -p3*t7 + p3*t8
+    t13 = omega2*t4
+    t14 = omega1*t1
+    return [t10*x1 + t9*x2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5), t11*x2 + t12*x1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6), t10*v1 + t9*v2 + x1*(-p1*t14 - t13*t6) + x2*(p2*t13 - p2*t14), t11*v2 + t12*v1 + x1*(p3*t13 - p3*t14) + x2*(-p1*t13 - t14*t6)]
 
 
 def one_impact_reduced(parameters, spectrum, *, lib, outputs=2):
@@ -782,7 +783,7 @@ def one_impact_reduced(parameters, spectrum, *, lib, outputs=2):
     Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
     Gives unknowns (2).
     Gives determinants (1).
-    Operations: 76. Intermediate terms: 28.
+    Operations: 77. Intermediate terms: 28.
     """
     [_, _, _, _, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -796,16 +797,16 @@ def one_impact_reduced(parameters, spectrum, *, lib, outputs=2):
     cos_omega2_half_T = lib.cos(t1)
     sin_omega2_half_T = lib.sin(t1)
     # coefficients of the linear equations
-    t2 = omega1*sin_omega1_half_T
-    coefficient11 = omega2*p2*sin_omega2_half_T - p2*t2
-    t3 = p1 - 1
-    coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t3
-    t4 = omega2*sin_omega2_half_T
-    coefficient21 = -p1*t4 + t2*t3
+    t2 = omega2*sin_omega2_half_T
+    t3 = omega1*sin_omega1_half_T
+    coefficient11 = p2*t2 - p2*t3
+    t4 = p1 - 1
+    coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t4
+    coefficient21 = omega1*sin_omega1_half_T*t4 - p1*t2
     coefficient22 = cos_omega1_half_T*p3 - cos_omega2_half_T*p3
     # right-hand sides of the linear equations
-    right1 = p1*t2 - t3*t4
-    right2 = p3*t2 - p3*t4
+    right1 = p1*t3 - t2*t4
+    right2 = omega1*p3*sin_omega1_half_T - p3*t2
     # determinant of the linear equations
     determinant = coefficient11*coefficient22 - coefficient12*coefficient21
     # numerators of Cramer's rule
@@ -825,5 +826,5 @@ def one_impact_reduced(parameters, spectrum, *, lib, outputs=2):
     t9 = omega2**4*t8/(omega2**2*t7 + 1)
     t10 = omega1**4*t8/(omega1**2*t7 + 1)
     t11 = p2**2
-    determinants = [determinant/(lib.sqrt(2*p3**2 + t10*t3**2 + t6*t9)*lib.sqrt(t10*t11 + t11*t9 + t3**2 + t6))]
+    determinants = [determinant/(lib.sqrt(2*p3**2 + t10*t4**2 + t6*t9)*lib.sqrt(t10*t11 + t11*t9 + t4**2 + t6))]
     return unknowns, determinants
