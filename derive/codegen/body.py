@@ -94,6 +94,13 @@ def _operations(expression: sp.Expr) -> int:
     return int(sp.count_ops(expression))
 
 
+@lru_cache(maxsize=1 << 14)  # kernels of one orbit share most of their expressions
+def _prepared(expression: sp.Expr) -> sp.Expr:
+    """The expression with its irrational numbers as constants."""
+    found: sp.Expr = map_numbers(expression, Constant)
+    return found
+
+
 @lru_cache(maxsize=256)  # Python and C are printed from one body
 def body_of(kernel: Kernel) -> Body:
     """The body of a kernel, its common subexpressions eliminated.
@@ -101,7 +108,7 @@ def body_of(kernel: Kernel) -> Body:
     The symbols of the stages stay; each common term is assigned right before its first use.
     SymPy sorts by name: meanwhile every symbol has a name that only tells its place.
     """
-    prepared = _translated(kernel, lambda e: map_numbers(e, Constant))
+    prepared = _translated(kernel, _prepared)
     taken = _checked_names(prepared)
     # of the orders that were tried, the last entries of an argument first gives least operations
     inputs = tuple(s for argument in kernel.arguments for s in reversed(argument.symbols))

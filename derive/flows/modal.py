@@ -19,13 +19,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import count
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.errors import DerivationError
@@ -133,47 +134,69 @@ def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
 
     DerivationError refuses a configuration with a block of too many roots and no modes.
     """
-    names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
-    flows = {c.name: _flow(c, system, names) for c in system.configurations}
+    motions = tuple((c.name, c.dynamics) for c in system.configurations)
+    spectrum, flows = _derived(system.states, system.parameters, motions)
+    return spectrum, dict(flows)
+
+
+@lru_cache(maxsize=64)  # orbits of one system share its flows, and its document shows them
+def _derived(
+    states: tuple[sp.Symbol, ...],
+    parameters: tuple[Parameter, ...],
+    motions: tuple[tuple[str, Dynamics], ...],
+) -> tuple[Spectrum, dict[str, Flow]]:
+    names = _Names([*map(str, states), *(p.name for p in parameters)])
+    flows = {name: _flow(name, dynamics, states, parameters, names) for name, dynamics in motions}
     entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
     used = frozenset().union(*(expression.free_symbols for expression in names.entries))
-    return Spectrum(entries, tuple(p.symbol for p in system.parameters if p.symbol in used)), flows
+    return Spectrum(entries, tuple(p.symbol for p in parameters if p.symbol in used)), flows
 
 
-def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
-    dynamics = configuration.dynamics
+def _flow(
+    name: str,
+    dynamics: Dynamics,
+    states: tuple[sp.Symbol, ...],
+    parameters: tuple[Parameter, ...],
+    names: _Names,
+) -> Flow:
+    field = dynamics.field(states)
     if not isinstance(dynamics, SecondOrder) or not dynamics.damping.is_zero_matrix:
-        return _general_flow(configuration, system, names)
+        return _general_flow(name, field, parameters, names)
     size = dynamics.mass.rows
-    held = sorted(dynamics.held_at(system.states))
+    held = sorted(dynamics.held_at(states))
     free = [i for i in range(size) if i not in held]
     inverse = dynamics.mass.extract(free, free).inv()
-    stiffness = (inverse * dynamics.stiffness.extract(free, free)).applyfunc(sp.cancel)
-    coupling = (inverse * dynamics.stiffness.extract(free, held)).applyfunc(sp.cancel)
-    load = (inverse * dynamics.load.extract(free, [0])).applyfunc(sp.cancel)
+    stiffness = (inverse * dynamics.stiffness.extract(free, free)).applyfunc(cancel)
+    coupling = (inverse * dynamics.stiffness.extract(free, held)).applyfunc(cancel)
+    load = (inverse * dynamics.load.extract(free, [0])).applyfunc(cancel)
     terms = _held_terms(len(held))
     if free:
-        modes = _positive_modes(stiffness, system.parameters, names)
+        modes = _positive_modes(stiffness, parameters, names)
         if modes is None:
-            return _general_flow(configuration, system, names)
+            return _general_flow(name, field, parameters, names)
         terms += _oscillating_terms(stiffness, coupling, load, modes)
     matrices, offsets = _assemble(terms, size, free, held)
     return Flow(
-        configuration.name,
+        name,
         tuple(matrices),
         tuple(sp.ImmutableMatrix(m) for m in matrices.values()),
         tuple(sp.ImmutableMatrix(o) for o in offsets.values()),
-        dynamics.field(system.states),
+        field,
     )
 
 
-def _general_flow(configuration: Configuration, system: System, names: _Names) -> Flow:
+def _general_flow(
+    name: str,
+    field: tuple[sp.Matrix, sp.Matrix],
+    parameters: tuple[Parameter, ...],
+    names: _Names,
+) -> Flow:
     """Flow of any linear motion, from the resolvent of its field."""
-    matrix, offset = configuration.dynamics.field(system.states)
+    matrix, offset = field
     try:
-        fractions = resolvent(matrix, offset, system.parameters, names.symbol, names.resolvents)
+        fractions = resolvent(matrix, offset, parameters, names.symbol, names.resolvents)
     except DerivationError as problem:
-        raise DerivationError(f"configuration {configuration.name!r}: {problem}") from None
+        raise DerivationError(f"configuration {name!r}: {problem}") from None
     size = matrix.rows
     one = sp.Integer(1)
     found: dict[sp.Expr, sp.Matrix] = {one: sp.zeros(size, size + 1)}
@@ -182,16 +205,16 @@ def _general_flow(configuration: Configuration, system: System, names: _Names) -
         for k, numerator in enumerate(fraction.powers):
             if numerator.is_zero_matrix:
                 continue
-            value = _function_of_time(k, factors, system.parameters, names)
+            value = _function_of_time(k, factors, parameters, names)
             # a multiple of a power of time joins the others of that power
             scale, function = value.as_independent(TIME, as_Add=False)
             found[function] = found.get(function, sp.zeros(size, size + 1)) + scale * numerator
     return Flow(
-        configuration.name,
+        name,
         tuple(found),
         tuple(sp.ImmutableMatrix(m[:, :size]) for m in found.values()),
         tuple(sp.ImmutableMatrix(m[:, size]) for m in found.values()),
-        (matrix, offset),
+        field,
     )
 
 
@@ -259,8 +282,8 @@ def _oscillating_terms(
 
     w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0.
     """
-    quasi_static = (stiffness.LUsolve(coupling)).applyfunc(sp.cancel)
-    centre = (stiffness.LUsolve(load)).applyfunc(sp.cancel)
+    quasi_static = (stiffness.LUsolve(coupling)).applyfunc(cancel)
+    centre = (stiffness.LUsolve(load)).applyfunc(cancel)
     one = sp.Integer(1)
     terms: list[_Term] = [
         (one, "xf", "xh", -quasi_static),
