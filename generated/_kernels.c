@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f92e4b6dfb8559e7 */
+ * SymPy 1.14.0, derivation 6152c2e39c0f7054 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1391,11 +1391,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "0f506926a676a3e2") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "53b6b82b7842df3c") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d428edd22242c910") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "4ac3f6d86542e342") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "41290f4cf340db42") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "c4b4023331a9e8d8") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 41290f4cf340db42 */
+ * SymPy 1.14.0, derivation c4b4023331a9e8d8 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

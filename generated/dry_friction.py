@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 41290f4cf340db42
+# SymPy 1.14.0, derivation c4b4023331a9e8d8
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "41290f4cf340db42"
+DERIVATION = "c4b4023331a9e8d8"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation d428edd22242c910 */
+ * SymPy 1.14.0, derivation 4ac3f6d86542e342 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
+#include "nonsmooth_newton.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
@@ -1916,46 +1917,21 @@ void elastic_stop_one_contact_flow_free(
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
  * Operations: 446. Intermediate terms: 137. */
-NONSMOOTH_UNMERGED
-void elastic_stop_one_contact_reduced(
-    const double parameters[6], const double spectrum[12], const double reduced[1],
-    double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
+static NONSMOOTH_INLINE void elastic_stop_one_contact_reduced_fixed_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double tau = reduced[0];
-    /* half of tau */
-    const double half_tau = (1.0/2.0)*tau;
-    /* functions of half_tau in contact */
-    const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
-    const double t3 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t3);
-    const double sin_omega2_half_tau = sin(t3);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* half of tau1 */
-    const double half_tau1 = (1.0/2.0)*tau1;
-    /* functions of half_tau1 in free */
-    const double t6 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t6);
-    const double sin_omega3_half_tau1 = sin(t6);
-    const double t9 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t9);
-    const double sin_omega4_half_tau1 = sin(t9);
+    const double k1 = parameters[2*lanes + lane];
+    const double k2 = parameters[3*lanes + lane];
+    const double k3 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[7*lanes + lane];
+    const double omega4 = spectrum[8*lanes + lane];
+    const double p4 = spectrum[9*lanes + lane];
+    const double p5 = spectrum[10*lanes + lane];
     /* coefficients of the linear equations */
     const double t12 = k1*k2;
     const double t13 = k1*k3;
@@ -1964,15 +1940,113 @@ void elastic_stop_one_contact_reduced(
     const double t16 = p2*t13;
     const double t17 = p2*t12 + p2*t14 + t16;
     const double t18 = t15*t17;
-    const double t19 = omega1*sin_omega1_half_tau;
-    const double coefficient11 = omega2*sin_omega2_half_tau*t15*t17 - t18*t19;
     const double t20 = p1 - 1;
-    const double coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t20;
-    const double coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
     const double t23 = p1*t12;
     const double t24 = p1*t13;
     const double t25 = p1*t14 + t23 + t24;
     const double t26 = -t12 - t13 - t14 + t25;
+    const double t30 = p4 - 1;
+    /* right-hand sides of the linear equations */
+    const double t31 = -t16 + t23;
+    const double t32 = k1*k2*p1 - t12 - t16;
+    const double t33 = p3*t12 + t24;
+    const double t34 = t13 - t33;
+    /* determinants */
+    const double t77 = 2*(p2*p2);
+    const double t82 = (p1*p1);
+    const double t83 = (t20*t20) + t82;
+    const double t85 = 2*(p5*p5);
+    /* d/dtau of: functions of half_tau in contact */
+    const double t51 = (1.0/2.0)*omega1;
+    const double t52 = (1.0/2.0)*omega2;
+    /* d/dtau of: functions of half_tau1 in free */
+    const double t53 = (1.0/2.0)*omega3;
+    const double t54 = (1.0/2.0)*omega4;
+    fixed[lane] = t15;
+    fixed[1*lanes + lane] = t17;
+    fixed[2*lanes + lane] = t18;
+    fixed[3*lanes + lane] = t20;
+    fixed[4*lanes + lane] = t25;
+    fixed[5*lanes + lane] = t26;
+    fixed[6*lanes + lane] = t30;
+    fixed[7*lanes + lane] = t31;
+    fixed[8*lanes + lane] = t32;
+    fixed[9*lanes + lane] = t33;
+    fixed[10*lanes + lane] = t34;
+    fixed[11*lanes + lane] = t77;
+    fixed[12*lanes + lane] = t82;
+    fixed[13*lanes + lane] = t83;
+    fixed[14*lanes + lane] = t85;
+    fixed[15*lanes + lane] = t51;
+    fixed[16*lanes + lane] = t52;
+    fixed[17*lanes + lane] = t53;
+    fixed[18*lanes + lane] = t54;
+}
+
+static NONSMOOTH_INLINE void elastic_stop_one_contact_reduced_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
+    const double *reduced, double *unknowns, double *determinants, double *reduced_residual,
+    double *reduced_jacobian)
+{
+    const double T = parameters[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[7*lanes + lane];
+    const double omega4 = spectrum[8*lanes + lane];
+    const double p4 = spectrum[9*lanes + lane];
+    const double p5 = spectrum[10*lanes + lane];
+    const double p6 = spectrum[11*lanes + lane];
+    const double t15 = fixed[lane];
+    const double t17 = fixed[1*lanes + lane];
+    const double t18 = fixed[2*lanes + lane];
+    const double t20 = fixed[3*lanes + lane];
+    const double t25 = fixed[4*lanes + lane];
+    const double t26 = fixed[5*lanes + lane];
+    const double t30 = fixed[6*lanes + lane];
+    const double t31 = fixed[7*lanes + lane];
+    const double t32 = fixed[8*lanes + lane];
+    const double t33 = fixed[9*lanes + lane];
+    const double t34 = fixed[10*lanes + lane];
+    const double t77 = fixed[11*lanes + lane];
+    const double t82 = fixed[12*lanes + lane];
+    const double t83 = fixed[13*lanes + lane];
+    const double t85 = fixed[14*lanes + lane];
+    const double t51 = fixed[15*lanes + lane];
+    const double t52 = fixed[16*lanes + lane];
+    const double t53 = fixed[17*lanes + lane];
+    const double t54 = fixed[18*lanes + lane];
+    const double tau = reduced[lane];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in contact */
+    const double t0 = half_tau*omega1;
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_tau = wave_0.cosine;
+    const double sin_omega1_half_tau = wave_0.sine;
+    const double t3 = half_tau*omega2;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega2_half_tau = wave_1.cosine;
+    const double sin_omega2_half_tau = wave_1.sine;
+    /* tau1 completes the period */
+    const double tau1 = T - tau;
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in free */
+    const double t6 = half_tau1*omega3;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t6);
+    const double cos_omega3_half_tau1 = wave_2.cosine;
+    const double sin_omega3_half_tau1 = wave_2.sine;
+    const double t9 = half_tau1*omega4;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t9);
+    const double cos_omega4_half_tau1 = wave_3.cosine;
+    const double sin_omega4_half_tau1 = wave_3.sine;
+    const double t19 = omega1*sin_omega1_half_tau;
+    const double coefficient11 = omega2*sin_omega2_half_tau*t15*t17 - t18*t19;
+    const double coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t20;
+    const double coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
     const double t27 = t15*t19;
     const double t28 = omega2*sin_omega2_half_tau*t15;
     const double coefficient21 = -t25*t28 + t26*t27;
@@ -1980,15 +2054,9 @@ void elastic_stop_one_contact_reduced(
     const double coefficient23 = -cos_omega1_half_tau*t20 + cos_omega2_half_tau*p1;
     const double t29 = omega3*sin_omega3_half_tau1;
     const double coefficient31 = omega4*p5*sin_omega4_half_tau1 - p5*t29;
-    const double t30 = p4 - 1;
     const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t30;
     const double coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-    /* right-hand sides of the linear equations */
-    const double t31 = -t16 + t23;
-    const double t32 = k1*k2*p1 - t12 - t16;
     const double right1 = t27*t31 - t28*t32;
-    const double t33 = p3*t12 + t24;
-    const double t34 = t13 - t33;
     const double right2 = -omega2*sin_omega2_half_tau*t15*t33 - t27*t34;
     const double t36 = omega4*sin_omega4_half_tau1;
     const double right3 = p4*t29 - t30*t36;
@@ -2017,27 +2085,22 @@ void elastic_stop_one_contact_reduced(
     const double u = numerator2*t50;
     const double w = numerator3*t50;
     if (unknowns) {
-        unknowns[0] = y;
-        unknowns[1] = u;
-        unknowns[2] = w;
-        unknowns[3] = tau;
+        unknowns[lane] = y;
+        unknowns[1*lanes + lane] = u;
+        unknowns[2*lanes + lane] = w;
+        unknowns[3*lanes + lane] = tau;
     }
     if (!determinants && !reduced_residual && !reduced_jacobian)
         return;
-    /* determinants */
-    const double t77 = 2*(p2*p2);
     const double t78 = (half_tau*half_tau);
     const double t79 = t77*t78;
     const double t80 = (omega1*omega1*omega1*omega1)/((omega1*omega1)*t78 + 1);
     const double t81 = (omega2*omega2*omega2*omega2)/((omega2*omega2)*t78 + 1);
-    const double t82 = (p1*p1);
-    const double t83 = (t20*t20) + t82;
     const double t84 = 2*t78;
-    const double t85 = 2*(p5*p5);
     const double t86 = (half_tau1*half_tau1);
     const double t87 = t85*t86;
     if (determinants) {
-        determinants[0] = determinant/(sqrt(2*(p3*p3) + (t20*t20)*t80*t84 + t81*t82*t84 + t83)*sqrt(t77 + t79*t80 + t79*t81 + t83)*sqrt((omega3*omega3*omega3*omega3)*t87/((omega3*omega3)*t86 + 1) + (omega4*omega4*omega4*omega4)*t87/((omega4*omega4)*t86 + 1) + (p4*p4) + (t30*t30) + t85));
+        determinants[lane] = determinant/(sqrt(2*(p3*p3) + (t20*t20)*t80*t84 + t81*t82*t84 + t83)*sqrt(t77 + t79*t80 + t79*t81 + t83)*sqrt((omega3*omega3*omega3*omega3)*t87/((omega3*omega3)*t86 + 1) + (omega4*omega4*omega4*omega4)*t87/((omega4*omega4)*t86 + 1) + (p4*p4) + (t30*t30) + t85));
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
@@ -2047,22 +2110,16 @@ void elastic_stop_one_contact_reduced(
     const double t90 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
     const double t91 = cos_omega3_half_tau1*t30 - cos_omega4_half_tau1*p4;
     if (reduced_residual) {
-        reduced_residual[0] = determinant*t88 + numerator1*t89 + numerator2*t90 + numerator3*t91;
+        reduced_residual[lane] = determinant*t88 + numerator1*t89 + numerator2*t90 + numerator3*t91;
     }
     if (!reduced_jacobian)
         return;
-    /* d/dtau of: functions of half_tau in contact */
-    const double t51 = (1.0/2.0)*omega1;
     const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t51;
     const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t51;
-    const double t52 = (1.0/2.0)*omega2;
     const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t52;
     const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t52;
-    /* d/dtau of: functions of half_tau1 in free */
-    const double t53 = (1.0/2.0)*omega3;
     const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t53;
     const double sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t53;
-    const double t54 = (1.0/2.0)*omega4;
     const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t54;
     const double sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t54;
     /* d/dtau of: coefficients of the linear equations */
@@ -2111,690 +2168,90 @@ void elastic_stop_one_contact_reduced(
     const double t92 = numerator2*p6;
     const double t93 = determinant*p6;
     if (reduced_jacobian) {
-        reduced_jacobian[0] = cos_omega3_half_tau1_by_tau*(numerator3*t30 - t92) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t92) + determinant_by_tau*t88 + numerator1_by_tau*t89 + numerator2_by_tau*t90 + numerator3_by_tau*t91 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t30 - omega3*t93) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t93);
+        reduced_jacobian[lane] = cos_omega3_half_tau1_by_tau*(numerator3*t30 - t92) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t92) + determinant_by_tau*t88 + numerator1_by_tau*t89 + numerator2_by_tau*t90 + numerator3_by_tau*t91 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t30 - omega3*t93) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t93);
     }
 }
 
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * 1e-9 max(1, |x|). */
+NONSMOOTH_UNMERGED
+void elastic_stop_one_contact_reduced(
+    const double parameters[6], const double spectrum[12], const double reduced[1],
+    double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
+{
+    double fixed[19];
+    elastic_stop_one_contact_reduced_fixed_in_lane(1, 0, parameters, spectrum, fixed);
+    elastic_stop_one_contact_reduced_in_lane(1, 0, parameters, spectrum, fixed, reduced, unknowns,
+        determinants, reduced_residual, reduced_jacobian);
+}
+
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 void elastic_stop_one_contact_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
     double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = NONSMOOTH_LANES, n = 4, p = 6, reduced = 1 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[6][lanes], x[1][lanes], fixed[75][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+        double fixed[19 * lanes], determinant[1 * lanes], x[1 * lanes], equation[1 * lanes], jacobian[1 * lanes];
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < 6; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            open[lane] = 1.0;
-            for (int i = 0; i < 1; ++i)
-                x[i][lane] = guess[i * count + point];
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        double own[5 * lanes], spectrum[12 * lanes];
+        nonsmooth_load(lanes, 1, parameters + 2 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 3 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 4 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 4 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double k3 = parameter[4][lane];
-            const double gap1 = sqrt(4*(k1*k1)/(m1*m2) + ((-(k1 + k2)/m2 + (k1 + k3)/m1)*(-(k1 + k2)/m2 + (k1 + k3)/m1)));
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*(k1 + k2)/m2 + (1.0/2.0)*(k1 + k3)/m1);
-            const double omega2 = sqrt(k1*k2 + k1*k3 + k2*k3)/(sqrt(m1)*sqrt(m2)*omega1);
-            const double p1 = 1.0/2.0 + (1.0/2.0)*(-(k1 + k2)/m2 + (k1 + k3)/m1)/gap1;
-            const double p2 = -k1/(gap1*m1);
-            const double p3 = -k1/(gap1*m2);
-            const double gap2 = sqrt(4*(k1*k1)/(m1*m2) + ((k1/m1 - (k1 + k2)/m2)*(k1/m1 - (k1 + k2)/m2)));
-            const double omega3 = sqrt((1.0/2.0)*gap2 + (1.0/2.0)*k1/m1 + (1.0/2.0)*(k1 + k2)/m2);
-            const double omega4 = sqrt(k1)*sqrt(k2)/(sqrt(m1)*sqrt(m2)*omega3);
-            const double p4 = 1.0/2.0 + (1.0/2.0)*(k1/m1 - (k1 + k2)/m2)/gap2;
-            const double p5 = -k1/(gap2*m1);
-            const double p6 = -k1/(gap2*m2);
-            /* coefficients of the linear equations */
-            const double t12 = k1*k2;
-            const double t13 = k1*k3;
-            const double t14 = k2*k3;
-            const double t15 = t13 + t14;
-            const double t16 = (1.0/((t12 + t15)));
-            const double t17 = p2*t13;
-            const double t18 = p2*t12 + p2*t14 + t17;
-            const double t19 = t16*t18;
-            const double h0 = -t19;
-            const double h1 = omega2*t16*t18;
-            const double t21 = p1 - 1;
-            const double h2 = -t21;
-            const double h3 = -p2;
-            const double t24 = p1*t12;
-            const double t25 = p1*t13;
-            const double t26 = p1*t14 + t24 + t25;
-            const double t27 = -t12 - t13 - t14 + t26;
-            const double h4 = omega2*t16;
-            const double h5 = -t26;
-            const double h6 = -p3;
-            const double h7 = -p5;
-            const double h8 = omega4*p5;
-            const double t31 = p4 - 1;
-            const double h9 = -p4;
-            /* right-hand sides of the linear equations */
-            const double t32 = -t17 + t24;
-            const double t33 = k1*k2*p1 - t12 - t17;
-            const double h10 = -t33;
-            const double t34 = p3*t12 + t25;
-            const double t35 = t13 - t34;
-            const double h11 = -t35;
-            const double h12 = -omega2*t16*t34;
-            const double h13 = -t31;
-            const double h14 = -p6;
-            const double h15 = omega4*p6;
-            /* d/dtau of: functions of half_tau in contact */
-            const double t52 = (1.0/2.0)*omega1;
-            const double h16 = -t52;
-            const double t53 = (1.0/2.0)*omega2;
-            const double h17 = -t53;
-            /* d/dtau of: functions of half_tau1 in free */
-            const double t54 = (1.0/2.0)*omega3;
-            const double h18 = -t54;
-            const double t55 = (1.0/2.0)*omega4;
-            const double h19 = -t55;
-            const double h20 = -omega4*t31;
-            /* contact for tau, until first-leaves-stop */
-            const double t80 = t15*t16;
-            const double t81 = p1*t80;
-            const double t82 = t16*t17;
-            const double t83 = (1.0/(omega1));
-            const double h21 = (1.0/(omega2));
-            const double h22 = p2*t83;
-            const double h23 = -t81 - t82;
-            const double h24 = t21*t80 + t82;
-            const double t90 = p3*t80;
-            const double t92 = t13*t16;
-            const double t93 = t16*t25;
-            const double h25 = p3*t83;
-            const double h26 = t21*t92 - t90;
-            const double h27 = t90 - t93;
-            const double h28 = omega2*p2;
-            const double h29 = omega1*t81 + omega1*t82;
-            const double h30 = -omega2*t15*t16*t21 - omega2*t82;
-            const double h31 = -p1;
-            const double h32 = -omega1*t21*t92 + omega1*t90;
-            const double h33 = -omega2*t90 + omega2*t93;
-            /* free for tau1, until first-reaches-stop */
-            const double t104 = (1.0/(omega3));
-            const double h34 = (1.0/(omega4));
-            const double h35 = p5*t104;
-            const double h36 = p6*t104;
-            const double t123 = (1.0/(m1));
-            const double t124 = k1*t123;
-            const double h37 = -t123*(k1 + k3);
-            const double h38 = k3*t123;
-            const double t126 = (1.0/(m2));
-            const double t127 = k1*t126;
-            const double t128 = t126*(k1 + k2);
-            const double h39 = -t128;
-            const double h40 = -t124;
-            const double h41 = k1*t123;
-            /* determinants */
-            const double t137 = 2*(p2*p2);
-            const double h42 = (omega1*omega1);
-            const double h43 = (omega1*omega1*omega1*omega1);
-            const double h44 = (omega2*omega2);
-            const double h45 = (omega2*omega2*omega2*omega2);
-            const double t142 = (p1*p1);
-            const double t143 = t142 + (t21*t21);
-            const double t145 = 2*(p5*p5);
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega3;
-            fixed[6][lane] = omega4;
-            fixed[7][lane] = p4;
-            fixed[8][lane] = p5;
-            fixed[9][lane] = p6;
-            fixed[10][lane] = t16;
-            fixed[11][lane] = h0;
-            fixed[12][lane] = h1;
-            fixed[13][lane] = t21;
-            fixed[14][lane] = h2;
-            fixed[15][lane] = h3;
-            fixed[16][lane] = t27;
-            fixed[17][lane] = h4;
-            fixed[18][lane] = h5;
-            fixed[19][lane] = h6;
-            fixed[20][lane] = h7;
-            fixed[21][lane] = h8;
-            fixed[22][lane] = t31;
-            fixed[23][lane] = h9;
-            fixed[24][lane] = t32;
-            fixed[25][lane] = h10;
-            fixed[26][lane] = h11;
-            fixed[27][lane] = h12;
-            fixed[28][lane] = h13;
-            fixed[29][lane] = h14;
-            fixed[30][lane] = h15;
-            fixed[31][lane] = t52;
-            fixed[32][lane] = h16;
-            fixed[33][lane] = t53;
-            fixed[34][lane] = h17;
-            fixed[35][lane] = t54;
-            fixed[36][lane] = h18;
-            fixed[37][lane] = t55;
-            fixed[38][lane] = h19;
-            fixed[39][lane] = h20;
-            fixed[40][lane] = t80;
-            fixed[41][lane] = t83;
-            fixed[42][lane] = h21;
-            fixed[43][lane] = h22;
-            fixed[44][lane] = h23;
-            fixed[45][lane] = h24;
-            fixed[46][lane] = t92;
-            fixed[47][lane] = h25;
-            fixed[48][lane] = h26;
-            fixed[49][lane] = h27;
-            fixed[50][lane] = h28;
-            fixed[51][lane] = h29;
-            fixed[52][lane] = h30;
-            fixed[53][lane] = h31;
-            fixed[54][lane] = h32;
-            fixed[55][lane] = h33;
-            fixed[56][lane] = t104;
-            fixed[57][lane] = h34;
-            fixed[58][lane] = h35;
-            fixed[59][lane] = h36;
-            fixed[60][lane] = t124;
-            fixed[61][lane] = h37;
-            fixed[62][lane] = h38;
-            fixed[63][lane] = t127;
-            fixed[64][lane] = h39;
-            fixed[65][lane] = h40;
-            fixed[66][lane] = h41;
-            fixed[67][lane] = t137;
-            fixed[68][lane] = h42;
-            fixed[69][lane] = h43;
-            fixed[70][lane] = h44;
-            fixed[71][lane] = h45;
-            fixed[72][lane] = t142;
-            fixed[73][lane] = t143;
-            fixed[74][lane] = t145;
-        }
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_spectrum_in_lane(lanes, lane, own, spectrum, NULL);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_one_contact_reduced_fixed_in_lane(lanes, lane, parameter, spectrum, fixed);
+        static const int positive[] = {1};
+        nonsmooth_load(lanes, reduced, guess, count, start, x);
+        for (int step = 0; step < 32 && nonsmooth_runs(lanes, open); ++step) {
             NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
-                const double T = parameter[5][lane];
-                const double omega1 = fixed[0][lane];
-                const double omega2 = fixed[1][lane];
-                const double p1 = fixed[2][lane];
-                const double p2 = fixed[3][lane];
-                const double p3 = fixed[4][lane];
-                const double omega3 = fixed[5][lane];
-                const double omega4 = fixed[6][lane];
-                const double p4 = fixed[7][lane];
-                const double p5 = fixed[8][lane];
-                const double p6 = fixed[9][lane];
-                const double t16 = fixed[10][lane];
-                const double h0 = fixed[11][lane];
-                const double h1 = fixed[12][lane];
-                const double h2 = fixed[14][lane];
-                const double h3 = fixed[15][lane];
-                const double t27 = fixed[16][lane];
-                const double h4 = fixed[17][lane];
-                const double h5 = fixed[18][lane];
-                const double h6 = fixed[19][lane];
-                const double h7 = fixed[20][lane];
-                const double h8 = fixed[21][lane];
-                const double t31 = fixed[22][lane];
-                const double h9 = fixed[23][lane];
-                const double t32 = fixed[24][lane];
-                const double h10 = fixed[25][lane];
-                const double h11 = fixed[26][lane];
-                const double h12 = fixed[27][lane];
-                const double h13 = fixed[28][lane];
-                const double h14 = fixed[29][lane];
-                const double h15 = fixed[30][lane];
-                const double t52 = fixed[31][lane];
-                const double h16 = fixed[32][lane];
-                const double t53 = fixed[33][lane];
-                const double h17 = fixed[34][lane];
-                const double t54 = fixed[35][lane];
-                const double h18 = fixed[36][lane];
-                const double t55 = fixed[37][lane];
-                const double h19 = fixed[38][lane];
-                const double h20 = fixed[39][lane];
-                const double tau = x[0][lane];
-                /* half of tau */
-                const double half_tau = (1.0/2.0)*tau;
-                /* functions of half_tau in contact */
-                const double t0 = half_tau*omega1;
-                double sine_0, cosine_0;
-                nonsmooth_sincos(t0, &sine_0, &cosine_0);
-                const double cos_omega1_half_tau = cosine_0;
-                const double sin_omega1_half_tau = sine_0;
-                const double t3 = half_tau*omega2;
-                double sine_1, cosine_1;
-                nonsmooth_sincos(t3, &sine_1, &cosine_1);
-                const double cos_omega2_half_tau = cosine_1;
-                const double sin_omega2_half_tau = sine_1;
-                /* tau1 completes the period */
-                const double tau1 = T - tau;
-                /* half of tau1 */
-                const double half_tau1 = (1.0/2.0)*tau1;
-                /* functions of half_tau1 in free */
-                const double t6 = half_tau1*omega3;
-                double sine_2, cosine_2;
-                nonsmooth_sincos(t6, &sine_2, &cosine_2);
-                const double cos_omega3_half_tau1 = cosine_2;
-                const double sin_omega3_half_tau1 = sine_2;
-                const double t9 = half_tau1*omega4;
-                double sine_3, cosine_3;
-                nonsmooth_sincos(t9, &sine_3, &cosine_3);
-                const double cos_omega4_half_tau1 = cosine_3;
-                const double sin_omega4_half_tau1 = sine_3;
-                const double t20 = omega1*sin_omega1_half_tau;
-                const double coefficient11 = h0*t20 + h1*sin_omega2_half_tau;
-                const double coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*h2;
-                const double coefficient13 = cos_omega1_half_tau*p2 + cos_omega2_half_tau*h3;
-                const double t28 = t16*t20;
-                const double t29 = h4*sin_omega2_half_tau;
-                const double coefficient21 = h5*t29 + t27*t28;
-                const double coefficient22 = cos_omega1_half_tau*p3 + cos_omega2_half_tau*h6;
-                const double coefficient23 = cos_omega1_half_tau*h2 + cos_omega2_half_tau*p1;
-                const double t30 = omega3*sin_omega3_half_tau1;
-                const double coefficient31 = h7*t30 + h8*sin_omega4_half_tau1;
-                const double coefficient32 = cos_omega3_half_tau1*h9 + cos_omega4_half_tau1*t31;
-                const double coefficient33 = cos_omega3_half_tau1*h7 + cos_omega4_half_tau1*p5;
-                const double right1 = h10*t29 + t28*t32;
-                const double right2 = h11*t28 + h12*sin_omega2_half_tau;
-                const double t37 = omega4*sin_omega4_half_tau1;
-                const double right3 = h13*t37 + p4*t30;
-                /* determinant of the linear equations */
-                const double t38 = coefficient22*coefficient33;
-                const double t39 = coefficient21*coefficient32;
-                const double t40 = coefficient23*coefficient32;
-                const double t41 = coefficient21*coefficient33;
-                const double t42 = coefficient22*coefficient31;
-                const double determinant = coefficient11*t38 - coefficient11*t40 + coefficient12*coefficient23*coefficient31 - coefficient12*t41 + coefficient13*t39 - coefficient13*t42;
-                /* numerators of Cramer's rule */
-                const double t43 = coefficient12*coefficient23;
-                const double t44 = coefficient12*coefficient33;
-                const double t45 = coefficient13*coefficient22;
-                const double numerator1 = coefficient13*coefficient32*right2 + right1*t38 - right1*t40 - right2*t44 + right3*t43 - right3*t45;
-                const double t46 = coefficient11*coefficient23;
-                const double t47 = coefficient13*coefficient31;
-                const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t41 - right2*t47 - right3*t46;
-                const double t48 = coefficient11*coefficient22;
-                const double t49 = coefficient11*coefficient32;
-                const double t50 = coefficient12*coefficient21;
-                const double numerator3 = coefficient12*coefficient31*right2 + right1*t39 - right1*t42 - right2*t49 + right3*t48 - right3*t50;
-                /* residual */
-                const double t131 = h14*t30 + h15*sin_omega4_half_tau1;
-                const double t132 = h9*t37 + t30*t31;
-                const double t133 = cos_omega3_half_tau1*h14 + cos_omega4_half_tau1*p6;
-                const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
-                const double cos_omega1_half_tau_by_tau = h16*sin_omega1_half_tau;
-                const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t52;
-                const double cos_omega2_half_tau_by_tau = h17*sin_omega2_half_tau;
-                const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t53;
-                const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t54;
-                const double sin_omega3_half_tau1_by_tau = cos_omega3_half_tau1*h18;
-                const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t55;
-                const double sin_omega4_half_tau1_by_tau = cos_omega4_half_tau1*h19;
-                /* d/dtau of: coefficients of the linear equations */
-                const double t56 = omega1*sin_omega1_half_tau_by_tau;
-                const double coefficient11_by_tau = h0*t56 + h1*sin_omega2_half_tau_by_tau;
-                const double coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 + cos_omega2_half_tau_by_tau*h2;
-                const double coefficient13_by_tau = cos_omega1_half_tau_by_tau*p2 + cos_omega2_half_tau_by_tau*h3;
-                const double t57 = t16*t56;
-                const double t58 = h4*sin_omega2_half_tau_by_tau;
-                const double coefficient21_by_tau = h5*t58 + t27*t57;
-                const double coefficient22_by_tau = cos_omega1_half_tau_by_tau*p3 + cos_omega2_half_tau_by_tau*h6;
-                const double coefficient23_by_tau = cos_omega1_half_tau_by_tau*h2 + cos_omega2_half_tau_by_tau*p1;
-                const double t59 = omega3*sin_omega3_half_tau1_by_tau;
-                const double coefficient31_by_tau = h7*t59 + h8*sin_omega4_half_tau1_by_tau;
-                const double coefficient32_by_tau = cos_omega3_half_tau1_by_tau*h9 + cos_omega4_half_tau1_by_tau*t31;
-                const double coefficient33_by_tau = cos_omega3_half_tau1_by_tau*h7 + cos_omega4_half_tau1_by_tau*p5;
-                /* d/dtau of: right-hand sides of the linear equations */
-                const double right1_by_tau = h10*t58 + t32*t57;
-                const double right2_by_tau = h11*t57 + h12*sin_omega2_half_tau_by_tau;
-                const double right3_by_tau = h20*sin_omega4_half_tau1_by_tau + p4*t59;
-                /* d/dtau of: determinant of the linear equations */
-                const double t60 = t38 - t40;
-                const double t61 = coefficient23*coefficient31 - t41;
-                const double t62 = t39 - t42;
-                const double t63 = coefficient13*coefficient32 - t44;
-                const double t64 = coefficient11*coefficient33 - t47;
-                const double t65 = coefficient12*coefficient31 - t49;
-                const double t66 = t43 - t45;
-                const double t67 = coefficient13*coefficient21 - t46;
-                const double t68 = t48 - t50;
-                const double determinant_by_tau = coefficient11_by_tau*t60 + coefficient12_by_tau*t61 + coefficient13_by_tau*t62 + coefficient21_by_tau*t63 + coefficient22_by_tau*t64 + coefficient23_by_tau*t65 + coefficient31_by_tau*t66 + coefficient32_by_tau*t67 + coefficient33_by_tau*t68;
-                /* d/dtau of: numerators of Cramer's rule */
-                const double t69 = coefficient23*right3 - coefficient33*right2;
-                const double t70 = coefficient22*right3 - coefficient32*right2;
-                const double t71 = coefficient13*right3 - coefficient33*right1;
-                const double t72 = coefficient12*right3 - coefficient32*right1;
-                const double t73 = coefficient13*right2 - coefficient23*right1;
-                const double t74 = coefficient12*right2 - coefficient22*right1;
-                const double numerator1_by_tau = coefficient12_by_tau*t69 - coefficient13_by_tau*t70 - coefficient22_by_tau*t71 + coefficient23_by_tau*t72 + coefficient32_by_tau*t73 - coefficient33_by_tau*t74 + right1_by_tau*t60 + right2_by_tau*t63 + right3_by_tau*t66;
-                const double t75 = coefficient21*right3 - coefficient31*right2;
-                const double t76 = coefficient11*right3 - coefficient31*right1;
-                const double t77 = coefficient11*right2 - coefficient21*right1;
-                const double numerator2_by_tau = -coefficient11_by_tau*t69 + coefficient13_by_tau*t75 + coefficient21_by_tau*t71 - coefficient23_by_tau*t76 - coefficient31_by_tau*t73 + coefficient33_by_tau*t77 + right1_by_tau*t61 + right2_by_tau*t64 + right3_by_tau*t67;
-                const double numerator3_by_tau = coefficient11_by_tau*t70 - coefficient12_by_tau*t75 - coefficient21_by_tau*t72 + coefficient22_by_tau*t76 + coefficient31_by_tau*t74 - coefficient32_by_tau*t77 + right1_by_tau*t62 + right2_by_tau*t65 + right3_by_tau*t68;
-                /* jacobian */
-                const double t135 = numerator2*p6;
-                const double t136 = determinant*p6;
-                const double residual_0 = determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134;
-                const double jacobian_0 = cos_omega3_half_tau1_by_tau*(numerator3*t31 - t135) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t135) + determinant_by_tau*t131 + numerator1_by_tau*t132 + numerator2_by_tau*t133 + numerator3_by_tau*t134 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t31 - omega3*t136) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t136);
-                const double inverse = (1.0/(jacobian_0));
-                const double wanted_0 = tau - (residual_0)*inverse;
-                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
-                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
-                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
-                taken[lane] += open[lane] != 0.0 ? 1 : 0;
-                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0)) ? 0.0 : open[lane];
+                elastic_stop_one_contact_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                    NULL, NULL, equation, jacobian);
+                nonsmooth_newton_in_lane(reduced, positive, lane, jacobian, equation, x, open,
+                    taken);
             }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
         }
-        double result[4][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double T = parameter[5][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double omega4 = fixed[6][lane];
-            const double p4 = fixed[7][lane];
-            const double p5 = fixed[8][lane];
-            const double p6 = fixed[9][lane];
-            const double t16 = fixed[10][lane];
-            const double h0 = fixed[11][lane];
-            const double h1 = fixed[12][lane];
-            const double t21 = fixed[13][lane];
-            const double h2 = fixed[14][lane];
-            const double h3 = fixed[15][lane];
-            const double t27 = fixed[16][lane];
-            const double h4 = fixed[17][lane];
-            const double h5 = fixed[18][lane];
-            const double h6 = fixed[19][lane];
-            const double h7 = fixed[20][lane];
-            const double h8 = fixed[21][lane];
-            const double t31 = fixed[22][lane];
-            const double h9 = fixed[23][lane];
-            const double t32 = fixed[24][lane];
-            const double h10 = fixed[25][lane];
-            const double h11 = fixed[26][lane];
-            const double h12 = fixed[27][lane];
-            const double h13 = fixed[28][lane];
-            const double h14 = fixed[29][lane];
-            const double h15 = fixed[30][lane];
-            const double t80 = fixed[40][lane];
-            const double t83 = fixed[41][lane];
-            const double h21 = fixed[42][lane];
-            const double h22 = fixed[43][lane];
-            const double h23 = fixed[44][lane];
-            const double h24 = fixed[45][lane];
-            const double t92 = fixed[46][lane];
-            const double h25 = fixed[47][lane];
-            const double h26 = fixed[48][lane];
-            const double h27 = fixed[49][lane];
-            const double h28 = fixed[50][lane];
-            const double h29 = fixed[51][lane];
-            const double h30 = fixed[52][lane];
-            const double h31 = fixed[53][lane];
-            const double h32 = fixed[54][lane];
-            const double h33 = fixed[55][lane];
-            const double t104 = fixed[56][lane];
-            const double h34 = fixed[57][lane];
-            const double h35 = fixed[58][lane];
-            const double h36 = fixed[59][lane];
-            const double t124 = fixed[60][lane];
-            const double h37 = fixed[61][lane];
-            const double h38 = fixed[62][lane];
-            const double t127 = fixed[63][lane];
-            const double h39 = fixed[64][lane];
-            const double h40 = fixed[65][lane];
-            const double h41 = fixed[66][lane];
-            const double t137 = fixed[67][lane];
-            const double h42 = fixed[68][lane];
-            const double h43 = fixed[69][lane];
-            const double h44 = fixed[70][lane];
-            const double h45 = fixed[71][lane];
-            const double t142 = fixed[72][lane];
-            const double t143 = fixed[73][lane];
-            const double t145 = fixed[74][lane];
-            const double tau = x[0][lane];
-            /* half of tau */
-            const double half_tau = (1.0/2.0)*tau;
-            /* functions of half_tau in contact */
-            const double t0 = half_tau*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_half_tau = cosine_0;
-            const double sin_omega1_half_tau = sine_0;
-            const double t3 = half_tau*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t3, &sine_1, &cosine_1);
-            const double cos_omega2_half_tau = cosine_1;
-            const double sin_omega2_half_tau = sine_1;
-            /* tau1 completes the period */
-            const double tau1 = T - tau;
-            /* half of tau1 */
-            const double half_tau1 = (1.0/2.0)*tau1;
-            /* functions of half_tau1 in free */
-            const double t6 = half_tau1*omega3;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t6, &sine_2, &cosine_2);
-            const double cos_omega3_half_tau1 = cosine_2;
-            const double sin_omega3_half_tau1 = sine_2;
-            const double t9 = half_tau1*omega4;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t9, &sine_3, &cosine_3);
-            const double cos_omega4_half_tau1 = cosine_3;
-            const double sin_omega4_half_tau1 = sine_3;
-            const double t20 = omega1*sin_omega1_half_tau;
-            const double coefficient11 = h0*t20 + h1*sin_omega2_half_tau;
-            const double coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*h2;
-            const double coefficient13 = cos_omega1_half_tau*p2 + cos_omega2_half_tau*h3;
-            const double t28 = t16*t20;
-            const double t29 = h4*sin_omega2_half_tau;
-            const double coefficient21 = h5*t29 + t27*t28;
-            const double coefficient22 = cos_omega1_half_tau*p3 + cos_omega2_half_tau*h6;
-            const double coefficient23 = cos_omega1_half_tau*h2 + cos_omega2_half_tau*p1;
-            const double t30 = omega3*sin_omega3_half_tau1;
-            const double coefficient31 = h7*t30 + h8*sin_omega4_half_tau1;
-            const double coefficient32 = cos_omega3_half_tau1*h9 + cos_omega4_half_tau1*t31;
-            const double coefficient33 = cos_omega3_half_tau1*h7 + cos_omega4_half_tau1*p5;
-            const double right1 = h10*t29 + t28*t32;
-            const double right2 = h11*t28 + h12*sin_omega2_half_tau;
-            const double t37 = omega4*sin_omega4_half_tau1;
-            const double right3 = h13*t37 + p4*t30;
-            /* determinant of the linear equations */
-            const double t38 = coefficient22*coefficient33;
-            const double t39 = coefficient21*coefficient32;
-            const double t40 = coefficient23*coefficient32;
-            const double t41 = coefficient21*coefficient33;
-            const double t42 = coefficient22*coefficient31;
-            const double determinant = coefficient11*t38 - coefficient11*t40 + coefficient12*coefficient23*coefficient31 - coefficient12*t41 + coefficient13*t39 - coefficient13*t42;
-            /* numerators of Cramer's rule */
-            const double t43 = coefficient12*coefficient23;
-            const double t44 = coefficient12*coefficient33;
-            const double t45 = coefficient13*coefficient22;
-            const double numerator1 = coefficient13*coefficient32*right2 + right1*t38 - right1*t40 - right2*t44 + right3*t43 - right3*t45;
-            const double t46 = coefficient11*coefficient23;
-            const double t47 = coefficient13*coefficient31;
-            const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t41 - right2*t47 - right3*t46;
-            const double t48 = coefficient11*coefficient22;
-            const double t49 = coefficient11*coefficient32;
-            const double t50 = coefficient12*coefficient21;
-            const double numerator3 = coefficient12*coefficient31*right2 + right1*t39 - right1*t42 - right2*t49 + right3*t48 - right3*t50;
-            /* residual */
-            const double t131 = h14*t30 + h15*sin_omega4_half_tau1;
-            const double t132 = h9*t37 + t30*t31;
-            const double t133 = cos_omega3_half_tau1*h14 + cos_omega4_half_tau1*p6;
-            const double t134 = cos_omega3_half_tau1*t31 + cos_omega4_half_tau1*h9;
-            /* y, u, w by Cramer's rule */
-            const double t51 = (1.0/(determinant));
-            const double y = numerator1*t51;
-            const double u = numerator2*t51;
-            const double w = numerator3*t51;
-            /* functions of tau in contact */
-            const double t78 = omega1*tau;
-            double sine_4, cosine_4;
-            nonsmooth_sincos(t78, &sine_4, &cosine_4);
-            const double cos_omega1_tau = cosine_4;
-            const double sin_omega1_tau = sine_4;
-            const double t79 = omega2*tau;
-            double sine_5, cosine_5;
-            nonsmooth_sincos(t79, &sine_5, &cosine_5);
-            const double cos_omega2_tau = cosine_5;
-            const double sin_omega2_tau = sine_5;
-            const double t84 = sin_omega1_tau*t83;
-            const double t85 = h21*sin_omega2_tau;
-            const double t86 = h2*t85 + p1*t84;
-            const double t87 = h22*sin_omega1_tau + h3*t85;
-            const double t88 = cos_omega1_tau*p2 + cos_omega2_tau*h3;
-            const double t89 = cos_omega1_tau*p1 + cos_omega2_tau*h2;
-            const double x1_1 = cos_omega1_tau*h23 + cos_omega2_tau*h24 + t80 + t86*u + t87*w + t88*y + t89;
-            const double t94 = h25*sin_omega1_tau + h6*t85;
-            const double t95 = h2*t84 + p1*t85;
-            const double t96 = cos_omega1_tau*h2 + cos_omega2_tau*p1;
-            const double t97 = cos_omega1_tau*p3 + cos_omega2_tau*h6;
-            const double x2_1 = cos_omega1_tau*h26 + cos_omega2_tau*h27 + t92 + t94*u + t95*w + t96*y + t97;
-            const double t98 = omega1*sin_omega1_tau;
-            const double t99 = h28*sin_omega2_tau + h3*t98;
-            const double t100 = omega2*sin_omega2_tau;
-            const double v1_1 = h29*sin_omega1_tau + h30*sin_omega2_tau + h31*t98 + t100*t21 + t88*w + t89*u + t99*y;
-            const double t101 = h31*t100 + t21*t98;
-            const double v2_1 = h32*sin_omega1_tau + h33*sin_omega2_tau + h6*t98 + p3*t100 + t101*y + t96*w + t97*u;
-            /* functions of tau1 in free */
-            const double t102 = omega3*tau1;
-            double sine_6, cosine_6;
-            nonsmooth_sincos(t102, &sine_6, &cosine_6);
-            const double cos_omega3_tau1 = cosine_6;
-            const double sin_omega3_tau1 = sine_6;
-            const double t103 = omega4*tau1;
-            double sine_7, cosine_7;
-            nonsmooth_sincos(t103, &sine_7, &cosine_7);
-            const double cos_omega4_tau1 = cosine_7;
-            const double sin_omega4_tau1 = sine_7;
-            const double t105 = sin_omega3_tau1*t104;
-            const double t107 = h34*sin_omega4_tau1;
-            const double t108 = h13*t107 + p4*t105;
-            const double t109 = h35*sin_omega3_tau1 + h7*t107;
-            const double t110 = cos_omega3_tau1*p4 + cos_omega4_tau1*h13;
-            const double t111 = cos_omega3_tau1*p5 + cos_omega4_tau1*h7;
-            const double x1_2 = t108*v1_1 + t109*v2_1 + t110*x1_1 + t111*x2_1;
-            const double t112 = h14*t107 + h36*sin_omega3_tau1;
-            const double t113 = h13*t105 + p4*t107;
-            const double t114 = cos_omega3_tau1*p6 + cos_omega4_tau1*h14;
-            const double t115 = cos_omega3_tau1*h13 + cos_omega4_tau1*p4;
-            const double x2_2 = t112*v1_1 + t113*v2_1 + t114*x1_1 + t115*x2_1;
-            const double t116 = omega3*sin_omega3_tau1;
-            const double t117 = omega4*sin_omega4_tau1;
-            const double t118 = h9*t116 + t117*t31;
-            const double t119 = h7*t116 + h8*sin_omega4_tau1;
-            const double v1_2 = t110*v1_1 + t111*v2_1 + t118*x1_1 + t119*x2_1;
-            const double t120 = h14*t116 + h15*sin_omega4_tau1;
-            const double t121 = h9*t117 + t116*t31;
-            const double v2_2 = t114*v1_1 + t115*v2_1 + t120*x1_1 + t121*x2_1;
-            /* Phi along tau */
-            const double carried_x1_1_by_y = t88;
-            const double carried_x1_1_by_u = t86;
-            const double carried_x1_1_by_w = t87;
-            const double carried_x2_1_by_y = t96;
-            const double carried_x2_1_by_u = t94;
-            const double carried_x2_1_by_w = t95;
-            const double carried_v1_1_by_y = t99;
-            const double carried_v1_1_by_u = t89;
-            const double carried_v1_1_by_w = t88;
-            const double carried_v2_1_by_y = t101;
-            const double carried_v2_1_by_u = t97;
-            const double carried_v2_1_by_w = t96;
-            /* rate of the exit boundary after tau */
-            const double rate_1 = -v1_1;
-            /* derivatives of the time to the boundary after tau */
-            const double t122 = (1.0/(rate_1));
-            const double delay_tau_by_y = carried_x1_1_by_y*t122;
-            const double delay_tau_by_u = carried_x1_1_by_u*t122;
-            const double delay_tau_by_w = carried_x1_1_by_w*t122;
-            /* perturbation on the boundary after tau */
-            const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
-            const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
-            const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
-            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
-            const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
-            const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
-            const double t125 = h37*x1_1 + h38 + t124*x2_1;
-            const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t125;
-            const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t125;
-            const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t125;
-            const double t129 = h39*x2_1 + t127*x1_1;
-            const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t129;
-            const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t129;
-            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t129;
-            /* Phi along tau1 */
-            const double carried_x1_2_by_y = t108*v1_1_on_boundary_by_y + t109*v2_1_on_boundary_by_y + t110*x1_1_on_boundary_by_y + t111*x2_1_on_boundary_by_y;
-            const double carried_x1_2_by_u = t108*v1_1_on_boundary_by_u + t109*v2_1_on_boundary_by_u + t110*x1_1_on_boundary_by_u + t111*x2_1_on_boundary_by_u;
-            const double carried_x1_2_by_w = t108*v1_1_on_boundary_by_w + t109*v2_1_on_boundary_by_w + t110*x1_1_on_boundary_by_w + t111*x2_1_on_boundary_by_w;
-            const double carried_x2_2_by_y = t112*v1_1_on_boundary_by_y + t113*v2_1_on_boundary_by_y + t114*x1_1_on_boundary_by_y + t115*x2_1_on_boundary_by_y;
-            const double carried_v1_2_by_u = t110*v1_1_on_boundary_by_u + t111*v2_1_on_boundary_by_u + t118*x1_1_on_boundary_by_u + t119*x2_1_on_boundary_by_u;
-            const double carried_v2_2_by_w = t114*v1_1_on_boundary_by_w + t115*v2_1_on_boundary_by_w + t120*x1_1_on_boundary_by_w + t121*x2_1_on_boundary_by_w;
-            /* derivatives of the time to the boundary after tau1 */
-            const double t130 = (1.0/(v1_2));
-            const double delay_tau1_by_y = -carried_x1_2_by_y*t130;
-            const double delay_tau1_by_u = -carried_x1_2_by_u*t130;
-            const double delay_tau1_by_w = -carried_x1_2_by_w*t130;
-            /* perturbation on the boundary after tau1 */
-            const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
-            const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(h40*x1_2 + h41*x2_2);
-            const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(h39*x2_2 + t127*x1_2);
-            const double t138 = (half_tau*half_tau);
-            const double t139 = t137*t138;
-            const double t140 = h43/(h42*t138 + 1);
-            const double t141 = h45/(h44*t138 + 1);
-            const double t144 = 2*t138;
-            const double t146 = (half_tau1*half_tau1);
-            const double t147 = t145*t146;
-            result[0][lane] = y;
-            result[1][lane] = u;
-            result[2][lane] = w;
-            result[3][lane] = tau;
-            slope[lane] = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
-            double largest = 0.0;
-            largest = fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) > largest ? fabs(determinant*t131 + numerator1*t132 + numerator2*t133 + numerator3*t134) : largest;
-            defect[lane] = largest;
-            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]);
-            int32_t ending = ((result[3][lane] <= 0.0) | (parameter[5][lane] - result[3][lane] <= 0.0)) ? ELASTIC_STOP_NOT_POSITIVE : ELASTIC_STOP_CONVERGED;
-            ending = open[lane] != 0.0 ? ELASTIC_STOP_NOT_CONVERGED : ending;
-            ending = finite == 0.0 ? ending : ELASTIC_STOP_NOT_FINITE;
-            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t140*t144*(t21*t21) + t141*t142*t144 + t143)*sqrt(t137 + t139*t140 + t139*t141 + t143)*sqrt((omega3*omega3*omega3*omega3)*t147/((omega3*omega3)*t146 + 1) + (omega4*omega4*omega4*omega4)*t147/((omega4*omega4)*t146 + 1) + (p4*p4) + t145 + (t31*t31)))) <= 1e-12)) ? ELASTIC_STOP_SINGULAR : ending;
-            ended[lane] = ending;
+            elastic_stop_one_contact_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                unknown, determinant, equation, NULL);
+            elastic_stop_one_contact_trace_in_lane(lanes, lane, parameter, spectrum, unknown, NULL,
+                slope, NULL);
         }
-        for (int i = 0; i < 4; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_largest(lanes, reduced, equation, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane) {
+            int32_t code = ELASTIC_STOP_CONVERGED;
+            code = ((unknown[3*lanes + lane] <= 0.0) | (parameter[5*lanes + lane] - unknown[3*lanes
+                + lane] <= 0.0)) ? ELASTIC_STOP_NOT_POSITIVE : code;
+            code = open[lane] != 0.0 ? ELASTIC_STOP_NOT_CONVERGED : code;
+            code = doubt[lane] != 0.0 ? ELASTIC_STOP_NOT_FINITE : code;
+            code = ((fabs(determinant[0*lanes + lane]) <= NONSMOOTH_SINGULAR)) ?
+                ELASTIC_STOP_SINGULAR : code;
+            ended[lane] = code;
+        }
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }
@@ -2885,14 +2342,14 @@ void elastic_stop_one_contact_directions(
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         double parameter[p * lanes], unknown[n * lanes];
         double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
-        nonsmooth_load(p, parameters, count, start, parameter);
-        nonsmooth_load(n, unknowns, count, start, unknown);
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
         double own[5 * lanes], spectrum[12 * lanes], spectrum_derivatives[60 * lanes];
-        nonsmooth_load(1, parameters + 2 * count, count, start, own + 0 * lanes);
-        nonsmooth_load(1, parameters + 3 * count, count, start, own + 1 * lanes);
-        nonsmooth_load(1, parameters + 4 * count, count, start, own + 2 * lanes);
-        nonsmooth_load(1, parameters + 0 * count, count, start, own + 3 * lanes);
-        nonsmooth_load(1, parameters + 1 * count, count, start, own + 4 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 2 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 3 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 4 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 4 * lanes);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane)
             elastic_stop_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
@@ -2905,7 +2362,7 @@ void elastic_stop_one_contact_directions(
             elastic_stop_one_contact_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
                 spectrum_derivatives, NULL, slope);
         nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
-        nonsmooth_store(n * p, moved, count, start, directions);
-        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation d428edd22242c910 */
+ * SymPy 1.14.0, derivation 4ac3f6d86542e342 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation d428edd22242c910
+# SymPy 1.14.0, derivation 4ac3f6d86542e342
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "d428edd22242c910"
+DERIVATION = "4ac3f6d86542e342"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',

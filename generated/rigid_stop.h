@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 0f506926a676a3e2 */
+ * SymPy 1.14.0, derivation 53b6b82b7842df3c */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

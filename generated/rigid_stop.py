@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 0f506926a676a3e2
+# SymPy 1.14.0, derivation 53b6b82b7842df3c
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "0f506926a676a3e2"
+DERIVATION = "53b6b82b7842df3c"
 
 SYSTEM = {'name': 'rigid-stop',
  'description': 'two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)',
