@@ -17,7 +17,7 @@ from nonsmooth.derive.declaration.real_numbers import (
 from nonsmooth.derive.equations.program import Kernel, Stage, prune
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["Body", "Constant", "Line", "body_of", "hoisted", "needed", "split"]
+__all__ = ["Body", "Constant", "Line", "body_of", "needed", "split"]
 
 
 class Constant(sp.AtomicExpr):
@@ -266,46 +266,6 @@ def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[L
         else:
             moving.append(line)
     return tuple(fixed), tuple(moving)
-
-
-def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
-    """The body with every term that depends on the given inputs alone on a line of its own."""
-    places = _places([*body.inputs, *(line.symbol for line in body.lines)])
-    placed = _renamed(body, places)
-    fixed, _ = split(body, inputs)
-    known = {places[s] for s in inputs.union(line.symbol for line in fixed) if s in places}
-    found: dict[sp.Expr, sp.Symbol] = {}
-    lines: list[Line] = []
-    fresh = sp.numbered_symbols("h", real=True)
-
-    def name(part: sp.Expr) -> sp.Expr:
-        if part.is_Atom or not part.free_symbols:
-            return part
-        if isinstance(part, sp.Tuple):
-            return sp.Tuple(*map(name, part))
-        if part not in found:
-            found[part] = next(fresh)
-            lines.append(Line(found[part], part))
-        return found[part]
-
-    def hoist(expression: sp.Expr) -> sp.Expr:
-        if expression.free_symbols <= known:
-            return name(expression)
-        if expression.is_Atom:
-            return expression
-        if expression.is_Add or expression.is_Mul:
-            constant = [a for a in expression.args if a.free_symbols <= known]
-            moving = [hoist(a) for a in expression.args if not a.free_symbols <= known]
-            return expression.func(name(expression.func(*constant)), *moving)
-        return expression.func(*(hoist(a) for a in expression.args))
-
-    for line in placed.lines:
-        moves = not line.expression.free_symbols <= known
-        value = hoist(line.expression) if moves else line.expression
-        lines.append(Line(line.symbol, value, line.title))
-    outputs = tuple(tuple(hoist(e) for e in output) for output in placed.outputs)
-    raised = Body(placed.inputs, tuple(lines), outputs, (len(lines),) * len(outputs))
-    return _named(raised, places, "h", {s.name for s in places})
 
 
 def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:
