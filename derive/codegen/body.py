@@ -62,7 +62,6 @@ class Body:
     An output needs the lines up to its place in `ends`, and no later ones.
     """
 
-    inputs: tuple[sp.Symbol, ...]
     lines: tuple[Line, ...]
     outputs: tuple[tuple[sp.Expr, ...], ...]
     ends: tuple[int, ...]
@@ -114,7 +113,7 @@ def body_of(kernel: Kernel) -> Body:
     inputs = tuple(s for argument in kernel.arguments for s in reversed(argument.symbols))
     places = _places([*inputs, *(s for s, _ in _assignments(kernel))])
     body = _eliminated(_translated(prepared, lambda e: e.xreplace(places)))
-    return replace(_named(body, places, "t", taken), inputs=inputs)
+    return _named(body, places, taken)
 
 
 def _places(symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
@@ -122,17 +121,12 @@ def _places(symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
     return {s: sp.Symbol(f"s{i:06}", **s.assumptions0) for i, s in enumerate(symbols)}
 
 
-def _named(body: Body, places: Mapping[sp.Symbol, sp.Symbol], stem: str, taken: set[str]) -> Body:
+def _named(body: Body, places: Mapping[sp.Symbol, sp.Symbol], taken: set[str]) -> Body:
     """The body with the symbols again that have places, and numbered ones for all others."""
     names = {place: symbol for symbol, place in places.items()}
-    fresh = (s for s in sp.numbered_symbols(stem, real=True) if s.name not in taken)
+    fresh = (s for s in sp.numbered_symbols("t", real=True) if s.name not in taken)
     names |= {line.symbol: next(fresh) for line in body.lines if line.symbol not in names}
-    return _renamed(body, names)
-
-
-def _renamed(body: Body, names: Mapping[sp.Symbol, sp.Symbol]) -> Body:
     return Body(
-        tuple(names[s] for s in body.inputs),
         tuple(Line(names[x.symbol], x.expression.xreplace(names), x.title) for x in body.lines),
         tuple(tuple(e.xreplace(names) for e in output) for output in body.outputs),
         body.ends,
@@ -219,7 +213,7 @@ def _eliminated(kernel: Kernel) -> Body:
         outputs.append(tuple(require(e) for e in expressions))
         titled(begin, output.name)
         ends.append(len(lines))
-    return Body((), tuple(lines), tuple(outputs), tuple(ends))
+    return Body(tuple(lines), tuple(outputs), tuple(ends))
 
 
 def _checked_names(kernel: Kernel) -> set[str]:
