@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation acbfcccecda511ab */
+ * SymPy 1.14.0, derivation 457893cd5707cc95 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1401,11 +1401,11 @@ static int add_all(PyObject *module)
         for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
             ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "8daa9dfa261d8c6c") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "f85d3ee964449e07") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "9398124ac0939a59") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "86ec640970ebd475") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "5e0449e5958d6d2d") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "d67f2b8f88a01722") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 5e0449e5958d6d2d */
+ * SymPy 1.14.0, derivation d67f2b8f88a01722 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
+#include "nonsmooth_newton.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
@@ -1534,48 +1535,97 @@ void dry_friction_symmetric_flow_slip_stick(
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
  * Operations: 195. Intermediate terms: 63. */
-NONSMOOTH_UNMERGED
-void dry_friction_symmetric_reduced(
-    const double parameters[4], const double spectrum[7], const double reduced[2], double *unknowns,
-    double *determinants, double *reduced_residual, double *reduced_jacobian)
+static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_fixed_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double tau = reduced[0];
-    const double tau1 = reduced[1];
+    const double chi = parameters[lane];
+    const double V = parameters[2*lanes + lane];
+    const double e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    /* coefficients of the linear equations */
+    const double t2 = (1.0/(omega2));
+    const double t4 = (1.0/(omega1));
+    const double t5 = p1*t4;
+    /* right-hand sides of the linear equations */
+    const double t7 = e2/chi;
+    const double t11 = V*p2;
+    const double t12 = p1*t7;
+    const double t14 = V*t4;
+    const double t25 = p3*t7;
+    const double t27 = V*chi;
+    /* d/dtau of: functions of half_tau in slip-slip */
+    const double t28 = (1.0/2.0)*omega1;
+    const double t29 = (1.0/2.0)*omega2;
+    /* d/dtau of: coefficients of the linear equations */
+    const double t30 = p1*t2;
+    /* d/dtau1 of: right-hand sides of the linear equations */
+    const double t32 = (1.0/2.0)*V;
+    fixed[lane] = t2;
+    fixed[1*lanes + lane] = t4;
+    fixed[2*lanes + lane] = t5;
+    fixed[3*lanes + lane] = t7;
+    fixed[4*lanes + lane] = t11;
+    fixed[5*lanes + lane] = t12;
+    fixed[6*lanes + lane] = t14;
+    fixed[7*lanes + lane] = t25;
+    fixed[8*lanes + lane] = t27;
+    fixed[9*lanes + lane] = t28;
+    fixed[10*lanes + lane] = t29;
+    fixed[11*lanes + lane] = t30;
+    fixed[12*lanes + lane] = t32;
+}
+
+static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
+    const double *reduced, double *unknowns, double *determinants, double *reduced_residual,
+    double *reduced_jacobian)
+{
+    const double chi = parameters[lane];
+    const double V = parameters[2*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double t2 = fixed[lane];
+    const double t4 = fixed[1*lanes + lane];
+    const double t5 = fixed[2*lanes + lane];
+    const double t7 = fixed[3*lanes + lane];
+    const double t11 = fixed[4*lanes + lane];
+    const double t12 = fixed[5*lanes + lane];
+    const double t14 = fixed[6*lanes + lane];
+    const double t25 = fixed[7*lanes + lane];
+    const double t27 = fixed[8*lanes + lane];
+    const double t28 = fixed[9*lanes + lane];
+    const double t29 = fixed[10*lanes + lane];
+    const double t30 = fixed[11*lanes + lane];
+    const double t32 = fixed[12*lanes + lane];
+    const double tau = reduced[lane];
+    const double tau1 = reduced[1*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
     /* functions of half_tau in slip-slip */
     const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_tau = wave_0.cosine;
+    const double sin_omega1_half_tau = wave_0.sine;
     const double t1 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t1);
-    const double sin_omega2_half_tau = sin(t1);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
+    const double cos_omega2_half_tau = wave_1.cosine;
+    const double sin_omega2_half_tau = wave_1.sine;
     /* half of tau1 */
     const double half_tau1 = (1.0/2.0)*tau1;
-    /* coefficients of the linear equations */
-    const double t2 = (1.0/(omega2));
     const double t3 = sin_omega2_half_tau*t2;
-    const double t4 = (1.0/(omega1));
-    const double t5 = p1*t4;
     const double t6 = p1*t3;
     const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
-    /* right-hand sides of the linear equations */
-    const double t7 = e2/chi;
     const double t8 = cos_omega2_half_tau*t7;
     const double t9 = V*half_tau1;
     const double t10 = cos_omega2_half_tau*t9;
-    const double t11 = V*p2;
-    const double t12 = p1*t7;
     const double t13 = p2*t9;
-    const double t14 = V*t4;
     const double t15 = sin_omega1_half_tau*t14;
     const double t16 = p1*t9;
     const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
@@ -1591,11 +1641,11 @@ void dry_friction_symmetric_reduced(
     /* z20: linear in: z2 vanishes halfway through slip-stick */
     const double z20 = t9;
     if (unknowns) {
-        unknowns[0] = z10;
-        unknowns[1] = z20;
-        unknowns[2] = v10;
-        unknowns[3] = tau;
-        unknowns[4] = tau1;
+        unknowns[lane] = z10;
+        unknowns[1*lanes + lane] = z20;
+        unknowns[2*lanes + lane] = v10;
+        unknowns[3*lanes + lane] = tau;
+        unknowns[4*lanes + lane] = tau1;
     }
     if (!determinants && !reduced_residual && !reduced_jacobian)
         return;
@@ -1603,44 +1653,36 @@ void dry_friction_symmetric_reduced(
     const double t20 = (half_tau*half_tau);
     const double t21 = 2*t20;
     if (determinants) {
-        determinants[0] = determinant/sqrt((p1*p1)*t21/((omega1*omega1)*t20 + 1) + t21*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t20 + 1));
+        determinants[lane] = determinant/sqrt((p1*p1)*t21/((omega1*omega1)*t20 + 1) + t21*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t20 + 1));
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
     /* functions of half_tau1 in slip-stick */
-    const double cos_half_tau1 = cos(half_tau1);
-    const double sin_half_tau1 = sin(half_tau1);
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, half_tau1);
+    const double cos_half_tau1 = wave_2.cosine;
+    const double sin_half_tau1 = wave_2.sine;
     /* reduced_residual */
     const double t22 = cos_omega1_half_tau*t9;
     const double t23 = p3*v10;
     const double t24 = t23*t4;
-    const double t25 = p3*t7;
     const double t26 = cos_half_tau1*t9;
-    const double t27 = V*chi;
     if (reduced_residual) {
-        reduced_residual[0] = V*t6 - cos_omega1_half_tau*t25 - p1*t15 - p3*t10 + p3*t22 + p3*t8 + sin_omega1_half_tau*t24 + t15 + t17 + t22 - t23*t3;
-        reduced_residual[1] = chi*t26 + cos_half_tau1*t7 - sin_half_tau1*t27 + sin_half_tau1*v10 - t26;
+        reduced_residual[lane] = V*t6 - cos_omega1_half_tau*t25 - p1*t15 - p3*t10 + p3*t22 + p3*t8 + sin_omega1_half_tau*t24 + t15 + t17 + t22 - t23*t3;
+        reduced_residual[1*lanes + lane] = chi*t26 + cos_half_tau1*t7 - sin_half_tau1*t27 + sin_half_tau1*v10 - t26;
     }
     if (!reduced_jacobian)
         return;
-    /* d/dtau of: functions of half_tau in slip-slip */
-    const double t28 = (1.0/2.0)*omega1;
     const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t28;
     const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t28;
-    const double t29 = (1.0/2.0)*omega2;
     const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t29;
     const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t29;
     /* d/dtau1 of: functions of half_tau1 in slip-stick */
     const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
     const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
-    /* d/dtau of: coefficients of the linear equations */
-    const double t30 = p1*t2;
     const double coefficient11_by_tau = sin_omega1_half_tau_by_tau*t5 + sin_omega2_half_tau_by_tau*(t2 - t30);
     /* d/dtau of: right-hand sides of the linear equations */
     const double t31 = -t12 + t13 + t16;
     const double right1_by_tau = -cos_omega1_half_tau_by_tau*t31 + cos_omega2_half_tau_by_tau*(t19 + t31) - p2*sin_omega1_half_tau_by_tau*t14 + sin_omega2_half_tau_by_tau*t11*t2;
-    /* d/dtau1 of: right-hand sides of the linear equations */
-    const double t32 = (1.0/2.0)*V;
     const double t33 = cos_omega2_half_tau*t32;
     const double t34 = cos_omega1_half_tau*t32;
     const double t35 = p1*t34;
@@ -1653,11 +1695,22 @@ void dry_friction_symmetric_reduced(
     const double t36 = -p3*t9 + t16 + t25;
     const double t37 = p3*sin_omega1_half_tau*t4 - p3*t3;
     if (reduced_jacobian) {
-        reduced_jacobian[0] = cos_omega1_half_tau_by_tau*(-t36 + t9) + cos_omega2_half_tau_by_tau*t36 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t24) + sin_omega2_half_tau_by_tau*(V*t30 - t2*t23) + t37*v10_by_tau;
-        reduced_jacobian[1] = p1*t33 - p3*t33 + p3*t34 + t34 - t35 + t37*v10_by_tau1;
-        reduced_jacobian[2] = sin_half_tau1*v10_by_tau;
-        reduced_jacobian[3] = (1.0/2.0)*cos_half_tau1*t27 - cos_half_tau1*t32 + cos_half_tau1_by_tau1*(chi*t9 + t19) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t27 + v10);
+        reduced_jacobian[lane] = cos_omega1_half_tau_by_tau*(-t36 + t9) + cos_omega2_half_tau_by_tau*t36 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t24) + sin_omega2_half_tau_by_tau*(V*t30 - t2*t23) + t37*v10_by_tau;
+        reduced_jacobian[1*lanes + lane] = p1*t33 - p3*t33 + p3*t34 + t34 - t35 + t37*v10_by_tau1;
+        reduced_jacobian[2*lanes + lane] = sin_half_tau1*v10_by_tau;
+        reduced_jacobian[3*lanes + lane] = (1.0/2.0)*cos_half_tau1*t27 - cos_half_tau1*t32 + cos_half_tau1_by_tau1*(chi*t9 + t19) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t27 + v10);
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_symmetric_reduced(
+    const double parameters[4], const double spectrum[7], const double reduced[2], double *unknowns,
+    double *determinants, double *reduced_residual, double *reduced_jacobian)
+{
+    double fixed[13];
+    dry_friction_symmetric_reduced_fixed_in_lane(1, 0, parameters, spectrum, fixed);
+    dry_friction_symmetric_reduced_in_lane(1, 0, parameters, spectrum, fixed, reduced, unknowns,
+        determinants, reduced_residual, reduced_jacobian);
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
@@ -2859,31 +2912,60 @@ void dry_friction_global_stick_flow_stick_slip(
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
  * Operations: 217. Intermediate terms: 73. */
-NONSMOOTH_UNMERGED
-void dry_friction_global_stick_reduced(
-    const double parameters[5], const double spectrum[7], const double reduced[2], double *unknowns,
-    double *reduced_residual, double *reduced_jacobian)
+static NONSMOOTH_INLINE void dry_friction_global_stick_reduced_fixed_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double e1 = parameters[3];
-    const double e2 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double tau = reduced[0];
-    const double tau1 = reduced[1];
-    /* functions of tau in slip-stick */
-    const double cos_tau = cos(tau);
-    const double sin_tau = sin(tau);
-    /* z2_1: linear in second-breaks-forward */
-    const double t0 = V*tau;
+    const double chi = parameters[lane];
+    const double V = parameters[2*lanes + lane];
+    const double e1 = parameters[3*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
     const double t1 = (1.0/((chi - 1)));
     const double t2 = e1*t1;
+    /* slip-slip for tau1 */
+    const double t8 = 1 - p1;
+    /* tau2: first return */
+    const double t22 = (1.0/(omega3));
+    /* d/dtau of: slip-stick for tau */
+    const double t31 = V*chi;
+    const double t32 = V - t31;
+    fixed[lane] = t1;
+    fixed[1*lanes + lane] = t2;
+    fixed[2*lanes + lane] = t8;
+    fixed[3*lanes + lane] = t22;
+    fixed[4*lanes + lane] = t31;
+    fixed[5*lanes + lane] = t32;
+}
+
+static NONSMOOTH_INLINE void dry_friction_global_stick_reduced_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
+    const double *reduced, double *unknowns, double *reduced_residual, double *reduced_jacobian)
+{
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
+    const double V = parameters[2*lanes + lane];
+    const double e1 = parameters[3*lanes + lane];
+    const double e2 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double t1 = fixed[lane];
+    const double t2 = fixed[1*lanes + lane];
+    const double t8 = fixed[2*lanes + lane];
+    const double t22 = fixed[3*lanes + lane];
+    const double t31 = fixed[4*lanes + lane];
+    const double t32 = fixed[5*lanes + lane];
+    const double tau = reduced[lane];
+    const double tau1 = reduced[1*lanes + lane];
+    /* functions of tau in slip-stick */
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
+    const double cos_tau = wave_0.cosine;
+    const double sin_tau = wave_0.sine;
+    /* z2_1: linear in second-breaks-forward */
+    const double t0 = V*tau;
     const double z2_1 = V*sin_tau - cos_tau*t2 - t0 - e2*t1/chi;
     /* slip-stick for tau */
     const double t3 = chi*z2_1;
@@ -2894,13 +2976,13 @@ void dry_friction_global_stick_reduced(
     const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
     /* functions of tau1 in slip-slip */
     const double t6 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t6);
-    const double sin_omega1_tau1 = sin(t6);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t6);
+    const double cos_omega1_tau1 = wave_1.cosine;
+    const double sin_omega1_tau1 = wave_1.sine;
     const double t7 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t7);
-    const double sin_omega2_tau1 = sin(t7);
-    /* slip-slip for tau1 */
-    const double t8 = 1 - p1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t7);
+    const double cos_omega2_tau1 = wave_2.cosine;
+    const double sin_omega2_tau1 = wave_2.sine;
     const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
     const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
     const double t11 = sin_omega1_tau1/omega1;
@@ -2925,8 +3007,6 @@ void dry_friction_global_stick_reduced(
     const double t21 = (1.0/(amplitude_tau2));
     const double cos_tau2_return = sine_part_tau2*t21;
     const double sin_tau2_return = -cosine_part_tau2*t21;
-    /* tau2: first return */
-    const double t22 = (1.0/(omega3));
     const double tau2 = t22*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
     /* ta: linear in time */
     const double t23 = chi*z2_3;
@@ -2937,12 +3017,12 @@ void dry_friction_global_stick_reduced(
     /* unknowns */
     const double t27 = t24 + t25 + z2_3;
     if (unknowns) {
-        unknowns[0] = t27;
-        unknowns[1] = -t26 + t27;
-        unknowns[2] = ta;
-        unknowns[3] = tau;
-        unknowns[4] = tau1;
-        unknowns[5] = tau2;
+        unknowns[lane] = t27;
+        unknowns[1*lanes + lane] = -t26 + t27;
+        unknowns[2*lanes + lane] = ta;
+        unknowns[3*lanes + lane] = tau;
+        unknowns[4*lanes + lane] = tau1;
+        unknowns[5*lanes + lane] = tau2;
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
@@ -2951,8 +3031,8 @@ void dry_friction_global_stick_reduced(
     const double t29 = -p2*t17 + p2*t18;
     const double v1_3 = V*t10 + t28*z1_2 + t29*z2_2 + t9*v1_2;
     if (reduced_residual) {
-        reduced_residual[0] = -V + v1_3;
-        reduced_residual[1] = amplitude_tau2*t1*t22 - t2 - z2_1;
+        reduced_residual[lane] = -V + v1_3;
+        reduced_residual[1*lanes + lane] = amplitude_tau2*t1*t22 - t2 - z2_1;
     }
     if (!reduced_jacobian)
         return;
@@ -2962,9 +3042,6 @@ void dry_friction_global_stick_reduced(
     /* d/dtau of: z2_1: linear in second-breaks-forward */
     const double t30 = cos_tau_by_tau*e1;
     const double z2_1_by_tau = V*sin_tau_by_tau - V - t1*t30;
-    /* d/dtau of: slip-stick for tau */
-    const double t31 = V*chi;
-    const double t32 = V - t31;
     const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t32 + t30 + t31;
     const double z2_2_by_tau = V + z2_1_by_tau;
     const double v1_2_by_tau = cos_tau_by_tau*t32 - e1*sin_tau_by_tau;
@@ -2988,11 +3065,22 @@ void dry_friction_global_stick_reduced(
     /* d/dtau1 of: first return of tau2 */
     const double amplitude_tau2_by_tau1 = t35*(sine_part_tau2_by_tau1*t34 + t33*v2_3_by_tau1);
     if (reduced_jacobian) {
-        reduced_jacobian[0] = v1_3_by_tau;
-        reduced_jacobian[1] = v1_3_by_tau1;
-        reduced_jacobian[2] = amplitude_tau2_by_tau*t1*t22 - z2_1_by_tau;
-        reduced_jacobian[3] = amplitude_tau2_by_tau1*t1*t22;
+        reduced_jacobian[lane] = v1_3_by_tau;
+        reduced_jacobian[1*lanes + lane] = v1_3_by_tau1;
+        reduced_jacobian[2*lanes + lane] = amplitude_tau2_by_tau*t1*t22 - z2_1_by_tau;
+        reduced_jacobian[3*lanes + lane] = amplitude_tau2_by_tau1*t1*t22;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_global_stick_reduced(
+    const double parameters[5], const double spectrum[7], const double reduced[2], double *unknowns,
+    double *reduced_residual, double *reduced_jacobian)
+{
+    double fixed[6];
+    dry_friction_global_stick_reduced_fixed_in_lane(1, 0, parameters, spectrum, fixed);
+    dry_friction_global_stick_reduced_in_lane(1, 0, parameters, spectrum, fixed, reduced, unknowns,
+        reduced_residual, reduced_jacobian);
 }
 
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
@@ -4418,30 +4506,56 @@ void dry_friction_solution_ii_flow_stick_slip(
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
  * Operations: 295. Intermediate terms: 103. */
-NONSMOOTH_UNMERGED
-void dry_friction_solution_ii_reduced(
-    const double parameters[4], const double spectrum[7], const double reduced[3], double *unknowns,
-    double *reduced_residual, double *reduced_jacobian)
+static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_fixed_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double tau = reduced[0];
-    const double tau1 = reduced[1];
-    const double e1 = reduced[2];
+    const double chi = parameters[lane];
+    const double V = parameters[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double t1 = (1.0/((chi - 1)));
+    /* slip-slip for tau1 */
+    const double t8 = 1 - p1;
+    /* tau2: first return */
+    const double t22 = (1.0/(omega3));
+    /* d/dtau of: slip-stick for tau */
+    const double t28 = V*chi;
+    const double t29 = V - t28;
+    fixed[lane] = t1;
+    fixed[1*lanes + lane] = t8;
+    fixed[2*lanes + lane] = t22;
+    fixed[3*lanes + lane] = t28;
+    fixed[4*lanes + lane] = t29;
+}
+
+static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
+    const double *reduced, double *unknowns, double *reduced_residual, double *reduced_jacobian)
+{
+    const double chi = parameters[lane];
+    const double eta = parameters[1*lanes + lane];
+    const double V = parameters[2*lanes + lane];
+    const double e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[6*lanes + lane];
+    const double t1 = fixed[lane];
+    const double t8 = fixed[1*lanes + lane];
+    const double t22 = fixed[2*lanes + lane];
+    const double t28 = fixed[3*lanes + lane];
+    const double t29 = fixed[4*lanes + lane];
+    const double tau = reduced[lane];
+    const double tau1 = reduced[1*lanes + lane];
+    const double e1 = reduced[2*lanes + lane];
     /* functions of tau in slip-stick */
-    const double cos_tau = cos(tau);
-    const double sin_tau = sin(tau);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
+    const double cos_tau = wave_0.cosine;
+    const double sin_tau = wave_0.sine;
     /* z2_1: linear in second-breaks-forward */
     const double t0 = V*tau;
-    const double t1 = (1.0/((chi - 1)));
     const double t2 = cos_tau*t1;
     const double z2_1 = V*sin_tau - e1*t2 - t0 - e2*t1/chi;
     /* slip-stick for tau */
@@ -4453,13 +4567,13 @@ void dry_friction_solution_ii_reduced(
     const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
     /* functions of tau1 in slip-slip */
     const double t6 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t6);
-    const double sin_omega1_tau1 = sin(t6);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t6);
+    const double cos_omega1_tau1 = wave_1.cosine;
+    const double sin_omega1_tau1 = wave_1.sine;
     const double t7 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t7);
-    const double sin_omega2_tau1 = sin(t7);
-    /* slip-slip for tau1 */
-    const double t8 = 1 - p1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t7);
+    const double cos_omega2_tau1 = wave_2.cosine;
+    const double sin_omega2_tau1 = wave_2.sine;
     const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
     const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
     const double t11 = sin_omega1_tau1/omega1;
@@ -4484,19 +4598,17 @@ void dry_friction_solution_ii_reduced(
     const double t21 = (1.0/(amplitude_tau2));
     const double cos_tau2_return = sine_part_tau2*t21;
     const double sin_tau2_return = -cosine_part_tau2*t21;
-    /* tau2: first return */
-    const double t22 = (1.0/(omega3));
     const double tau2 = t22*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
     /* unknowns */
     const double t23 = V*tau2 + sine_part_tau2*t22 + z2_3;
     const double t24 = -amplitude_tau2*t22 + t23;
     if (unknowns) {
-        unknowns[0] = t23;
-        unknowns[1] = t24;
-        unknowns[2] = tau;
-        unknowns[3] = tau1;
-        unknowns[4] = tau2;
-        unknowns[5] = e1;
+        unknowns[lane] = t23;
+        unknowns[1*lanes + lane] = t24;
+        unknowns[2*lanes + lane] = tau;
+        unknowns[3*lanes + lane] = tau1;
+        unknowns[4*lanes + lane] = tau2;
+        unknowns[5*lanes + lane] = e1;
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
@@ -4508,9 +4620,9 @@ void dry_friction_solution_ii_reduced(
     const double z1_5 = t23;
     const double z2_5 = t24;
     if (reduced_residual) {
-        reduced_residual[0] = -V + v1_3;
-        reduced_residual[1] = -chi*z2_5 - e1 + z1_5;
-        reduced_residual[2] = -z2_1 + z2_5;
+        reduced_residual[lane] = -V + v1_3;
+        reduced_residual[1*lanes + lane] = -chi*z2_5 - e1 + z1_5;
+        reduced_residual[2*lanes + lane] = -z2_1 + z2_5;
     }
     if (!reduced_jacobian)
         return;
@@ -4522,9 +4634,6 @@ void dry_friction_solution_ii_reduced(
     const double z2_1_by_tau = V*sin_tau_by_tau - V - t1*t27;
     /* d/de1 of: z2_1: linear in second-breaks-forward */
     const double z2_1_by_e1 = -t2;
-    /* d/dtau of: slip-stick for tau */
-    const double t28 = V*chi;
-    const double t29 = V - t28;
     const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t29 + t27 + t28;
     const double z2_2_by_tau = V + z2_1_by_tau;
     const double v1_2_by_tau = cos_tau_by_tau*t29 - e1*sin_tau_by_tau;
@@ -4592,16 +4701,27 @@ void dry_friction_solution_ii_reduced(
     const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t22 + z2_3_by_e1;
     const double z2_5_by_e1 = -amplitude_tau2_by_e1*t22 + z1_5_by_e1;
     if (reduced_jacobian) {
-        reduced_jacobian[0] = v1_3_by_tau;
-        reduced_jacobian[1] = v1_3_by_tau1;
-        reduced_jacobian[2] = v1_3_by_e1;
-        reduced_jacobian[3] = -chi*z2_5_by_tau + z1_5_by_tau;
-        reduced_jacobian[4] = -chi*z2_5_by_tau1 + z1_5_by_tau1;
-        reduced_jacobian[5] = -chi*z2_5_by_e1 + z1_5_by_e1 - 1;
-        reduced_jacobian[6] = -z2_1_by_tau + z2_5_by_tau;
-        reduced_jacobian[7] = z2_5_by_tau1;
-        reduced_jacobian[8] = -z2_1_by_e1 + z2_5_by_e1;
+        reduced_jacobian[lane] = v1_3_by_tau;
+        reduced_jacobian[1*lanes + lane] = v1_3_by_tau1;
+        reduced_jacobian[2*lanes + lane] = v1_3_by_e1;
+        reduced_jacobian[3*lanes + lane] = -chi*z2_5_by_tau + z1_5_by_tau;
+        reduced_jacobian[4*lanes + lane] = -chi*z2_5_by_tau1 + z1_5_by_tau1;
+        reduced_jacobian[5*lanes + lane] = -chi*z2_5_by_e1 + z1_5_by_e1 - 1;
+        reduced_jacobian[6*lanes + lane] = -z2_1_by_tau + z2_5_by_tau;
+        reduced_jacobian[7*lanes + lane] = z2_5_by_tau1;
+        reduced_jacobian[8*lanes + lane] = -z2_1_by_e1 + z2_5_by_e1;
     }
+}
+
+NONSMOOTH_UNMERGED
+void dry_friction_solution_ii_reduced(
+    const double parameters[4], const double spectrum[7], const double reduced[3], double *unknowns,
+    double *reduced_residual, double *reduced_jacobian)
+{
+    double fixed[5];
+    dry_friction_solution_ii_reduced_fixed_in_lane(1, 0, parameters, spectrum, fixed);
+    dry_friction_solution_ii_reduced_in_lane(1, 0, parameters, spectrum, fixed, reduced, unknowns,
+        reduced_residual, reduced_jacobian);
 }
 
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
@@ -4752,425 +4872,72 @@ void dry_friction_solution_ii_period_map(
     }
 }
 
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * 1e-9 max(1, |x|). */
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_symmetric_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
     double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = NONSMOOTH_LANES, n = 5, p = 4, reduced = 2 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[4][lanes], x[2][lanes], fixed[37][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+        double fixed[13 * lanes], determinant[1 * lanes], x[2 * lanes], equation[2 * lanes], jacobian[4 * lanes];
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < 4; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            open[lane] = 1.0;
-            for (int i = 0; i < 2; ++i)
-                x[i][lane] = guess[i * count + point];
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        double own[2 * lanes], spectrum[7 * lanes];
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            const double V = parameter[2][lane];
-            const double e2 = parameter[3][lane];
-            const double gap1 = sqrt(4*(chi*chi)*eta + ((-chi*eta + 1)*(-chi*eta + 1)));
-            const double omega1 = sqrt((1.0/2.0)*chi*eta + (1.0/2.0)*gap1 + 1.0/2.0);
-            const double omega2 = sqrt(chi)*sqrt(eta)*sqrt(1 - chi)/omega1;
-            const double p1 = 1.0/2.0 + (1.0/2.0)*(-chi*eta + 1)/gap1;
-            const double p2 = -chi/gap1;
-            const double p3 = -chi*eta/gap1;
-            /* coefficients of the linear equations */
-            const double t2 = (1.0/(omega2));
-            const double t4 = (1.0/(omega1));
-            const double t5 = p1*t4;
-            /* right-hand sides of the linear equations */
-            const double t7 = e2/chi;
-            const double t11 = V*p2;
-            const double t12 = p1*t7;
-            const double t14 = V*t4;
-            const double h0 = -p2;
-            const double h1 = -p1;
-            const double t22 = p3*t7;
-            const double t23 = V*chi;
-            /* d/dtau of: functions of half_tau in slip-slip */
-            const double t25 = (1.0/2.0)*omega1;
-            const double h2 = -t25;
-            const double t26 = (1.0/2.0)*omega2;
-            const double h3 = -t26;
-            /* d/dtau of: coefficients of the linear equations */
-            const double t27 = p1*t2;
-            const double h4 = t2 - t27;
-            const double h5 = -t12;
-            const double h6 = t11*t2;
-            const double h7 = -p2*t14;
-            /* d/dtau1 of: right-hand sides of the linear equations */
-            const double t30 = (1.0/2.0)*V;
-            const double h8 = (1.0/2.0)*V*p2;
-            const double h9 = (1.0/2.0)*V*p1;
-            const double h10 = -p3;
-            const double h11 = p3*t4;
-            const double t39 = p1 - 1;
-            const double h12 = -t39;
-            const double h13 = -chi;
-            const double h14 = omega2*p2;
-            const double h15 = omega2*p3;
-            const double h16 = -eta;
-            const double h17 = chi*eta;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = t2;
-            fixed[6][lane] = t4;
-            fixed[7][lane] = t5;
-            fixed[8][lane] = t7;
-            fixed[9][lane] = t11;
-            fixed[10][lane] = t12;
-            fixed[11][lane] = t14;
-            fixed[12][lane] = h0;
-            fixed[13][lane] = h1;
-            fixed[14][lane] = t22;
-            fixed[15][lane] = t23;
-            fixed[16][lane] = t25;
-            fixed[17][lane] = h2;
-            fixed[18][lane] = t26;
-            fixed[19][lane] = h3;
-            fixed[20][lane] = t27;
-            fixed[21][lane] = h4;
-            fixed[22][lane] = h5;
-            fixed[23][lane] = h6;
-            fixed[24][lane] = h7;
-            fixed[25][lane] = t30;
-            fixed[26][lane] = h8;
-            fixed[27][lane] = h9;
-            fixed[28][lane] = h10;
-            fixed[29][lane] = h11;
-            fixed[30][lane] = t39;
-            fixed[31][lane] = h12;
-            fixed[32][lane] = h13;
-            fixed[33][lane] = h14;
-            fixed[34][lane] = h15;
-            fixed[35][lane] = h16;
-            fixed[36][lane] = h17;
-        }
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, NULL);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_symmetric_reduced_fixed_in_lane(lanes, lane, parameter, spectrum, fixed);
+        static const int positive[] = {1, 1};
+        nonsmooth_load(lanes, reduced, guess, count, start, x);
+        for (int step = 0; step < 32 && nonsmooth_runs(lanes, open); ++step) {
             NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
-                const double chi = parameter[0][lane];
-                const double V = parameter[2][lane];
-                const double omega1 = fixed[0][lane];
-                const double omega2 = fixed[1][lane];
-                const double p1 = fixed[2][lane];
-                const double p2 = fixed[3][lane];
-                const double p3 = fixed[4][lane];
-                const double t2 = fixed[5][lane];
-                const double t4 = fixed[6][lane];
-                const double t5 = fixed[7][lane];
-                const double t7 = fixed[8][lane];
-                const double t11 = fixed[9][lane];
-                const double t12 = fixed[10][lane];
-                const double t14 = fixed[11][lane];
-                const double h0 = fixed[12][lane];
-                const double h1 = fixed[13][lane];
-                const double t22 = fixed[14][lane];
-                const double t23 = fixed[15][lane];
-                const double t25 = fixed[16][lane];
-                const double h2 = fixed[17][lane];
-                const double t26 = fixed[18][lane];
-                const double h3 = fixed[19][lane];
-                const double t27 = fixed[20][lane];
-                const double h4 = fixed[21][lane];
-                const double h5 = fixed[22][lane];
-                const double h6 = fixed[23][lane];
-                const double h7 = fixed[24][lane];
-                const double t30 = fixed[25][lane];
-                const double h8 = fixed[26][lane];
-                const double h9 = fixed[27][lane];
-                const double h10 = fixed[28][lane];
-                const double h11 = fixed[29][lane];
-                const double tau = x[0][lane];
-                const double tau1 = x[1][lane];
-                /* half of tau */
-                const double half_tau = (1.0/2.0)*tau;
-                /* functions of half_tau in slip-slip */
-                const double t0 = half_tau*omega1;
-                double sine_0, cosine_0;
-                nonsmooth_sincos(t0, &sine_0, &cosine_0);
-                const double cos_omega1_half_tau = cosine_0;
-                const double sin_omega1_half_tau = sine_0;
-                const double t1 = half_tau*omega2;
-                double sine_1, cosine_1;
-                nonsmooth_sincos(t1, &sine_1, &cosine_1);
-                const double cos_omega2_half_tau = cosine_1;
-                const double sin_omega2_half_tau = sine_1;
-                /* half of tau1 */
-                const double half_tau1 = (1.0/2.0)*tau1;
-                double sine_2, cosine_2;
-                nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
-                const double cos_half_tau1 = cosine_2;
-                const double sin_half_tau1 = sine_2;
-                const double t3 = sin_omega2_half_tau*t2;
-                const double t6 = p1*t3;
-                const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
-                const double t8 = cos_omega2_half_tau*t7;
-                const double t9 = V*half_tau1;
-                const double t10 = cos_omega2_half_tau*t9;
-                const double t13 = p2*t9;
-                const double t15 = sin_omega1_half_tau*t14;
-                const double t16 = p1*t9;
-                const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
-                const double right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 + h0*t15 + h1*t8 + p2*t10 - t10 + t11*t3 + t17 + t8;
-                /* determinant of the linear equations */
-                const double determinant = coefficient11;
-                /* v10 by Cramer's rule */
-                const double t18 = (1.0/(determinant));
-                const double v10 = right1*t18;
-                /* residual */
-                const double t19 = cos_omega1_half_tau*t9;
-                const double t20 = p3*v10;
-                const double t21 = t20*t4;
-                const double t24 = cos_half_tau1*t9;
-                const double cos_omega1_half_tau_by_tau = h2*sin_omega1_half_tau;
-                const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t25;
-                const double cos_omega2_half_tau_by_tau = h3*sin_omega2_half_tau;
-                const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t26;
-                /* d/dtau1 of: functions of half_tau1 in slip-stick */
-                const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
-                const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
-                const double coefficient11_by_tau = h4*sin_omega2_half_tau_by_tau + sin_omega1_half_tau_by_tau*t5;
-                /* d/dtau of: right-hand sides of the linear equations */
-                const double t28 = t7 - t9;
-                const double t29 = h5 + t13 + t16;
-                const double right1_by_tau = -cos_omega1_half_tau_by_tau*t29 + cos_omega2_half_tau_by_tau*(t28 + t29) + h6*sin_omega2_half_tau_by_tau + h7*sin_omega1_half_tau_by_tau;
-                const double t31 = cos_omega2_half_tau*t30;
-                const double t32 = cos_omega1_half_tau*t30;
-                const double t33 = p1*t32;
-                const double right1_by_tau1 = cos_omega2_half_tau*h8 + cos_omega2_half_tau*h9 + h0*t32 - t31 - t33;
-                /* d/dtau of: v10 by Cramer's rule */
-                const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t18;
-                /* d/dtau1 of: v10 by Cramer's rule */
-                const double v10_by_tau1 = right1_by_tau1*t18;
-                /* jacobian */
-                const double t34 = h10*t9 + t16 + t22;
-                const double t35 = h10*t3 + h11*sin_omega1_half_tau;
-                const double residual_0 = V*t6 - cos_omega1_half_tau*t22 - p1*t15 - p3*t10 + p3*t19 + p3*t8 + sin_omega1_half_tau*t21 + t15 + t17 + t19 - t20*t3;
-                const double residual_1 = chi*t24 + cos_half_tau1*t7 - sin_half_tau1*t23 + sin_half_tau1*v10 - t24;
-                const double jacobian_0 = cos_omega1_half_tau_by_tau*(-t34 + t9) + cos_omega2_half_tau_by_tau*t34 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t21) + sin_omega2_half_tau_by_tau*(V*t27 - t2*t20) + t35*v10_by_tau;
-                const double jacobian_1 = p1*t31 - p3*t31 + p3*t32 + t32 - t33 + t35*v10_by_tau1;
-                const double jacobian_2 = sin_half_tau1*v10_by_tau;
-                const double jacobian_3 = (1.0/2.0)*cos_half_tau1*t23 - cos_half_tau1*t30 + cos_half_tau1_by_tau1*(chi*t9 + t28) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t23 + v10);
-                const double inverse = (1.0/((jacobian_0*jacobian_3 - jacobian_1*jacobian_2)));
-                const double wanted_0 = tau - (-jacobian_1*residual_1 + jacobian_3*residual_0)*inverse;
-                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
-                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
-                const double wanted_1 = tau1 - (jacobian_0*residual_1 - jacobian_2*residual_0)*inverse;
-                const double next_1 = wanted_1 < 0.25*tau1 ? 0.25*tau1 : wanted_1 > 4.0*tau1 ? 4.0*tau1 : wanted_1;
-                const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
-                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
-                x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
-                taken[lane] += open[lane] != 0.0 ? 1 : 0;
-                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1)) ? 0.0 : open[lane];
+                dry_friction_symmetric_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                    NULL, NULL, equation, jacobian);
+                nonsmooth_newton_in_lane(reduced, positive, lane, jacobian, equation, x, open,
+                    taken);
             }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
         }
-        double result[5][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double V = parameter[2][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double t2 = fixed[5][lane];
-            const double t4 = fixed[6][lane];
-            const double t5 = fixed[7][lane];
-            const double t7 = fixed[8][lane];
-            const double t11 = fixed[9][lane];
-            const double t12 = fixed[10][lane];
-            const double t14 = fixed[11][lane];
-            const double h0 = fixed[12][lane];
-            const double h1 = fixed[13][lane];
-            const double t22 = fixed[14][lane];
-            const double t23 = fixed[15][lane];
-            const double t27 = fixed[20][lane];
-            const double h10 = fixed[28][lane];
-            const double t39 = fixed[30][lane];
-            const double h12 = fixed[31][lane];
-            const double h13 = fixed[32][lane];
-            const double h14 = fixed[33][lane];
-            const double h15 = fixed[34][lane];
-            const double h16 = fixed[35][lane];
-            const double h17 = fixed[36][lane];
-            const double tau = x[0][lane];
-            const double tau1 = x[1][lane];
-            /* half of tau */
-            const double half_tau = (1.0/2.0)*tau;
-            /* functions of half_tau in slip-slip */
-            const double t0 = half_tau*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_half_tau = cosine_0;
-            const double sin_omega1_half_tau = sine_0;
-            const double t1 = half_tau*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t1, &sine_1, &cosine_1);
-            const double cos_omega2_half_tau = cosine_1;
-            const double sin_omega2_half_tau = sine_1;
-            /* half of tau1 */
-            const double half_tau1 = (1.0/2.0)*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
-            const double cos_half_tau1 = cosine_2;
-            const double sin_half_tau1 = sine_2;
-            const double t3 = sin_omega2_half_tau*t2;
-            const double t6 = p1*t3;
-            const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
-            const double t8 = cos_omega2_half_tau*t7;
-            const double t9 = V*half_tau1;
-            const double t10 = cos_omega2_half_tau*t9;
-            const double t13 = p2*t9;
-            const double t15 = sin_omega1_half_tau*t14;
-            const double t16 = p1*t9;
-            const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
-            const double right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 + h0*t15 + h1*t8 + p2*t10 - t10 + t11*t3 + t17 + t8;
-            /* determinant of the linear equations */
-            const double determinant = coefficient11;
-            /* v10 by Cramer's rule */
-            const double t18 = (1.0/(determinant));
-            const double v10 = right1*t18;
-            /* residual */
-            const double t19 = cos_omega1_half_tau*t9;
-            const double t20 = p3*v10;
-            const double t21 = t20*t4;
-            const double t24 = cos_half_tau1*t9;
-            /* d/dtau of: right-hand sides of the linear equations */
-            const double t28 = t7 - t9;
-            /* z10: linear in: second-breaks-forward ends slip-stick */
-            const double z10 = -t28;
-            /* z20: linear in: z2 vanishes halfway through slip-stick */
-            const double z20 = t9;
-            /* functions of tau in slip-slip */
-            const double t36 = omega1*tau;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t36, &sine_3, &cosine_3);
-            const double cos_omega1_tau = cosine_3;
-            const double sin_omega1_tau = sine_3;
-            const double t37 = omega2*tau;
-            double sine_4, cosine_4;
-            nonsmooth_sincos(t37, &sine_4, &cosine_4);
-            const double cos_omega2_tau = cosine_4;
-            const double sin_omega2_tau = sine_4;
-            /* slip-slip for tau, until second-reaches-belt */
-            const double t38 = sin_omega2_tau*t2;
-            const double t40 = h12*t38 + sin_omega1_tau*t5;
-            const double t41 = cos_omega1_tau*p1 + cos_omega2_tau*h12;
-            const double t42 = cos_omega1_tau*p2 + cos_omega2_tau*h0;
-            const double t43 = sin_omega1_tau*t4;
-            const double z1_1 = V*(h0*t38 + p2*t43) + t40*v10 + t41*z10 + t42*z20;
-            const double t44 = h10*t38 + p3*t43;
-            const double t45 = cos_omega1_tau*p3 + cos_omega2_tau*h10;
-            const double t46 = cos_omega1_tau*h12 + cos_omega2_tau*p1;
-            const double z2_1 = V*(h12*t43 + sin_omega2_tau*t27) + t44*v10 + t45*z10 + t46*z20;
-            const double t47 = omega2*sin_omega2_tau;
-            const double t48 = omega1*sin_omega1_tau;
-            const double t49 = h12*t47 + p1*t48;
-            const double t50 = p2*t48;
-            const double v1_1 = V*t42 + t41*v10 - t49*z10 + z20*(p2*t47 - t50);
-            const double t51 = p3*t48;
-            const double t52 = h12*t48 + p1*t47;
-            const double v2_1 = V*t46 + t45*v10 - t52*z20 + z10*(p3*t47 - t51);
-            double sine_5, cosine_5;
-            nonsmooth_sincos(tau1, &sine_5, &cosine_5);
-            const double cos_tau1 = cosine_5;
-            const double sin_tau1 = sine_5;
-            /* slip-stick for tau1, until second-breaks-forward */
-            const double t53 = chi + cos_tau1*h13;
-            const double t54 = chi*sin_tau1;
-            const double z1_2 = V*(chi*tau1 - t54) + cos_tau1*z1_1 + sin_tau1*v1_1 + t53*z2_1;
-            const double z2_2 = V*tau1 + z2_1;
-            const double v1_2 = V*t53 + cos_tau1*v1_1 - sin_tau1*z1_1 + t54*z2_1;
-            /* Phi along tau */
-            const double carried_z1_1_by_z20 = t41 + t42;
-            const double carried_z1_1_by_v10 = t40;
-            const double carried_z2_1_by_z20 = t45 + t46;
-            const double carried_z2_1_by_v10 = t44;
-            const double carried_v1_1_by_z20 = h14*sin_omega2_tau - t49 - t50;
-            const double carried_v1_1_by_v10 = t41;
-            const double carried_v2_1_by_z20 = h15*sin_omega2_tau - t51 - t52;
-            const double carried_v2_1_by_v10 = t45;
-            /* rate of the exit boundary after tau */
-            const double t55 = chi*z2_1;
-            const double rate_1 = h16*t55 + h17*z1_1;
-            /* derivatives of the time to the boundary after tau */
-            const double t56 = (1.0/(rate_1));
-            const double delay_tau_by_z20 = -carried_v2_1_by_z20*t56;
-            const double delay_tau_by_v10 = -carried_v2_1_by_v10*t56;
-            /* perturbation on the boundary after tau */
-            const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
-            const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
-            const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
-            const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-            const double t57 = t55 - z1_1;
-            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t57;
-            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t57;
-            /* Phi along tau1 */
-            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t53*z2_1_on_boundary_by_z20;
-            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t53*z2_1_on_boundary_by_v10;
-            const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t54*z2_1_on_boundary_by_v10;
-            /* rate of the exit boundary after tau1 */
-            const double rate_2 = h13*v1_2 + t23;
-            /* derivatives of the time to the boundary after tau1 */
-            const double t58 = (1.0/(rate_2));
-            const double delay_tau1_by_z20 = t58*(carried_z1_2_by_z20*chi + h13*z2_1_on_boundary_by_z20);
-            const double delay_tau1_by_v10 = t58*(carried_z1_2_by_v10*chi + h13*z2_1_on_boundary_by_v10);
-            /* perturbation on the boundary after tau1 */
-            const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
-            const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*(chi*z2_2 - z1_2);
-            /* determinants */
-            const double t59 = (half_tau*half_tau);
-            const double t60 = 2*t59;
-            result[0][lane] = z10;
-            result[1][lane] = z20;
-            result[2][lane] = v10;
-            result[3][lane] = tau;
-            result[4][lane] = tau1;
-            slope[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
-            double largest = 0.0;
-            largest = fabs(V*t6 - cos_omega1_half_tau*t22 - p1*t15 - p3*t10 + p3*t19 + p3*t8 + sin_omega1_half_tau*t21 + t15 + t17 + t19 - t20*t3) > largest ? fabs(V*t6 - cos_omega1_half_tau*t22 - p1*t15 - p3*t10 + p3*t19 + p3*t8 + sin_omega1_half_tau*t21 + t15 + t17 + t19 - t20*t3) : largest;
-            largest = fabs(chi*t24 + cos_half_tau1*t7 - sin_half_tau1*t23 + sin_half_tau1*v10 - t24) > largest ? fabs(chi*t24 + cos_half_tau1*t7 - sin_half_tau1*t23 + sin_half_tau1*v10 - t24) : largest;
-            defect[lane] = largest;
-            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]);
-            int32_t ending = ((result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
-            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
-            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
-            ending = ((fabs(determinant/sqrt((p1*p1)*t60/((omega1*omega1)*t59 + 1) + (t39*t39)*t60/((omega2*omega2)*t59 + 1))) <= 1e-12)) ? DRY_FRICTION_SINGULAR : ending;
-            ended[lane] = ending;
+            dry_friction_symmetric_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                unknown, determinant, equation, NULL);
+            dry_friction_symmetric_trace_in_lane(lanes, lane, parameter, spectrum, unknown, NULL,
+                slope, NULL);
         }
-        for (int i = 0; i < 5; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_largest(lanes, reduced, equation, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane) {
+            int32_t code = DRY_FRICTION_CONVERGED;
+            code = ((unknown[3*lanes + lane] <= 0.0) | (unknown[4*lanes + lane] <= 0.0)) ?
+                DRY_FRICTION_NOT_POSITIVE : code;
+            code = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : code;
+            code = doubt[lane] != 0.0 ? DRY_FRICTION_NOT_FINITE : code;
+            code = ((fabs(determinant[0*lanes + lane]) <= NONSMOOTH_SINGULAR)) ?
+                DRY_FRICTION_SINGULAR : code;
+            ended[lane] = code;
+        }
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }
@@ -5263,11 +5030,11 @@ void dry_friction_symmetric_directions(
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         double parameter[p * lanes], unknown[n * lanes];
         double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
-        nonsmooth_load(p, parameters, count, start, parameter);
-        nonsmooth_load(n, unknowns, count, start, unknown);
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
         double own[2 * lanes], spectrum[7 * lanes], spectrum_derivatives[14 * lanes];
-        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
-        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane)
             dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
@@ -5280,406 +5047,77 @@ void dry_friction_symmetric_directions(
             dry_friction_symmetric_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
                 spectrum_derivatives, NULL, slope);
         nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
-        nonsmooth_store(n * p, moved, count, start, directions);
-        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }
 
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * 1e-9 max(1, |x|). */
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_global_stick_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
     double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = NONSMOOTH_LANES, n = 6, p = 5, reduced = 2 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[5][lanes], x[2][lanes], fixed[30][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+        double fixed[6 * lanes], x[2 * lanes], equation[2 * lanes], jacobian[4 * lanes];
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < 5; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            open[lane] = 1.0;
-            for (int i = 0; i < 2; ++i)
-                x[i][lane] = guess[i * count + point];
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        double own[2 * lanes], spectrum[7 * lanes];
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            const double V = parameter[2][lane];
-            const double e1 = parameter[3][lane];
-            const double e2 = parameter[4][lane];
-            const double gap1 = sqrt(4*(chi*chi)*eta + ((-chi*eta + 1)*(-chi*eta + 1)));
-            const double omega1 = sqrt((1.0/2.0)*chi*eta + (1.0/2.0)*gap1 + 1.0/2.0);
-            const double omega2 = sqrt(chi)*sqrt(eta)*sqrt(1 - chi)/omega1;
-            const double p1 = 1.0/2.0 + (1.0/2.0)*(-chi*eta + 1)/gap1;
-            const double p2 = -chi/gap1;
-            const double p3 = -chi*eta/gap1;
-            const double omega3 = sqrt(chi)*sqrt(eta);
-            const double t1 = (1.0/((chi - 1)));
-            const double t2 = e1*t1;
-            const double h0 = -t2;
-            const double h1 = -e2*t1/chi;
-            const double h2 = -chi;
-            /* slip-slip for tau1 */
-            const double t8 = 1 - p1;
-            const double h3 = -p2;
-            const double h4 = (1.0/(omega1));
-            const double h5 = (1.0/(omega2));
-            const double h6 = -p3;
-            const double h7 = -p1;
-            const double h8 = -t8;
-            const double h9 = -V;
-            const double h10 = -omega3;
-            /* residual */
-            const double t23 = (1.0/(omega3));
-            const double h11 = -t1;
-            /* d/dtau of: slip-stick for tau */
-            const double t25 = V*chi;
-            const double t26 = V - t25;
-            const double h12 = -e1;
-            const double h13 = -eta;
-            const double h14 = chi*eta;
-            const double h15 = -t1*t23;
-            const double h16 = t1*t23;
-            const double h17 = -t1/V;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega3;
-            fixed[6][lane] = t1;
-            fixed[7][lane] = t2;
-            fixed[8][lane] = h0;
-            fixed[9][lane] = h1;
-            fixed[10][lane] = h2;
-            fixed[11][lane] = t8;
-            fixed[12][lane] = h3;
-            fixed[13][lane] = h4;
-            fixed[14][lane] = h5;
-            fixed[15][lane] = h6;
-            fixed[16][lane] = h7;
-            fixed[17][lane] = h8;
-            fixed[18][lane] = h9;
-            fixed[19][lane] = h10;
-            fixed[20][lane] = t23;
-            fixed[21][lane] = h11;
-            fixed[22][lane] = t25;
-            fixed[23][lane] = t26;
-            fixed[24][lane] = h12;
-            fixed[25][lane] = h13;
-            fixed[26][lane] = h14;
-            fixed[27][lane] = h15;
-            fixed[28][lane] = h16;
-            fixed[29][lane] = h17;
-        }
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, NULL);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_global_stick_reduced_fixed_in_lane(lanes, lane, parameter, spectrum,
+                fixed);
+        static const int positive[] = {1, 1};
+        nonsmooth_load(lanes, reduced, guess, count, start, x);
+        for (int step = 0; step < 32 && nonsmooth_runs(lanes, open); ++step) {
             NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
-                const double chi = parameter[0][lane];
-                const double V = parameter[2][lane];
-                const double e1 = parameter[3][lane];
-                const double omega1 = fixed[0][lane];
-                const double omega2 = fixed[1][lane];
-                const double p1 = fixed[2][lane];
-                const double p2 = fixed[3][lane];
-                const double p3 = fixed[4][lane];
-                const double omega3 = fixed[5][lane];
-                const double t1 = fixed[6][lane];
-                const double t2 = fixed[7][lane];
-                const double h0 = fixed[8][lane];
-                const double h1 = fixed[9][lane];
-                const double h2 = fixed[10][lane];
-                const double t8 = fixed[11][lane];
-                const double h3 = fixed[12][lane];
-                const double h4 = fixed[13][lane];
-                const double h5 = fixed[14][lane];
-                const double h6 = fixed[15][lane];
-                const double h7 = fixed[16][lane];
-                const double h8 = fixed[17][lane];
-                const double h9 = fixed[18][lane];
-                const double h10 = fixed[19][lane];
-                const double t23 = fixed[20][lane];
-                const double h11 = fixed[21][lane];
-                const double t25 = fixed[22][lane];
-                const double t26 = fixed[23][lane];
-                const double h12 = fixed[24][lane];
-                const double h13 = fixed[25][lane];
-                const double h14 = fixed[26][lane];
-                const double h15 = fixed[27][lane];
-                const double h16 = fixed[28][lane];
-                const double tau = x[0][lane];
-                const double tau1 = x[1][lane];
-                double sine_0, cosine_0;
-                nonsmooth_sincos(tau, &sine_0, &cosine_0);
-                const double cos_tau = cosine_0;
-                const double sin_tau = sine_0;
-                /* z2_1: linear in second-breaks-forward */
-                const double t0 = V*tau;
-                const double z2_1 = V*sin_tau + cos_tau*h0 + h1 - t0;
-                /* slip-stick for tau */
-                const double t3 = chi*z2_1;
-                const double t4 = e1 + t3;
-                const double t5 = chi + cos_tau*h2;
-                const double z1_2 = V*sin_tau + V*(chi*tau + h2*sin_tau) + cos_tau*t4 + t5*z2_1;
-                const double z2_2 = t0 + z2_1;
-                const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
-                /* functions of tau1 in slip-slip */
-                const double t6 = omega1*tau1;
-                double sine_1, cosine_1;
-                nonsmooth_sincos(t6, &sine_1, &cosine_1);
-                const double cos_omega1_tau1 = cosine_1;
-                const double sin_omega1_tau1 = sine_1;
-                const double t7 = omega2*tau1;
-                double sine_2, cosine_2;
-                nonsmooth_sincos(t7, &sine_2, &cosine_2);
-                const double cos_omega2_tau1 = cosine_2;
-                const double sin_omega2_tau1 = sine_2;
-                const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
-                const double t10 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
-                const double t11 = h4*sin_omega1_tau1;
-                const double t12 = h5*sin_omega2_tau1;
-                const double t13 = p1*t11 + t12*t8;
-                const double z1_3 = V*(h3*t12 + p2*t11) + t10*z2_2 + t13*v1_2 + t9*z1_2;
-                const double t14 = cos_omega1_tau1*p3 + cos_omega2_tau1*h6;
-                const double t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
-                const double t16 = h6*t12 + p3*t11;
-                const double z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2;
-                const double t17 = omega1*sin_omega1_tau1;
-                const double t18 = omega2*sin_omega2_tau1;
-                const double t19 = h7*t17 + h8*t18;
-                const double t20 = h3*t17 + p2*t18;
-                const double v1_3 = V*t10 + t19*z1_2 + t20*z2_2 + t9*v1_2;
-                const double t21 = h6*t17 + p3*t18;
-                const double t22 = h7*t18 + h8*t17;
-                const double v2_3 = V*t15 + t14*v1_2 + t21*z1_2 + t22*z2_2;
-                /* first return of tau2 */
-                const double cosine_part_tau2 = h9 + v2_3;
-                const double sine_part_tau2 = h10*z2_3 + omega3*z1_3;
-                /* first return of tau2 */
-                const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
-                /* d/dtau of: functions of tau in slip-stick */
-                const double cos_tau_by_tau = -sin_tau;
-                const double sin_tau_by_tau = cos_tau;
-                /* d/dtau of: z2_1: linear in second-breaks-forward */
-                const double t24 = cos_tau_by_tau*e1;
-                const double z2_1_by_tau = V*sin_tau_by_tau + h11*t24 + h9;
-                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t26 + t24 + t25;
-                const double z2_2_by_tau = V + z2_1_by_tau;
-                const double v1_2_by_tau = cos_tau_by_tau*t26 + h12*sin_tau_by_tau;
-                /* d/dtau of: slip-slip for tau1 */
-                const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
-                const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
-                const double v1_3_by_tau = t19*z1_2_by_tau + t20*z2_2_by_tau + t9*v1_2_by_tau;
-                const double v2_3_by_tau = t14*v1_2_by_tau + t21*z1_2_by_tau + t22*z2_2_by_tau;
-                /* d/dtau1 of: slip-slip for tau1 */
-                const double t27 = chi*z2_3;
-                const double v1_3_by_tau1 = t27 - z1_3;
-                const double v2_3_by_tau1 = h13*t27 + h14*z1_3;
-                /* d/dtau of: first return of tau2 */
-                const double sine_part_tau2_by_tau = h10*z2_3_by_tau + omega3*z1_3_by_tau;
-                /* d/dtau1 of: first return of tau2 */
-                const double sine_part_tau2_by_tau1 = h10*v2_3 + omega3*v1_3;
-                /* d/dtau of: first return of tau2 */
-                const double t28 = 2*cosine_part_tau2;
-                const double t29 = 2*sine_part_tau2;
-                const double t30 = (1.0/(amplitude_tau2));
-                const double t31 = (1.0/2.0)*t30;
-                const double amplitude_tau2_by_tau = t31*(sine_part_tau2_by_tau*t29 + t28*v2_3_by_tau);
-                /* d/dtau1 of: first return of tau2 */
-                const double amplitude_tau2_by_tau1 = t31*(sine_part_tau2_by_tau1*t29 + t28*v2_3_by_tau1);
-                /* jacobian */
-                const double t32 = amplitude_tau2_by_tau*h15;
-                const double t33 = amplitude_tau2_by_tau1*h16;
-                const double residual_0 = -V + v1_3;
-                const double residual_1 = amplitude_tau2*t1*t23 - t2 - z2_1;
-                const double jacobian_0 = v1_3_by_tau;
-                const double jacobian_1 = v1_3_by_tau1;
-                const double jacobian_2 = -t32 - z2_1_by_tau;
-                const double jacobian_3 = t33;
-                const double inverse = (1.0/((jacobian_0*jacobian_3 - jacobian_1*jacobian_2)));
-                const double wanted_0 = tau - (-jacobian_1*residual_1 + jacobian_3*residual_0)*inverse;
-                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
-                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
-                const double wanted_1 = tau1 - (jacobian_0*residual_1 - jacobian_2*residual_0)*inverse;
-                const double next_1 = wanted_1 < 0.25*tau1 ? 0.25*tau1 : wanted_1 > 4.0*tau1 ? 4.0*tau1 : wanted_1;
-                const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
-                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
-                x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
-                taken[lane] += open[lane] != 0.0 ? 1 : 0;
-                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1)) ? 0.0 : open[lane];
+                dry_friction_global_stick_reduced_in_lane(lanes, lane, parameter, spectrum, fixed,
+                    x, NULL, equation, jacobian);
+                nonsmooth_newton_in_lane(reduced, positive, lane, jacobian, equation, x, open,
+                    taken);
             }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
         }
-        double result[6][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double V = parameter[2][lane];
-            const double e1 = parameter[3][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double t1 = fixed[6][lane];
-            const double t2 = fixed[7][lane];
-            const double h0 = fixed[8][lane];
-            const double h1 = fixed[9][lane];
-            const double h2 = fixed[10][lane];
-            const double t8 = fixed[11][lane];
-            const double h3 = fixed[12][lane];
-            const double h4 = fixed[13][lane];
-            const double h5 = fixed[14][lane];
-            const double h6 = fixed[15][lane];
-            const double h7 = fixed[16][lane];
-            const double h8 = fixed[17][lane];
-            const double h9 = fixed[18][lane];
-            const double h10 = fixed[19][lane];
-            const double t23 = fixed[20][lane];
-            const double h11 = fixed[21][lane];
-            const double t25 = fixed[22][lane];
-            const double t26 = fixed[23][lane];
-            const double h12 = fixed[24][lane];
-            const double h13 = fixed[25][lane];
-            const double h14 = fixed[26][lane];
-            const double h15 = fixed[27][lane];
-            const double h16 = fixed[28][lane];
-            const double h17 = fixed[29][lane];
-            const double tau = x[0][lane];
-            const double tau1 = x[1][lane];
-            double sine_0, cosine_0;
-            nonsmooth_sincos(tau, &sine_0, &cosine_0);
-            const double cos_tau = cosine_0;
-            const double sin_tau = sine_0;
-            /* z2_1: linear in second-breaks-forward */
-            const double t0 = V*tau;
-            const double z2_1 = V*sin_tau + cos_tau*h0 + h1 - t0;
-            /* slip-stick for tau */
-            const double t3 = chi*z2_1;
-            const double t4 = e1 + t3;
-            const double t5 = chi + cos_tau*h2;
-            const double z1_2 = V*sin_tau + V*(chi*tau + h2*sin_tau) + cos_tau*t4 + t5*z2_1;
-            const double z2_2 = t0 + z2_1;
-            const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
-            /* functions of tau1 in slip-slip */
-            const double t6 = omega1*tau1;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t6, &sine_1, &cosine_1);
-            const double cos_omega1_tau1 = cosine_1;
-            const double sin_omega1_tau1 = sine_1;
-            const double t7 = omega2*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t7, &sine_2, &cosine_2);
-            const double cos_omega2_tau1 = cosine_2;
-            const double sin_omega2_tau1 = sine_2;
-            const double t9 = cos_omega1_tau1*p1 + cos_omega2_tau1*t8;
-            const double t10 = cos_omega1_tau1*p2 + cos_omega2_tau1*h3;
-            const double t11 = h4*sin_omega1_tau1;
-            const double t12 = h5*sin_omega2_tau1;
-            const double t13 = p1*t11 + t12*t8;
-            const double z1_3 = V*(h3*t12 + p2*t11) + t10*z2_2 + t13*v1_2 + t9*z1_2;
-            const double t14 = cos_omega1_tau1*p3 + cos_omega2_tau1*h6;
-            const double t15 = cos_omega1_tau1*t8 + cos_omega2_tau1*p1;
-            const double t16 = h6*t12 + p3*t11;
-            const double z2_3 = V*(p1*t12 + t11*t8) + t14*z1_2 + t15*z2_2 + t16*v1_2;
-            const double t17 = omega1*sin_omega1_tau1;
-            const double t18 = omega2*sin_omega2_tau1;
-            const double t19 = h7*t17 + h8*t18;
-            const double t20 = h3*t17 + p2*t18;
-            const double v1_3 = V*t10 + t19*z1_2 + t20*z2_2 + t9*v1_2;
-            const double t21 = h6*t17 + p3*t18;
-            const double t22 = h7*t18 + h8*t17;
-            const double v2_3 = V*t15 + t14*v1_2 + t21*z1_2 + t22*z2_2;
-            /* first return of tau2 */
-            const double cosine_part_tau2 = h9 + v2_3;
-            const double sine_part_tau2 = h10*z2_3 + omega3*z1_3;
-            /* first return of tau2 */
-            const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
-            /* d/dtau of: functions of tau in slip-stick */
-            const double cos_tau_by_tau = -sin_tau;
-            const double sin_tau_by_tau = cos_tau;
-            /* d/dtau of: z2_1: linear in second-breaks-forward */
-            const double t24 = cos_tau_by_tau*e1;
-            const double z2_1_by_tau = V*sin_tau_by_tau + h11*t24 + h9;
-            const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t26 + t24 + t25;
-            const double z2_2_by_tau = V + z2_1_by_tau;
-            const double v1_2_by_tau = cos_tau_by_tau*t26 + h12*sin_tau_by_tau;
-            /* d/dtau of: slip-slip for tau1 */
-            const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
-            const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
-            const double v1_3_by_tau = t19*z1_2_by_tau + t20*z2_2_by_tau + t9*v1_2_by_tau;
-            const double v2_3_by_tau = t14*v1_2_by_tau + t21*z1_2_by_tau + t22*z2_2_by_tau;
-            /* d/dtau1 of: slip-slip for tau1 */
-            const double t27 = chi*z2_3;
-            const double v1_3_by_tau1 = t27 - z1_3;
-            const double v2_3_by_tau1 = h13*t27 + h14*z1_3;
-            /* d/dtau of: first return of tau2 */
-            const double sine_part_tau2_by_tau = h10*z2_3_by_tau + omega3*z1_3_by_tau;
-            /* d/dtau1 of: first return of tau2 */
-            const double sine_part_tau2_by_tau1 = h10*v2_3 + omega3*v1_3;
-            /* d/dtau of: first return of tau2 */
-            const double t28 = 2*cosine_part_tau2;
-            const double t29 = 2*sine_part_tau2;
-            const double t30 = (1.0/(amplitude_tau2));
-            const double t31 = (1.0/2.0)*t30;
-            const double amplitude_tau2_by_tau = t31*(sine_part_tau2_by_tau*t29 + t28*v2_3_by_tau);
-            /* d/dtau1 of: first return of tau2 */
-            const double amplitude_tau2_by_tau1 = t31*(sine_part_tau2_by_tau1*t29 + t28*v2_3_by_tau1);
-            /* jacobian */
-            const double t32 = amplitude_tau2_by_tau*h15;
-            const double t33 = amplitude_tau2_by_tau1*h16;
-            /* first return of tau2 */
-            const double cos_tau2_return = sine_part_tau2*t30;
-            const double sin_tau2_return = -cosine_part_tau2*t30;
-            /* tau2: first return */
-            const double tau2 = t23*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
-            /* ta: linear in time */
-            const double t34 = sine_part_tau2*t23;
-            const double t35 = V*tau2;
-            const double t36 = amplitude_tau2*t23;
-            const double ta = h17*(chi*t34 + chi*t35 + e1 + h2*t36 + t27 - t34 - t35 - z2_3);
-            /* unknowns */
-            const double t37 = t34 + t35 + z2_3;
-            result[0][lane] = t37;
-            result[1][lane] = -t36 + t37;
-            result[2][lane] = ta;
-            result[3][lane] = tau;
-            result[4][lane] = tau1;
-            result[5][lane] = tau2;
-            slope[lane] = (-t32 - t33*v1_3_by_tau/v1_3_by_tau1)/z2_1_by_tau;
-            double largest = 0.0;
-            largest = fabs(-V + v1_3) > largest ? fabs(-V + v1_3) : largest;
-            largest = fabs(amplitude_tau2*t1*t23 - t2 - z2_1) > largest ? fabs(amplitude_tau2*t1*t23 - t2 - z2_1) : largest;
-            defect[lane] = largest;
-            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
-            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0) | (result[5][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
-            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
-            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
-            ended[lane] = ending;
+            dry_friction_global_stick_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                unknown, equation, NULL);
+            dry_friction_global_stick_trace_in_lane(lanes, lane, parameter, spectrum, unknown, NULL,
+                slope, NULL);
         }
-        for (int i = 0; i < 6; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_largest(lanes, reduced, equation, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane) {
+            int32_t code = DRY_FRICTION_CONVERGED;
+            code = ((unknown[2*lanes + lane] <= 0.0) | (unknown[3*lanes + lane] <= 0.0) |
+                (unknown[4*lanes + lane] <= 0.0) | (unknown[5*lanes + lane] <= 0.0)) ?
+                DRY_FRICTION_NOT_POSITIVE : code;
+            code = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : code;
+            code = doubt[lane] != 0.0 ? DRY_FRICTION_NOT_FINITE : code;
+            ended[lane] = code;
+        }
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }
@@ -5772,11 +5210,11 @@ void dry_friction_global_stick_directions(
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         double parameter[p * lanes], unknown[n * lanes];
         double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
-        nonsmooth_load(p, parameters, count, start, parameter);
-        nonsmooth_load(n, unknowns, count, start, unknown);
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
         double own[2 * lanes], spectrum[7 * lanes], spectrum_derivatives[14 * lanes];
-        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
-        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane)
             dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
@@ -5789,522 +5227,75 @@ void dry_friction_global_stick_directions(
             dry_friction_global_stick_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
                 spectrum_derivatives, NULL, slope);
         nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
-        nonsmooth_store(n * p, moved, count, start, directions);
-        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }
 
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * 1e-9 max(1, |x|). */
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 void dry_friction_solution_ii_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
     double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = NONSMOOTH_LANES, n = 6, p = 4, reduced = 3 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[4][lanes], x[3][lanes], fixed[34][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+        double fixed[5 * lanes], x[3 * lanes], equation[3 * lanes], jacobian[9 * lanes];
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < 4; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            open[lane] = 1.0;
-            for (int i = 0; i < 3; ++i)
-                x[i][lane] = guess[i * count + point];
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        double own[2 * lanes], spectrum[7 * lanes];
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double eta = parameter[1][lane];
-            const double V = parameter[2][lane];
-            const double e2 = parameter[3][lane];
-            const double gap1 = sqrt(4*(chi*chi)*eta + ((-chi*eta + 1)*(-chi*eta + 1)));
-            const double omega1 = sqrt((1.0/2.0)*chi*eta + (1.0/2.0)*gap1 + 1.0/2.0);
-            const double omega2 = sqrt(chi)*sqrt(eta)*sqrt(1 - chi)/omega1;
-            const double p1 = 1.0/2.0 + (1.0/2.0)*(-chi*eta + 1)/gap1;
-            const double p2 = -chi/gap1;
-            const double p3 = -chi*eta/gap1;
-            const double omega3 = sqrt(chi)*sqrt(eta);
-            const double t1 = (1.0/((chi - 1)));
-            const double h0 = -e2*t1/chi;
-            const double h1 = -chi;
-            /* slip-slip for tau1 */
-            const double t9 = 1 - p1;
-            const double h2 = -p2;
-            const double h3 = (1.0/(omega1));
-            const double h4 = (1.0/(omega2));
-            const double h5 = -p3;
-            const double h6 = -p1;
-            const double h7 = -t9;
-            const double h8 = -V;
-            /* tau2: first return */
-            const double t27 = (1.0/(omega3));
-            const double h9 = -t27;
-            const double h10 = -t1;
-            /* d/dtau of: slip-stick for tau */
-            const double t30 = V*chi;
-            const double t31 = V - t30;
-            const double t33 = chi*eta;
-            const double h11 = -eta;
-            const double h12 = -omega3;
-            /* rate of the exit boundary after ta */
-            const double rate_1 = t31;
-            /* derivatives of the time to the boundary after ta */
-            const double t47 = (1.0/(rate_1));
-            const double delay_ta_by_z10 = -t47;
-            const double delay_ta_by_z20 = chi*t47;
-            /* perturbation on the boundary after ta */
-            const double t48 = V*delay_ta_by_z10;
-            const double z1_1_on_boundary_by_z10 = t48 + 1;
-            const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-            const double z2_1_on_boundary_by_z10 = t48;
-            const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
-            const double h13 = -z1_1_on_boundary_by_z10;
-            const double h14 = -z1_1_on_boundary_by_z20;
-            const double h15 = -chi*z2_1_on_boundary_by_z10;
-            const double h16 = -chi*z2_1_on_boundary_by_z20;
-            const double h17 = -t33;
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega3;
-            fixed[6][lane] = t1;
-            fixed[7][lane] = h0;
-            fixed[8][lane] = h1;
-            fixed[9][lane] = t9;
-            fixed[10][lane] = h2;
-            fixed[11][lane] = h3;
-            fixed[12][lane] = h4;
-            fixed[13][lane] = h5;
-            fixed[14][lane] = h6;
-            fixed[15][lane] = h7;
-            fixed[16][lane] = h8;
-            fixed[17][lane] = t27;
-            fixed[18][lane] = h9;
-            fixed[19][lane] = h10;
-            fixed[20][lane] = t30;
-            fixed[21][lane] = t31;
-            fixed[22][lane] = t33;
-            fixed[23][lane] = h11;
-            fixed[24][lane] = h12;
-            fixed[25][lane] = z1_1_on_boundary_by_z10;
-            fixed[26][lane] = z1_1_on_boundary_by_z20;
-            fixed[27][lane] = z2_1_on_boundary_by_z10;
-            fixed[28][lane] = z2_1_on_boundary_by_z20;
-            fixed[29][lane] = h13;
-            fixed[30][lane] = h14;
-            fixed[31][lane] = h15;
-            fixed[32][lane] = h16;
-            fixed[33][lane] = h17;
-        }
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_spectrum_in_lane(lanes, lane, own, spectrum, NULL);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane)
+            dry_friction_solution_ii_reduced_fixed_in_lane(lanes, lane, parameter, spectrum, fixed);
+        static const int positive[] = {1, 1, 0};
+        nonsmooth_load(lanes, reduced, guess, count, start, x);
+        for (int step = 0; step < 32 && nonsmooth_runs(lanes, open); ++step) {
             NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
-                const double chi = parameter[0][lane];
-                const double V = parameter[2][lane];
-                const double omega1 = fixed[0][lane];
-                const double omega2 = fixed[1][lane];
-                const double p1 = fixed[2][lane];
-                const double p2 = fixed[3][lane];
-                const double p3 = fixed[4][lane];
-                const double omega3 = fixed[5][lane];
-                const double t1 = fixed[6][lane];
-                const double h0 = fixed[7][lane];
-                const double h1 = fixed[8][lane];
-                const double t9 = fixed[9][lane];
-                const double h2 = fixed[10][lane];
-                const double h3 = fixed[11][lane];
-                const double h4 = fixed[12][lane];
-                const double h5 = fixed[13][lane];
-                const double h6 = fixed[14][lane];
-                const double h7 = fixed[15][lane];
-                const double h8 = fixed[16][lane];
-                const double t27 = fixed[17][lane];
-                const double h9 = fixed[18][lane];
-                const double h10 = fixed[19][lane];
-                const double t30 = fixed[20][lane];
-                const double t31 = fixed[21][lane];
-                const double t33 = fixed[22][lane];
-                const double h11 = fixed[23][lane];
-                const double h12 = fixed[24][lane];
-                const double tau = x[0][lane];
-                const double tau1 = x[1][lane];
-                const double e1 = x[2][lane];
-                double sine_0, cosine_0;
-                nonsmooth_sincos(tau, &sine_0, &cosine_0);
-                const double cos_tau = cosine_0;
-                const double sin_tau = sine_0;
-                /* z2_1: linear in second-breaks-forward */
-                const double t0 = V*tau;
-                const double t2 = cos_tau*t1;
-                const double z2_1 = V*sin_tau - e1*t2 + h0 - t0;
-                /* slip-stick for tau */
-                const double t3 = chi*z2_1;
-                const double t4 = e1 + t3;
-                const double t5 = chi + cos_tau*h1;
-                const double t6 = chi*sin_tau;
-                const double z1_2 = V*sin_tau + V*(chi*tau - t6) + cos_tau*t4 + t5*z2_1;
-                const double z2_2 = t0 + z2_1;
-                const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
-                /* functions of tau1 in slip-slip */
-                const double t7 = omega1*tau1;
-                double sine_1, cosine_1;
-                nonsmooth_sincos(t7, &sine_1, &cosine_1);
-                const double cos_omega1_tau1 = cosine_1;
-                const double sin_omega1_tau1 = sine_1;
-                const double t8 = omega2*tau1;
-                double sine_2, cosine_2;
-                nonsmooth_sincos(t8, &sine_2, &cosine_2);
-                const double cos_omega2_tau1 = cosine_2;
-                const double sin_omega2_tau1 = sine_2;
-                const double t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9;
-                const double t11 = cos_omega1_tau1*p2 + cos_omega2_tau1*h2;
-                const double t12 = h3*sin_omega1_tau1;
-                const double t13 = h4*sin_omega2_tau1;
-                const double t14 = p1*t12 + t13*t9;
-                const double z1_3 = V*(h2*t13 + p2*t12) + t10*z1_2 + t11*z2_2 + t14*v1_2;
-                const double t15 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
-                const double t16 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
-                const double t17 = h5*t13 + p3*t12;
-                const double z2_3 = V*(p1*t13 + t12*t9) + t15*z1_2 + t16*z2_2 + t17*v1_2;
-                const double t18 = omega1*sin_omega1_tau1;
-                const double t19 = omega2*sin_omega2_tau1;
-                const double t20 = h6*t18 + h7*t19;
-                const double t21 = h2*t18 + p2*t19;
-                const double v1_3 = V*t11 + t10*v1_2 + t20*z1_2 + t21*z2_2;
-                const double t22 = h5*t18 + p3*t19;
-                const double t23 = h6*t19 + h7*t18;
-                const double v2_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
-                /* first return of tau2 */
-                const double cosine_part_tau2 = h8 + v2_3;
-                const double t24 = omega3*z1_3;
-                const double t25 = omega3*z2_3;
-                const double sine_part_tau2 = t24 - t25;
-                /* first return of tau2 */
-                const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
-                /* first return of tau2 */
-                const double t26 = (1.0/(amplitude_tau2));
-                const double cos_tau2_return = sine_part_tau2*t26;
-                const double sin_tau2_return = -cosine_part_tau2*t26;
-                const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
-                /* stick-stick for no time */
-                const double t28 = V*tau2;
-                const double z1_5 = sine_part_tau2*t27 + t28 + z2_3;
-                const double z2_5 = amplitude_tau2*h9 + z1_5;
-                /* d/dtau of: functions of tau in slip-stick */
-                const double cos_tau_by_tau = -sin_tau;
-                const double sin_tau_by_tau = cos_tau;
-                /* d/dtau of: z2_1: linear in second-breaks-forward */
-                const double t29 = cos_tau_by_tau*e1;
-                const double z2_1_by_tau = V*sin_tau_by_tau + h10*t29 + h8;
-                /* d/de1 of: z2_1: linear in second-breaks-forward */
-                const double z2_1_by_e1 = -t2;
-                const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t31 + t29 + t30;
-                const double z2_2_by_tau = V + z2_1_by_tau;
-                const double v1_2_by_tau = cos_tau_by_tau*t31 - e1*sin_tau_by_tau;
-                /* d/de1 of: slip-stick for tau */
-                const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
-                const double v1_2_by_e1 = -sin_tau;
-                /* d/dtau of: slip-slip for tau1 */
-                const double z1_3_by_tau = t10*z1_2_by_tau + t11*z2_2_by_tau + t14*v1_2_by_tau;
-                const double z2_3_by_tau = t15*z1_2_by_tau + t16*z2_2_by_tau + t17*v1_2_by_tau;
-                const double v1_3_by_tau = t10*v1_2_by_tau + t20*z1_2_by_tau + t21*z2_2_by_tau;
-                const double v2_3_by_tau = t15*v1_2_by_tau + t22*z1_2_by_tau + t23*z2_2_by_tau;
-                /* d/dtau1 of: slip-slip for tau1 */
-                const double t32 = chi*z2_3;
-                const double v1_3_by_tau1 = t32 - z1_3;
-                const double v2_3_by_tau1 = h11*t32 + t33*z1_3;
-                /* d/de1 of: slip-slip for tau1 */
-                const double z1_3_by_e1 = t10*z1_2_by_e1 + t11*z2_1_by_e1 + t14*v1_2_by_e1;
-                const double z2_3_by_e1 = t15*z1_2_by_e1 + t16*z2_1_by_e1 + t17*v1_2_by_e1;
-                const double v1_3_by_e1 = t10*v1_2_by_e1 + t20*z1_2_by_e1 + t21*z2_1_by_e1;
-                const double v2_3_by_e1 = t15*v1_2_by_e1 + t22*z1_2_by_e1 + t23*z2_1_by_e1;
-                /* d/dtau of: first return of tau2 */
-                const double sine_part_tau2_by_tau = h12*z2_3_by_tau + omega3*z1_3_by_tau;
-                /* d/dtau1 of: first return of tau2 */
-                const double sine_part_tau2_by_tau1 = h12*v2_3 + omega3*v1_3;
-                /* d/de1 of: first return of tau2 */
-                const double sine_part_tau2_by_e1 = h12*z2_3_by_e1 + omega3*z1_3_by_e1;
-                /* d/dtau of: first return of tau2 */
-                const double t34 = 2*cosine_part_tau2;
-                const double t35 = 2*sine_part_tau2;
-                const double t36 = (1.0/2.0)*t26;
-                const double amplitude_tau2_by_tau = t36*(sine_part_tau2_by_tau*t35 + t34*v2_3_by_tau);
-                /* d/dtau1 of: first return of tau2 */
-                const double amplitude_tau2_by_tau1 = t36*(sine_part_tau2_by_tau1*t35 + t34*v2_3_by_tau1);
-                /* d/de1 of: first return of tau2 */
-                const double amplitude_tau2_by_e1 = t36*(sine_part_tau2_by_e1*t35 + t34*v2_3_by_e1);
-                /* d/dtau of: first return of tau2 */
-                const double t37 = (1.0/(amplitude_tau2*amplitude_tau2));
-                const double t38 = amplitude_tau2_by_tau*t37;
-                const double cos_tau2_return_by_tau = -sine_part_tau2*t38 + sine_part_tau2_by_tau*t26;
-                const double sin_tau2_return_by_tau = cosine_part_tau2*t38 - t26*v2_3_by_tau;
-                /* d/dtau1 of: first return of tau2 */
-                const double t39 = amplitude_tau2_by_tau1*t37;
-                const double cos_tau2_return_by_tau1 = -sine_part_tau2*t39 + sine_part_tau2_by_tau1*t26;
-                const double sin_tau2_return_by_tau1 = cosine_part_tau2*t39 - t26*v2_3_by_tau1;
-                /* d/de1 of: first return of tau2 */
-                const double t40 = amplitude_tau2_by_e1*t37;
-                const double cos_tau2_return_by_e1 = -sine_part_tau2*t40 + sine_part_tau2_by_e1*t26;
-                const double sin_tau2_return_by_e1 = cosine_part_tau2*t40 - t26*v2_3_by_e1;
-                /* d/dtau of: tau2: first return */
-                const double t41 = t27/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
-                const double t42 = cos_tau2_return*t41;
-                const double t43 = sin_tau2_return*t41;
-                const double tau2_by_tau = -cos_tau2_return_by_tau*t43 + sin_tau2_return_by_tau*t42;
-                /* d/dtau1 of: tau2: first return */
-                const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t43 + sin_tau2_return_by_tau1*t42;
-                /* d/de1 of: tau2: first return */
-                const double tau2_by_e1 = -cos_tau2_return_by_e1*t43 + sin_tau2_return_by_e1*t42;
-                /* d/dtau of: stick-stick for no time */
-                const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t27 + z2_3_by_tau;
-                const double z2_5_by_tau = amplitude_tau2_by_tau*h9 + z1_5_by_tau;
-                /* d/dtau1 of: stick-stick for no time */
-                const double z1_5_by_tau1 = V*tau2_by_tau1 + sine_part_tau2_by_tau1*t27 + v2_3;
-                const double z2_5_by_tau1 = amplitude_tau2_by_tau1*h9 + z1_5_by_tau1;
-                /* d/de1 of: stick-stick for no time */
-                const double z1_5_by_e1 = V*tau2_by_e1 + sine_part_tau2_by_e1*t27 + z2_3_by_e1;
-                const double z2_5_by_e1 = amplitude_tau2_by_e1*h9 + z1_5_by_e1;
-                const double residual_0 = -V + v1_3;
-                const double residual_1 = -chi*z2_5 - e1 + z1_5;
-                const double residual_2 = -z2_1 + z2_5;
-                const double jacobian_0 = v1_3_by_tau;
-                const double jacobian_1 = v1_3_by_tau1;
-                const double jacobian_2 = v1_3_by_e1;
-                const double jacobian_3 = -chi*z2_5_by_tau + z1_5_by_tau;
-                const double jacobian_4 = -chi*z2_5_by_tau1 + z1_5_by_tau1;
-                const double jacobian_5 = -chi*z2_5_by_e1 + z1_5_by_e1 - 1;
-                const double jacobian_6 = -z2_1_by_tau + z2_5_by_tau;
-                const double jacobian_7 = z2_5_by_tau1;
-                const double jacobian_8 = -z2_1_by_e1 + z2_5_by_e1;
-                const double inverse = (1.0/((jacobian_0*jacobian_4*jacobian_8 - jacobian_0*jacobian_5*jacobian_7 - jacobian_1*jacobian_3*jacobian_8 + jacobian_1*jacobian_5*jacobian_6 + jacobian_2*jacobian_3*jacobian_7 - jacobian_2*jacobian_4*jacobian_6)));
-                const double wanted_0 = tau - (residual_0*(jacobian_4*jacobian_8 - jacobian_5*jacobian_7) + residual_1*(-jacobian_1*jacobian_8 + jacobian_2*jacobian_7) + residual_2*(jacobian_1*jacobian_5 - jacobian_2*jacobian_4))*inverse;
-                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
-                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
-                const double wanted_1 = tau1 - (residual_0*(-jacobian_3*jacobian_8 + jacobian_5*jacobian_6) + residual_1*(jacobian_0*jacobian_8 - jacobian_2*jacobian_6) + residual_2*(-jacobian_0*jacobian_5 + jacobian_2*jacobian_3))*inverse;
-                const double next_1 = wanted_1 < 0.25*tau1 ? 0.25*tau1 : wanted_1 > 4.0*tau1 ? 4.0*tau1 : wanted_1;
-                const double size_1 = fabs(next_1) > 1.0 ? fabs(next_1) : 1.0;
-                const double wanted_2 = e1 - (residual_0*(jacobian_3*jacobian_7 - jacobian_4*jacobian_6) + residual_1*(-jacobian_0*jacobian_7 + jacobian_1*jacobian_6) + residual_2*(jacobian_0*jacobian_4 - jacobian_1*jacobian_3))*inverse;
-                const double next_2 = wanted_2;
-                const double size_2 = fabs(next_2) > 1.0 ? fabs(next_2) : 1.0;
-                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
-                x[1][lane] = open[lane] != 0.0 ? next_1 : tau1;
-                x[2][lane] = open[lane] != 0.0 ? next_2 : e1;
-                taken[lane] += open[lane] != 0.0 ? 1 : 0;
-                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0) & (fabs(wanted_1 - tau1) <= 1e-9*size_1) & (fabs(wanted_2 - e1) <= 1e-9*size_2)) ? 0.0 : open[lane];
+                dry_friction_solution_ii_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                    NULL, equation, jacobian);
+                nonsmooth_newton_in_lane(reduced, positive, lane, jacobian, equation, x, open,
+                    taken);
             }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
         }
-        double result[6][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double chi = parameter[0][lane];
-            const double V = parameter[2][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double t1 = fixed[6][lane];
-            const double h0 = fixed[7][lane];
-            const double h1 = fixed[8][lane];
-            const double t9 = fixed[9][lane];
-            const double h2 = fixed[10][lane];
-            const double h3 = fixed[11][lane];
-            const double h4 = fixed[12][lane];
-            const double h5 = fixed[13][lane];
-            const double h6 = fixed[14][lane];
-            const double h7 = fixed[15][lane];
-            const double h8 = fixed[16][lane];
-            const double t27 = fixed[17][lane];
-            const double h9 = fixed[18][lane];
-            const double t30 = fixed[20][lane];
-            const double t33 = fixed[22][lane];
-            const double h11 = fixed[23][lane];
-            const double z1_1_on_boundary_by_z10 = fixed[25][lane];
-            const double z1_1_on_boundary_by_z20 = fixed[26][lane];
-            const double z2_1_on_boundary_by_z10 = fixed[27][lane];
-            const double z2_1_on_boundary_by_z20 = fixed[28][lane];
-            const double h13 = fixed[29][lane];
-            const double h14 = fixed[30][lane];
-            const double h15 = fixed[31][lane];
-            const double h16 = fixed[32][lane];
-            const double h17 = fixed[33][lane];
-            const double tau = x[0][lane];
-            const double tau1 = x[1][lane];
-            const double e1 = x[2][lane];
-            double sine_0, cosine_0;
-            nonsmooth_sincos(tau, &sine_0, &cosine_0);
-            const double cos_tau = cosine_0;
-            const double sin_tau = sine_0;
-            /* z2_1: linear in second-breaks-forward */
-            const double t0 = V*tau;
-            const double t2 = cos_tau*t1;
-            const double z2_1 = V*sin_tau - e1*t2 + h0 - t0;
-            /* slip-stick for tau */
-            const double t3 = chi*z2_1;
-            const double t4 = e1 + t3;
-            const double t5 = chi + cos_tau*h1;
-            const double t6 = chi*sin_tau;
-            const double z1_2 = V*sin_tau + V*(chi*tau - t6) + cos_tau*t4 + t5*z2_1;
-            const double z2_2 = t0 + z2_1;
-            const double v1_2 = V*cos_tau + V*t5 + sin_tau*t3 - sin_tau*t4;
-            /* functions of tau1 in slip-slip */
-            const double t7 = omega1*tau1;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t7, &sine_1, &cosine_1);
-            const double cos_omega1_tau1 = cosine_1;
-            const double sin_omega1_tau1 = sine_1;
-            const double t8 = omega2*tau1;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t8, &sine_2, &cosine_2);
-            const double cos_omega2_tau1 = cosine_2;
-            const double sin_omega2_tau1 = sine_2;
-            const double t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9;
-            const double t11 = cos_omega1_tau1*p2 + cos_omega2_tau1*h2;
-            const double t12 = h3*sin_omega1_tau1;
-            const double t13 = h4*sin_omega2_tau1;
-            const double t14 = p1*t12 + t13*t9;
-            const double z1_3 = V*(h2*t13 + p2*t12) + t10*z1_2 + t11*z2_2 + t14*v1_2;
-            const double t15 = cos_omega1_tau1*p3 + cos_omega2_tau1*h5;
-            const double t16 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
-            const double t17 = h5*t13 + p3*t12;
-            const double z2_3 = V*(p1*t13 + t12*t9) + t15*z1_2 + t16*z2_2 + t17*v1_2;
-            const double t18 = omega1*sin_omega1_tau1;
-            const double t19 = omega2*sin_omega2_tau1;
-            const double t20 = h6*t18 + h7*t19;
-            const double t21 = h2*t18 + p2*t19;
-            const double v1_3 = V*t11 + t10*v1_2 + t20*z1_2 + t21*z2_2;
-            const double t22 = h5*t18 + p3*t19;
-            const double t23 = h6*t19 + h7*t18;
-            const double v2_3 = V*t16 + t15*v1_2 + t22*z1_2 + t23*z2_2;
-            /* first return of tau2 */
-            const double cosine_part_tau2 = h8 + v2_3;
-            const double t24 = omega3*z1_3;
-            const double t25 = omega3*z2_3;
-            const double sine_part_tau2 = t24 - t25;
-            /* first return of tau2 */
-            const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
-            /* first return of tau2 */
-            const double t26 = (1.0/(amplitude_tau2));
-            const double cos_tau2_return = sine_part_tau2*t26;
-            const double sin_tau2_return = -cosine_part_tau2*t26;
-            const double tau2 = t27*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
-            /* stick-stick for no time */
-            const double t28 = V*tau2;
-            const double z1_5 = sine_part_tau2*t27 + t28 + z2_3;
-            const double z2_5 = amplitude_tau2*h9 + z1_5;
-            /* d/dtau1 of: slip-slip for tau1 */
-            const double t32 = chi*z2_3;
-            const double v1_3_by_tau1 = t32 - z1_3;
-            const double v2_3_by_tau1 = h11*t32 + t33*z1_3;
-            /* functions of tau2 in stick-slip */
-            const double t44 = omega3*tau2;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t44, &sine_3, &cosine_3);
-            const double cos_omega3_tau2 = cosine_3;
-            const double sin_omega3_tau2 = sine_3;
-            /* stick-slip for tau2, until second-reaches-belt */
-            const double z1_4 = t28 + z1_3;
-            const double t45 = 1 - cos_omega3_tau2;
-            const double t46 = sin_omega3_tau2*t27;
-            const double z2_4 = V*(-t46 + tau2) + cos_omega3_tau2*z2_3 + t45*z1_3 + t46*v2_3;
-            const double v2_4 = V*t45 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t24 - sin_omega3_tau2*t25;
-            /* Phi along tau */
-            const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t5*z2_1_on_boundary_by_z10;
-            const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20;
-            const double carried_v1_2_by_z10 = h13*sin_tau + t6*z2_1_on_boundary_by_z10;
-            const double carried_v1_2_by_z20 = h14*sin_tau + t6*z2_1_on_boundary_by_z20;
-            /* rate of the exit boundary after tau */
-            const double rate_2 = h1*v1_2 + t30;
-            /* derivatives of the time to the boundary after tau */
-            const double t49 = (1.0/(rate_2));
-            const double delay_tau_by_z10 = t49*(carried_z1_2_by_z10*chi + h15);
-            const double delay_tau_by_z20 = t49*(carried_z1_2_by_z20*chi + h16);
-            /* perturbation on the boundary after tau */
-            const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
-            const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
-            const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
-            const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-            const double t50 = chi*z2_2 - z1_2;
-            const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t50;
-            const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t50;
-            /* Phi along tau1 */
-            const double carried_z1_3_by_z10 = t10*z1_2_on_boundary_by_z10 + t11*z2_2_on_boundary_by_z10 + t14*v1_2_on_boundary_by_z10;
-            const double carried_z1_3_by_z20 = t10*z1_2_on_boundary_by_z20 + t11*z2_2_on_boundary_by_z20 + t14*v1_2_on_boundary_by_z20;
-            const double carried_z2_3_by_z10 = t15*z1_2_on_boundary_by_z10 + t16*z2_2_on_boundary_by_z10 + t17*v1_2_on_boundary_by_z10;
-            const double carried_z2_3_by_z20 = t15*z1_2_on_boundary_by_z20 + t16*z2_2_on_boundary_by_z20 + t17*v1_2_on_boundary_by_z20;
-            const double carried_v1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10;
-            const double carried_v1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20;
-            const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t23*z2_2_on_boundary_by_z10;
-            const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t23*z2_2_on_boundary_by_z20;
-            /* rate of the exit boundary after tau1 */
-            const double rate_3 = v1_3_by_tau1;
-            /* derivatives of the time to the boundary after tau1 */
-            const double t51 = (1.0/(rate_3));
-            const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t51;
-            const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t51;
-            /* perturbation on the boundary after tau1 */
-            const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
-            const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
-            const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
-            const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-            const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*v2_3_by_tau1;
-            const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*v2_3_by_tau1;
-            /* Phi along tau2 */
-            const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t45*z1_3_on_boundary_by_z20 + t46*v2_3_on_boundary_by_z20;
-            const double t52 = omega3*sin_omega3_tau2;
-            const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t52*z1_3_on_boundary_by_z10 - t52*z2_3_on_boundary_by_z10;
-            const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t52*z1_3_on_boundary_by_z20 - t52*z2_3_on_boundary_by_z20;
-            /* rate of the exit boundary after tau2 */
-            const double rate_4 = h17*z2_4 + t33*z1_4;
-            /* derivatives of the time to the boundary after tau2 */
-            const double t53 = (1.0/(rate_4));
-            const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t53;
-            const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t53;
-            /* perturbation on the boundary after tau2 */
-            const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
-            const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
-            result[0][lane] = z1_5;
-            result[1][lane] = z2_5;
-            result[2][lane] = tau;
-            result[3][lane] = tau1;
-            result[4][lane] = tau2;
-            result[5][lane] = e1;
-            slope[lane] = z1_4_on_boundary_by_z10 + z2_4_on_boundary_by_z20;
-            double largest = 0.0;
-            largest = fabs(-V + v1_3) > largest ? fabs(-V + v1_3) : largest;
-            largest = fabs(-chi*z2_5 - e1 + z1_5) > largest ? fabs(-chi*z2_5 - e1 + z1_5) : largest;
-            largest = fabs(-z2_1 + z2_5) > largest ? fabs(-z2_1 + z2_5) : largest;
-            defect[lane] = largest;
-            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]) + (result[4][lane] - result[4][lane]) + (result[5][lane] - result[5][lane]);
-            int32_t ending = ((result[2][lane] <= 0.0) | (result[3][lane] <= 0.0) | (result[4][lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : DRY_FRICTION_CONVERGED;
-            ending = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : ending;
-            ending = finite == 0.0 ? ending : DRY_FRICTION_NOT_FINITE;
-            ended[lane] = ending;
+            dry_friction_solution_ii_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                unknown, equation, NULL);
+            dry_friction_solution_ii_trace_in_lane(lanes, lane, parameter, spectrum, unknown, NULL,
+                slope, NULL);
         }
-        for (int i = 0; i < 6; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_largest(lanes, reduced, equation, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane) {
+            int32_t code = DRY_FRICTION_CONVERGED;
+            code = ((unknown[2*lanes + lane] <= 0.0) | (unknown[3*lanes + lane] <= 0.0) |
+                (unknown[4*lanes + lane] <= 0.0)) ? DRY_FRICTION_NOT_POSITIVE : code;
+            code = open[lane] != 0.0 ? DRY_FRICTION_NOT_CONVERGED : code;
+            code = doubt[lane] != 0.0 ? DRY_FRICTION_NOT_FINITE : code;
+            ended[lane] = code;
+        }
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 5e0449e5958d6d2d
+# SymPy 1.14.0, derivation d67f2b8f88a01722
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "5e0449e5958d6d2d"
+DERIVATION = "d67f2b8f88a01722"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",

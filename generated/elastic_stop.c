@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 9398124ac0939a59 */
+ * SymPy 1.14.0, derivation 86ec640970ebd475 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
+#include "nonsmooth_newton.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
@@ -1905,46 +1906,21 @@ void elastic_stop_one_contact_flow_free(
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
  * Operations: 446. Intermediate terms: 136. */
-NONSMOOTH_UNMERGED
-void elastic_stop_one_contact_reduced(
-    const double parameters[6], const double spectrum[12], const double reduced[1],
-    double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
+static NONSMOOTH_INLINE void elastic_stop_one_contact_reduced_fixed_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double tau = reduced[0];
-    /* half of tau */
-    const double half_tau = (1.0/2.0)*tau;
-    /* functions of half_tau in contact */
-    const double t0 = half_tau*omega1;
-    const double cos_omega1_half_tau = cos(t0);
-    const double sin_omega1_half_tau = sin(t0);
-    const double t1 = half_tau*omega2;
-    const double cos_omega2_half_tau = cos(t1);
-    const double sin_omega2_half_tau = sin(t1);
-    /* tau1 completes the period */
-    const double tau1 = T - tau;
-    /* half of tau1 */
-    const double half_tau1 = (1.0/2.0)*tau1;
-    /* functions of half_tau1 in free */
-    const double t2 = half_tau1*omega3;
-    const double cos_omega3_half_tau1 = cos(t2);
-    const double sin_omega3_half_tau1 = sin(t2);
-    const double t3 = half_tau1*omega4;
-    const double cos_omega4_half_tau1 = cos(t3);
-    const double sin_omega4_half_tau1 = sin(t3);
+    const double k1 = parameters[2*lanes + lane];
+    const double k2 = parameters[3*lanes + lane];
+    const double k3 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[7*lanes + lane];
+    const double omega4 = spectrum[8*lanes + lane];
+    const double p4 = spectrum[9*lanes + lane];
+    const double p5 = spectrum[10*lanes + lane];
     /* coefficients of the linear equations */
     const double t4 = k2*k3;
     const double t5 = k1*k2;
@@ -1952,31 +1928,121 @@ void elastic_stop_one_contact_reduced(
     const double t7 = (1.0/((t4 + t5 + t6)));
     const double t8 = p2*t6;
     const double t9 = t7*(p2*t4 + p2*t5 + t8);
+    const double t12 = p1 - 1;
+    const double t13 = p1*t6;
+    const double t14 = p1*t4 + p1*t5 + t13;
+    const double t16 = t14 - t4 - t5 - t6;
+    const double t19 = p4 - 1;
+    /* right-hand sides of the linear equations */
+    const double t20 = -k1*k2*p1 + t8;
+    const double t21 = -t20 - t5;
+    const double t22 = p3*t5 + t13;
+    const double t23 = -t22 + t6;
+    /* determinants */
+    const double t38 = 2*(p5*p5);
+    const double t41 = (p1*p1);
+    const double t46 = (t12*t12) + t41;
+    const double t47 = 2*(p2*p2);
+    /* d/dtau of: functions of half_tau in contact */
+    const double t53 = (1.0/2.0)*omega1;
+    const double t54 = (1.0/2.0)*omega2;
+    /* d/dtau of: functions of half_tau1 in free */
+    const double t55 = (1.0/2.0)*omega3;
+    const double t56 = (1.0/2.0)*omega4;
+    fixed[lane] = t7;
+    fixed[1*lanes + lane] = t9;
+    fixed[2*lanes + lane] = t12;
+    fixed[3*lanes + lane] = t14;
+    fixed[4*lanes + lane] = t16;
+    fixed[5*lanes + lane] = t19;
+    fixed[6*lanes + lane] = t20;
+    fixed[7*lanes + lane] = t21;
+    fixed[8*lanes + lane] = t22;
+    fixed[9*lanes + lane] = t23;
+    fixed[10*lanes + lane] = t38;
+    fixed[11*lanes + lane] = t41;
+    fixed[12*lanes + lane] = t46;
+    fixed[13*lanes + lane] = t47;
+    fixed[14*lanes + lane] = t53;
+    fixed[15*lanes + lane] = t54;
+    fixed[16*lanes + lane] = t55;
+    fixed[17*lanes + lane] = t56;
+}
+
+static NONSMOOTH_INLINE void elastic_stop_one_contact_reduced_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
+    const double *reduced, double *unknowns, double *determinants, double *reduced_residual,
+    double *reduced_jacobian)
+{
+    const double T = parameters[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
+    const double omega3 = spectrum[7*lanes + lane];
+    const double omega4 = spectrum[8*lanes + lane];
+    const double p4 = spectrum[9*lanes + lane];
+    const double p5 = spectrum[10*lanes + lane];
+    const double p6 = spectrum[11*lanes + lane];
+    const double t7 = fixed[lane];
+    const double t9 = fixed[1*lanes + lane];
+    const double t12 = fixed[2*lanes + lane];
+    const double t14 = fixed[3*lanes + lane];
+    const double t16 = fixed[4*lanes + lane];
+    const double t19 = fixed[5*lanes + lane];
+    const double t20 = fixed[6*lanes + lane];
+    const double t21 = fixed[7*lanes + lane];
+    const double t22 = fixed[8*lanes + lane];
+    const double t23 = fixed[9*lanes + lane];
+    const double t38 = fixed[10*lanes + lane];
+    const double t41 = fixed[11*lanes + lane];
+    const double t46 = fixed[12*lanes + lane];
+    const double t47 = fixed[13*lanes + lane];
+    const double t53 = fixed[14*lanes + lane];
+    const double t54 = fixed[15*lanes + lane];
+    const double t55 = fixed[16*lanes + lane];
+    const double t56 = fixed[17*lanes + lane];
+    const double tau = reduced[lane];
+    /* half of tau */
+    const double half_tau = (1.0/2.0)*tau;
+    /* functions of half_tau in contact */
+    const double t0 = half_tau*omega1;
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_tau = wave_0.cosine;
+    const double sin_omega1_half_tau = wave_0.sine;
+    const double t1 = half_tau*omega2;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
+    const double cos_omega2_half_tau = wave_1.cosine;
+    const double sin_omega2_half_tau = wave_1.sine;
+    /* tau1 completes the period */
+    const double tau1 = T - tau;
+    /* half of tau1 */
+    const double half_tau1 = (1.0/2.0)*tau1;
+    /* functions of half_tau1 in free */
+    const double t2 = half_tau1*omega3;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t2);
+    const double cos_omega3_half_tau1 = wave_2.cosine;
+    const double sin_omega3_half_tau1 = wave_2.sine;
+    const double t3 = half_tau1*omega4;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t3);
+    const double cos_omega4_half_tau1 = wave_3.cosine;
+    const double sin_omega4_half_tau1 = wave_3.sine;
     const double t10 = omega2*sin_omega2_half_tau;
     const double t11 = omega1*sin_omega1_half_tau;
     const double coefficient11 = t10*t9 - t11*t9;
-    const double t12 = p1 - 1;
     const double coefficient12 = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t12;
     const double coefficient13 = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
-    const double t13 = p1*t6;
-    const double t14 = p1*t4 + p1*t5 + t13;
     const double t15 = t10*t7;
-    const double t16 = t14 - t4 - t5 - t6;
     const double coefficient21 = omega1*sin_omega1_half_tau*t16*t7 - t14*t15;
     const double coefficient22 = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
     const double coefficient23 = -cos_omega1_half_tau*t12 + cos_omega2_half_tau*p1;
     const double t17 = omega4*sin_omega4_half_tau1;
     const double t18 = omega3*sin_omega3_half_tau1;
     const double coefficient31 = p5*t17 - p5*t18;
-    const double t19 = p4 - 1;
     const double coefficient32 = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t19;
     const double coefficient33 = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
-    /* right-hand sides of the linear equations */
-    const double t20 = -k1*k2*p1 + t8;
-    const double t21 = -t20 - t5;
     const double right1 = -omega1*sin_omega1_half_tau*t20*t7 - t15*t21;
-    const double t22 = p3*t5 + t13;
-    const double t23 = -t22 + t6;
     const double right2 = -t11*t23*t7 - t15*t22;
     const double right3 = p4*t18 - t17*t19;
     /* determinant of the linear equations */
@@ -2004,27 +2070,22 @@ void elastic_stop_one_contact_reduced(
     const double u = numerator2*t37;
     const double w = numerator3*t37;
     if (unknowns) {
-        unknowns[0] = y;
-        unknowns[1] = u;
-        unknowns[2] = w;
-        unknowns[3] = tau;
+        unknowns[lane] = y;
+        unknowns[1*lanes + lane] = u;
+        unknowns[2*lanes + lane] = w;
+        unknowns[3*lanes + lane] = tau;
     }
     if (!determinants && !reduced_residual && !reduced_jacobian)
         return;
-    /* determinants */
-    const double t38 = 2*(p5*p5);
     const double t39 = (half_tau1*half_tau1);
     const double t40 = t38*t39;
-    const double t41 = (p1*p1);
     const double t42 = (half_tau*half_tau);
     const double t43 = 2*t42;
     const double t44 = (omega2*omega2*omega2*omega2)/((omega2*omega2)*t42 + 1);
     const double t45 = (omega1*omega1*omega1*omega1)/((omega1*omega1)*t42 + 1);
-    const double t46 = (t12*t12) + t41;
-    const double t47 = 2*(p2*p2);
     const double t48 = t42*t47;
     if (determinants) {
-        determinants[0] = determinant/(sqrt(2*(p3*p3) + (t12*t12)*t43*t45 + t41*t43*t44 + t46)*sqrt(t44*t48 + t45*t48 + t46 + t47)*sqrt((omega3*omega3*omega3*omega3)*t40/((omega3*omega3)*t39 + 1) + (omega4*omega4*omega4*omega4)*t40/((omega4*omega4)*t39 + 1) + (p4*p4) + (t19*t19) + t38));
+        determinants[lane] = determinant/(sqrt(2*(p3*p3) + (t12*t12)*t43*t45 + t41*t43*t44 + t46)*sqrt(t44*t48 + t45*t48 + t46 + t47)*sqrt((omega3*omega3*omega3*omega3)*t40/((omega3*omega3)*t39 + 1) + (omega4*omega4*omega4*omega4)*t40/((omega4*omega4)*t39 + 1) + (p4*p4) + (t19*t19) + t38));
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
@@ -2034,22 +2095,16 @@ void elastic_stop_one_contact_reduced(
     const double t51 = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
     const double t52 = cos_omega3_half_tau1*t19 - cos_omega4_half_tau1*p4;
     if (reduced_residual) {
-        reduced_residual[0] = determinant*t49 + numerator1*t50 + numerator2*t51 + numerator3*t52;
+        reduced_residual[lane] = determinant*t49 + numerator1*t50 + numerator2*t51 + numerator3*t52;
     }
     if (!reduced_jacobian)
         return;
-    /* d/dtau of: functions of half_tau in contact */
-    const double t53 = (1.0/2.0)*omega1;
     const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t53;
     const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t53;
-    const double t54 = (1.0/2.0)*omega2;
     const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t54;
     const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t54;
-    /* d/dtau of: functions of half_tau1 in free */
-    const double t55 = (1.0/2.0)*omega3;
     const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t55;
     const double sin_omega3_half_tau1_by_tau = -cos_omega3_half_tau1*t55;
-    const double t56 = (1.0/2.0)*omega4;
     const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t56;
     const double sin_omega4_half_tau1_by_tau = -cos_omega4_half_tau1*t56;
     /* d/dtau of: coefficients of the linear equations */
@@ -2099,664 +2154,90 @@ void elastic_stop_one_contact_reduced(
     const double t80 = numerator2*p6;
     const double t81 = determinant*p6;
     if (reduced_jacobian) {
-        reduced_jacobian[0] = cos_omega3_half_tau1_by_tau*(numerator3*t19 - t80) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t80) + determinant_by_tau*t49 + numerator1_by_tau*t50 + numerator2_by_tau*t51 + numerator3_by_tau*t52 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t19 - omega3*t81) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t81);
+        reduced_jacobian[lane] = cos_omega3_half_tau1_by_tau*(numerator3*t19 - t80) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t80) + determinant_by_tau*t49 + numerator1_by_tau*t50 + numerator2_by_tau*t51 + numerator3_by_tau*t52 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t19 - omega3*t81) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t81);
     }
 }
 
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * 1e-9 max(1, |x|). */
+NONSMOOTH_UNMERGED
+void elastic_stop_one_contact_reduced(
+    const double parameters[6], const double spectrum[12], const double reduced[1],
+    double *unknowns, double *determinants, double *reduced_residual, double *reduced_jacobian)
+{
+    double fixed[18];
+    elastic_stop_one_contact_reduced_fixed_in_lane(1, 0, parameters, spectrum, fixed);
+    elastic_stop_one_contact_reduced_in_lane(1, 0, parameters, spectrum, fixed, reduced, unknowns,
+        determinants, reduced_residual, reduced_jacobian);
+}
+
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 void elastic_stop_one_contact_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns, double *trace,
     double *residual, int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = NONSMOOTH_LANES, n = 4, p = 6, reduced = 1 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[6][lanes], x[1][lanes], fixed[67][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+        double fixed[18 * lanes], determinant[1 * lanes], x[1 * lanes], equation[1 * lanes], jacobian[1 * lanes];
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < 6; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            open[lane] = 1.0;
-            for (int i = 0; i < 1; ++i)
-                x[i][lane] = guess[i * count + point];
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        double own[5 * lanes], spectrum[12 * lanes];
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 2 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 3 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 4 * count, count, start, own + 4 * lanes);
         NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double k3 = parameter[4][lane];
-            const double gap1 = sqrt(4*(k1*k1)/(m1*m2) + ((-(k1 + k2)/m2 + (k1 + k3)/m1)*(-(k1 + k2)/m2 + (k1 + k3)/m1)));
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*(k1 + k2)/m2 + (1.0/2.0)*(k1 + k3)/m1);
-            const double omega2 = sqrt(k1*k2 + k1*k3 + k2*k3)/(sqrt(m1)*sqrt(m2)*omega1);
-            const double p1 = 1.0/2.0 + (1.0/2.0)*(-(k1 + k2)/m2 + (k1 + k3)/m1)/gap1;
-            const double p2 = -k1/(gap1*m1);
-            const double p3 = -k1/(gap1*m2);
-            const double gap2 = sqrt(4*(k1*k1)/(m1*m2) + ((k1/m1 - (k1 + k2)/m2)*(k1/m1 - (k1 + k2)/m2)));
-            const double omega3 = sqrt((1.0/2.0)*gap2 + (1.0/2.0)*k1/m1 + (1.0/2.0)*(k1 + k2)/m2);
-            const double omega4 = sqrt(k1)*sqrt(k2)/(sqrt(m1)*sqrt(m2)*omega3);
-            const double p4 = 1.0/2.0 + (1.0/2.0)*(k1/m1 - (k1 + k2)/m2)/gap2;
-            const double p5 = -k1/(gap2*m1);
-            const double p6 = -k1/(gap2*m2);
-            /* coefficients of the linear equations */
-            const double t4 = k1*k2;
-            const double t5 = k2*k3;
-            const double t6 = k1*k3;
-            const double t7 = t5 + t6;
-            const double t8 = (1.0/((t4 + t7)));
-            const double t9 = p2*t6;
-            const double t10 = t8*(p2*t4 + p2*t5 + t9);
-            const double h0 = -t10;
-            const double t13 = p1 - 1;
-            const double h1 = -t13;
-            const double h2 = -p2;
-            const double t14 = p1*t6;
-            const double t15 = p1*t4 + p1*t5 + t14;
-            const double t17 = t15 - t4 - t5 - t6;
-            const double h3 = -t15;
-            const double h4 = omega1*t17*t8;
-            const double h5 = -p3;
-            const double h6 = -p5;
-            const double t20 = p4 - 1;
-            const double h7 = -p4;
-            /* right-hand sides of the linear equations */
-            const double t21 = -k1*k2*p1 + t9;
-            const double t22 = -t21 - t4;
-            const double h8 = -t22;
-            const double h9 = -omega1*t21*t8;
-            const double t23 = p3*t4 + t14;
-            const double t24 = -t23 + t6;
-            const double h10 = -t23;
-            const double h11 = -t24*t8;
-            const double h12 = -t20;
-            const double h13 = -p6;
-            const double h14 = omega3*t20;
-            /* d/dtau of: functions of half_tau in contact */
-            const double t42 = (1.0/2.0)*omega1;
-            const double h15 = -t42;
-            const double t43 = (1.0/2.0)*omega2;
-            const double h16 = -t43;
-            /* d/dtau of: functions of half_tau1 in free */
-            const double t44 = (1.0/2.0)*omega3;
-            const double h17 = -t44;
-            const double t45 = (1.0/2.0)*omega4;
-            const double h18 = -t45;
-            const double h19 = (1.0/(omega1));
-            const double h20 = (1.0/(omega2));
-            const double t79 = t7*t8;
-            const double t80 = p1*t79;
-            const double t81 = t8*t9;
-            const double h21 = -t80 - t81;
-            const double h22 = t13*t79 + t81;
-            const double t86 = p3*t79;
-            const double t87 = t6*t8;
-            const double t88 = t14*t8;
-            const double h23 = t13*t87 - t86;
-            const double h24 = t86 - t88;
-            const double h25 = omega1*t80 + omega1*t81;
-            const double h26 = -omega2*t13*t7*t8 - omega2*t81;
-            const double h27 = -p1;
-            const double h28 = -omega1*t13*t87 + omega1*t86;
-            const double h29 = -omega2*t86 + omega2*t88;
-            const double h30 = (1.0/(omega3));
-            const double h31 = (1.0/(omega4));
-            const double t113 = (1.0/(m1));
-            const double t114 = k1*t113;
-            const double h32 = -t113*(k1 + k3);
-            const double h33 = k3*t113;
-            const double t116 = (1.0/(m2));
-            const double t117 = k1*t116;
-            const double t118 = t116*(k1 + k2);
-            const double h34 = -t118;
-            const double h35 = -t114;
-            const double h36 = k1*t113;
-            /* determinants */
-            const double t121 = 2*(p5*p5);
-            const double t124 = (p1*p1);
-            const double h37 = (omega2*omega2);
-            const double h38 = (omega2*omega2*omega2*omega2);
-            const double h39 = (omega1*omega1);
-            const double h40 = (omega1*omega1*omega1*omega1);
-            const double t129 = t124 + (t13*t13);
-            const double t130 = 2*(p2*p2);
-            fixed[0][lane] = omega1;
-            fixed[1][lane] = omega2;
-            fixed[2][lane] = p1;
-            fixed[3][lane] = p2;
-            fixed[4][lane] = p3;
-            fixed[5][lane] = omega3;
-            fixed[6][lane] = omega4;
-            fixed[7][lane] = p4;
-            fixed[8][lane] = p5;
-            fixed[9][lane] = p6;
-            fixed[10][lane] = t8;
-            fixed[11][lane] = t10;
-            fixed[12][lane] = h0;
-            fixed[13][lane] = t13;
-            fixed[14][lane] = h1;
-            fixed[15][lane] = h2;
-            fixed[16][lane] = h3;
-            fixed[17][lane] = h4;
-            fixed[18][lane] = h5;
-            fixed[19][lane] = h6;
-            fixed[20][lane] = t20;
-            fixed[21][lane] = h7;
-            fixed[22][lane] = h8;
-            fixed[23][lane] = h9;
-            fixed[24][lane] = h10;
-            fixed[25][lane] = h11;
-            fixed[26][lane] = h12;
-            fixed[27][lane] = h13;
-            fixed[28][lane] = h14;
-            fixed[29][lane] = t42;
-            fixed[30][lane] = h15;
-            fixed[31][lane] = t43;
-            fixed[32][lane] = h16;
-            fixed[33][lane] = t44;
-            fixed[34][lane] = h17;
-            fixed[35][lane] = t45;
-            fixed[36][lane] = h18;
-            fixed[37][lane] = h19;
-            fixed[38][lane] = h20;
-            fixed[39][lane] = t79;
-            fixed[40][lane] = h21;
-            fixed[41][lane] = h22;
-            fixed[42][lane] = t87;
-            fixed[43][lane] = h23;
-            fixed[44][lane] = h24;
-            fixed[45][lane] = h25;
-            fixed[46][lane] = h26;
-            fixed[47][lane] = h27;
-            fixed[48][lane] = h28;
-            fixed[49][lane] = h29;
-            fixed[50][lane] = h30;
-            fixed[51][lane] = h31;
-            fixed[52][lane] = t114;
-            fixed[53][lane] = h32;
-            fixed[54][lane] = h33;
-            fixed[55][lane] = t117;
-            fixed[56][lane] = h34;
-            fixed[57][lane] = h35;
-            fixed[58][lane] = h36;
-            fixed[59][lane] = t121;
-            fixed[60][lane] = t124;
-            fixed[61][lane] = h37;
-            fixed[62][lane] = h38;
-            fixed[63][lane] = h39;
-            fixed[64][lane] = h40;
-            fixed[65][lane] = t129;
-            fixed[66][lane] = t130;
-        }
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_spectrum_in_lane(lanes, lane, own, spectrum, NULL);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane)
+            elastic_stop_one_contact_reduced_fixed_in_lane(lanes, lane, parameter, spectrum, fixed);
+        static const int positive[] = {1};
+        nonsmooth_load(lanes, reduced, guess, count, start, x);
+        for (int step = 0; step < 32 && nonsmooth_runs(lanes, open); ++step) {
             NONSMOOTH_SIMD
             for (int lane = 0; lane < lanes; ++lane) {
-                const double T = parameter[5][lane];
-                const double omega1 = fixed[0][lane];
-                const double omega2 = fixed[1][lane];
-                const double p1 = fixed[2][lane];
-                const double p2 = fixed[3][lane];
-                const double p3 = fixed[4][lane];
-                const double omega3 = fixed[5][lane];
-                const double omega4 = fixed[6][lane];
-                const double p4 = fixed[7][lane];
-                const double p5 = fixed[8][lane];
-                const double p6 = fixed[9][lane];
-                const double t8 = fixed[10][lane];
-                const double t10 = fixed[11][lane];
-                const double h0 = fixed[12][lane];
-                const double h1 = fixed[14][lane];
-                const double h2 = fixed[15][lane];
-                const double h3 = fixed[16][lane];
-                const double h4 = fixed[17][lane];
-                const double h5 = fixed[18][lane];
-                const double h6 = fixed[19][lane];
-                const double t20 = fixed[20][lane];
-                const double h7 = fixed[21][lane];
-                const double h8 = fixed[22][lane];
-                const double h9 = fixed[23][lane];
-                const double h10 = fixed[24][lane];
-                const double h11 = fixed[25][lane];
-                const double h12 = fixed[26][lane];
-                const double h13 = fixed[27][lane];
-                const double h14 = fixed[28][lane];
-                const double t42 = fixed[29][lane];
-                const double h15 = fixed[30][lane];
-                const double t43 = fixed[31][lane];
-                const double h16 = fixed[32][lane];
-                const double t44 = fixed[33][lane];
-                const double h17 = fixed[34][lane];
-                const double t45 = fixed[35][lane];
-                const double h18 = fixed[36][lane];
-                const double tau = x[0][lane];
-                /* half of tau */
-                const double half_tau = (1.0/2.0)*tau;
-                /* functions of half_tau in contact */
-                const double t0 = half_tau*omega1;
-                double sine_0, cosine_0;
-                nonsmooth_sincos(t0, &sine_0, &cosine_0);
-                const double cos_omega1_half_tau = cosine_0;
-                const double sin_omega1_half_tau = sine_0;
-                const double t1 = half_tau*omega2;
-                double sine_1, cosine_1;
-                nonsmooth_sincos(t1, &sine_1, &cosine_1);
-                const double cos_omega2_half_tau = cosine_1;
-                const double sin_omega2_half_tau = sine_1;
-                /* tau1 completes the period */
-                const double tau1 = T - tau;
-                /* half of tau1 */
-                const double half_tau1 = (1.0/2.0)*tau1;
-                /* functions of half_tau1 in free */
-                const double t2 = half_tau1*omega3;
-                double sine_2, cosine_2;
-                nonsmooth_sincos(t2, &sine_2, &cosine_2);
-                const double cos_omega3_half_tau1 = cosine_2;
-                const double sin_omega3_half_tau1 = sine_2;
-                const double t3 = half_tau1*omega4;
-                double sine_3, cosine_3;
-                nonsmooth_sincos(t3, &sine_3, &cosine_3);
-                const double cos_omega4_half_tau1 = cosine_3;
-                const double sin_omega4_half_tau1 = sine_3;
-                const double t11 = omega2*sin_omega2_half_tau;
-                const double t12 = omega1*sin_omega1_half_tau;
-                const double coefficient11 = h0*t12 + t10*t11;
-                const double coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*h1;
-                const double coefficient13 = cos_omega1_half_tau*p2 + cos_omega2_half_tau*h2;
-                const double t16 = t11*t8;
-                const double coefficient21 = h3*t16 + h4*sin_omega1_half_tau;
-                const double coefficient22 = cos_omega1_half_tau*p3 + cos_omega2_half_tau*h5;
-                const double coefficient23 = cos_omega1_half_tau*h1 + cos_omega2_half_tau*p1;
-                const double t18 = omega4*sin_omega4_half_tau1;
-                const double t19 = omega3*sin_omega3_half_tau1;
-                const double coefficient31 = h6*t19 + p5*t18;
-                const double coefficient32 = cos_omega3_half_tau1*h7 + cos_omega4_half_tau1*t20;
-                const double coefficient33 = cos_omega3_half_tau1*h6 + cos_omega4_half_tau1*p5;
-                const double right1 = h8*t16 + h9*sin_omega1_half_tau;
-                const double right2 = h10*t16 + h11*t12;
-                const double right3 = h12*t18 + p4*t19;
-                /* determinant of the linear equations */
-                const double t25 = coefficient22*coefficient33;
-                const double t26 = coefficient21*coefficient32;
-                const double t27 = coefficient23*coefficient32;
-                const double t28 = coefficient21*coefficient33;
-                const double t29 = coefficient22*coefficient31;
-                const double determinant = coefficient11*t25 - coefficient11*t27 + coefficient12*coefficient23*coefficient31 - coefficient12*t28 + coefficient13*t26 - coefficient13*t29;
-                /* numerators of Cramer's rule */
-                const double t30 = coefficient12*coefficient23;
-                const double t31 = coefficient12*coefficient33;
-                const double t32 = coefficient13*coefficient22;
-                const double numerator1 = coefficient13*coefficient32*right2 + right1*t25 - right1*t27 - right2*t31 + right3*t30 - right3*t32;
-                const double t33 = coefficient11*coefficient23;
-                const double t34 = coefficient13*coefficient31;
-                const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t28 - right2*t34 - right3*t33;
-                const double t35 = coefficient11*coefficient22;
-                const double t36 = coefficient11*coefficient32;
-                const double t37 = coefficient12*coefficient21;
-                const double numerator3 = coefficient12*coefficient31*right2 + right1*t26 - right1*t29 - right2*t36 + right3*t35 - right3*t37;
-                /* residual */
-                const double t38 = h13*t19 + p6*t18;
-                const double t39 = h14*sin_omega3_half_tau1 + h7*t18;
-                const double t40 = cos_omega3_half_tau1*h13 + cos_omega4_half_tau1*p6;
-                const double t41 = cos_omega3_half_tau1*t20 + cos_omega4_half_tau1*h7;
-                const double cos_omega1_half_tau_by_tau = h15*sin_omega1_half_tau;
-                const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t42;
-                const double cos_omega2_half_tau_by_tau = h16*sin_omega2_half_tau;
-                const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t43;
-                const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t44;
-                const double sin_omega3_half_tau1_by_tau = cos_omega3_half_tau1*h17;
-                const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t45;
-                const double sin_omega4_half_tau1_by_tau = cos_omega4_half_tau1*h18;
-                /* d/dtau of: coefficients of the linear equations */
-                const double t46 = omega2*sin_omega2_half_tau_by_tau;
-                const double t47 = omega1*sin_omega1_half_tau_by_tau;
-                const double coefficient11_by_tau = h0*t47 + t10*t46;
-                const double coefficient12_by_tau = cos_omega1_half_tau_by_tau*p1 + cos_omega2_half_tau_by_tau*h1;
-                const double coefficient13_by_tau = cos_omega1_half_tau_by_tau*p2 + cos_omega2_half_tau_by_tau*h2;
-                const double t48 = t46*t8;
-                const double coefficient21_by_tau = h3*t48 + h4*sin_omega1_half_tau_by_tau;
-                const double coefficient22_by_tau = cos_omega1_half_tau_by_tau*p3 + cos_omega2_half_tau_by_tau*h5;
-                const double coefficient23_by_tau = cos_omega1_half_tau_by_tau*h1 + cos_omega2_half_tau_by_tau*p1;
-                const double t49 = omega4*sin_omega4_half_tau1_by_tau;
-                const double t50 = omega3*sin_omega3_half_tau1_by_tau;
-                const double coefficient31_by_tau = h6*t50 + p5*t49;
-                const double coefficient32_by_tau = cos_omega3_half_tau1_by_tau*h7 + cos_omega4_half_tau1_by_tau*t20;
-                const double coefficient33_by_tau = cos_omega3_half_tau1_by_tau*h6 + cos_omega4_half_tau1_by_tau*p5;
-                /* d/dtau of: right-hand sides of the linear equations */
-                const double right1_by_tau = h8*t48 + h9*sin_omega1_half_tau_by_tau;
-                const double right2_by_tau = h10*t48 + h11*t47;
-                const double right3_by_tau = h12*t49 + p4*t50;
-                /* d/dtau of: determinant of the linear equations */
-                const double t51 = t25 - t27;
-                const double t52 = coefficient23*coefficient31 - t28;
-                const double t53 = t26 - t29;
-                const double t54 = coefficient13*coefficient32 - t31;
-                const double t55 = coefficient11*coefficient33 - t34;
-                const double t56 = coefficient12*coefficient31 - t36;
-                const double t57 = t30 - t32;
-                const double t58 = coefficient13*coefficient21 - t33;
-                const double t59 = t35 - t37;
-                const double determinant_by_tau = coefficient11_by_tau*t51 + coefficient12_by_tau*t52 + coefficient13_by_tau*t53 + coefficient21_by_tau*t54 + coefficient22_by_tau*t55 + coefficient23_by_tau*t56 + coefficient31_by_tau*t57 + coefficient32_by_tau*t58 + coefficient33_by_tau*t59;
-                /* d/dtau of: numerators of Cramer's rule */
-                const double t60 = coefficient23*right3 - coefficient33*right2;
-                const double t61 = coefficient22*right3 - coefficient32*right2;
-                const double t62 = coefficient13*right3 - coefficient33*right1;
-                const double t63 = coefficient12*right3 - coefficient32*right1;
-                const double t64 = coefficient13*right2 - coefficient23*right1;
-                const double t65 = coefficient12*right2 - coefficient22*right1;
-                const double numerator1_by_tau = coefficient12_by_tau*t60 - coefficient13_by_tau*t61 - coefficient22_by_tau*t62 + coefficient23_by_tau*t63 + coefficient32_by_tau*t64 - coefficient33_by_tau*t65 + right1_by_tau*t51 + right2_by_tau*t54 + right3_by_tau*t57;
-                const double t66 = coefficient21*right3 - coefficient31*right2;
-                const double t67 = coefficient11*right3 - coefficient31*right1;
-                const double t68 = coefficient11*right2 - coefficient21*right1;
-                const double numerator2_by_tau = -coefficient11_by_tau*t60 + coefficient13_by_tau*t66 + coefficient21_by_tau*t62 - coefficient23_by_tau*t67 - coefficient31_by_tau*t64 + coefficient33_by_tau*t68 + right1_by_tau*t52 + right2_by_tau*t55 + right3_by_tau*t58;
-                const double numerator3_by_tau = coefficient11_by_tau*t61 - coefficient12_by_tau*t66 - coefficient21_by_tau*t63 + coefficient22_by_tau*t67 + coefficient31_by_tau*t65 - coefficient32_by_tau*t68 + right1_by_tau*t53 + right2_by_tau*t56 + right3_by_tau*t59;
-                /* jacobian */
-                const double t69 = numerator2*p6;
-                const double t70 = determinant*p6;
-                const double residual_0 = determinant*t38 + numerator1*t39 + numerator2*t40 + numerator3*t41;
-                const double jacobian_0 = cos_omega3_half_tau1_by_tau*(numerator3*t20 - t69) + cos_omega4_half_tau1_by_tau*(-numerator3*p4 + t69) + determinant_by_tau*t38 + numerator1_by_tau*t39 + numerator2_by_tau*t40 + numerator3_by_tau*t41 + sin_omega3_half_tau1_by_tau*(numerator1*omega3*t20 - omega3*t70) + sin_omega4_half_tau1_by_tau*(-numerator1*omega4*p4 + omega4*t70);
-                const double inverse = (1.0/(jacobian_0));
-                const double wanted_0 = tau - (residual_0)*inverse;
-                const double next_0 = wanted_0 < 0.25*tau ? 0.25*tau : wanted_0 > 4.0*tau ? 4.0*tau : wanted_0;
-                const double size_0 = fabs(next_0) > 1.0 ? fabs(next_0) : 1.0;
-                x[0][lane] = open[lane] != 0.0 ? next_0 : tau;
-                taken[lane] += open[lane] != 0.0 ? 1 : 0;
-                open[lane] = ((fabs(wanted_0 - tau) <= 1e-9*size_0)) ? 0.0 : open[lane];
+                elastic_stop_one_contact_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                    NULL, NULL, equation, jacobian);
+                nonsmooth_newton_in_lane(reduced, positive, lane, jacobian, equation, x, open,
+                    taken);
             }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
         }
-        double result[4][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double T = parameter[5][lane];
-            const double omega1 = fixed[0][lane];
-            const double omega2 = fixed[1][lane];
-            const double p1 = fixed[2][lane];
-            const double p2 = fixed[3][lane];
-            const double p3 = fixed[4][lane];
-            const double omega3 = fixed[5][lane];
-            const double omega4 = fixed[6][lane];
-            const double p4 = fixed[7][lane];
-            const double p5 = fixed[8][lane];
-            const double p6 = fixed[9][lane];
-            const double t8 = fixed[10][lane];
-            const double t10 = fixed[11][lane];
-            const double h0 = fixed[12][lane];
-            const double t13 = fixed[13][lane];
-            const double h1 = fixed[14][lane];
-            const double h2 = fixed[15][lane];
-            const double h3 = fixed[16][lane];
-            const double h4 = fixed[17][lane];
-            const double h5 = fixed[18][lane];
-            const double h6 = fixed[19][lane];
-            const double t20 = fixed[20][lane];
-            const double h7 = fixed[21][lane];
-            const double h8 = fixed[22][lane];
-            const double h9 = fixed[23][lane];
-            const double h10 = fixed[24][lane];
-            const double h11 = fixed[25][lane];
-            const double h12 = fixed[26][lane];
-            const double h13 = fixed[27][lane];
-            const double h14 = fixed[28][lane];
-            const double h19 = fixed[37][lane];
-            const double h20 = fixed[38][lane];
-            const double t79 = fixed[39][lane];
-            const double h21 = fixed[40][lane];
-            const double h22 = fixed[41][lane];
-            const double t87 = fixed[42][lane];
-            const double h23 = fixed[43][lane];
-            const double h24 = fixed[44][lane];
-            const double h25 = fixed[45][lane];
-            const double h26 = fixed[46][lane];
-            const double h27 = fixed[47][lane];
-            const double h28 = fixed[48][lane];
-            const double h29 = fixed[49][lane];
-            const double h30 = fixed[50][lane];
-            const double h31 = fixed[51][lane];
-            const double t114 = fixed[52][lane];
-            const double h32 = fixed[53][lane];
-            const double h33 = fixed[54][lane];
-            const double t117 = fixed[55][lane];
-            const double h34 = fixed[56][lane];
-            const double h35 = fixed[57][lane];
-            const double h36 = fixed[58][lane];
-            const double t121 = fixed[59][lane];
-            const double t124 = fixed[60][lane];
-            const double h37 = fixed[61][lane];
-            const double h38 = fixed[62][lane];
-            const double h39 = fixed[63][lane];
-            const double h40 = fixed[64][lane];
-            const double t129 = fixed[65][lane];
-            const double t130 = fixed[66][lane];
-            const double tau = x[0][lane];
-            /* half of tau */
-            const double half_tau = (1.0/2.0)*tau;
-            /* functions of half_tau in contact */
-            const double t0 = half_tau*omega1;
-            double sine_0, cosine_0;
-            nonsmooth_sincos(t0, &sine_0, &cosine_0);
-            const double cos_omega1_half_tau = cosine_0;
-            const double sin_omega1_half_tau = sine_0;
-            const double t1 = half_tau*omega2;
-            double sine_1, cosine_1;
-            nonsmooth_sincos(t1, &sine_1, &cosine_1);
-            const double cos_omega2_half_tau = cosine_1;
-            const double sin_omega2_half_tau = sine_1;
-            /* tau1 completes the period */
-            const double tau1 = T - tau;
-            /* half of tau1 */
-            const double half_tau1 = (1.0/2.0)*tau1;
-            /* functions of half_tau1 in free */
-            const double t2 = half_tau1*omega3;
-            double sine_2, cosine_2;
-            nonsmooth_sincos(t2, &sine_2, &cosine_2);
-            const double cos_omega3_half_tau1 = cosine_2;
-            const double sin_omega3_half_tau1 = sine_2;
-            const double t3 = half_tau1*omega4;
-            double sine_3, cosine_3;
-            nonsmooth_sincos(t3, &sine_3, &cosine_3);
-            const double cos_omega4_half_tau1 = cosine_3;
-            const double sin_omega4_half_tau1 = sine_3;
-            const double t11 = omega2*sin_omega2_half_tau;
-            const double t12 = omega1*sin_omega1_half_tau;
-            const double coefficient11 = h0*t12 + t10*t11;
-            const double coefficient12 = cos_omega1_half_tau*p1 + cos_omega2_half_tau*h1;
-            const double coefficient13 = cos_omega1_half_tau*p2 + cos_omega2_half_tau*h2;
-            const double t16 = t11*t8;
-            const double coefficient21 = h3*t16 + h4*sin_omega1_half_tau;
-            const double coefficient22 = cos_omega1_half_tau*p3 + cos_omega2_half_tau*h5;
-            const double coefficient23 = cos_omega1_half_tau*h1 + cos_omega2_half_tau*p1;
-            const double t18 = omega4*sin_omega4_half_tau1;
-            const double t19 = omega3*sin_omega3_half_tau1;
-            const double coefficient31 = h6*t19 + p5*t18;
-            const double coefficient32 = cos_omega3_half_tau1*h7 + cos_omega4_half_tau1*t20;
-            const double coefficient33 = cos_omega3_half_tau1*h6 + cos_omega4_half_tau1*p5;
-            const double right1 = h8*t16 + h9*sin_omega1_half_tau;
-            const double right2 = h10*t16 + h11*t12;
-            const double right3 = h12*t18 + p4*t19;
-            /* determinant of the linear equations */
-            const double t25 = coefficient22*coefficient33;
-            const double t26 = coefficient21*coefficient32;
-            const double t27 = coefficient23*coefficient32;
-            const double t28 = coefficient21*coefficient33;
-            const double t29 = coefficient22*coefficient31;
-            const double determinant = coefficient11*t25 - coefficient11*t27 + coefficient12*coefficient23*coefficient31 - coefficient12*t28 + coefficient13*t26 - coefficient13*t29;
-            /* numerators of Cramer's rule */
-            const double t30 = coefficient12*coefficient23;
-            const double t31 = coefficient12*coefficient33;
-            const double t32 = coefficient13*coefficient22;
-            const double numerator1 = coefficient13*coefficient32*right2 + right1*t25 - right1*t27 - right2*t31 + right3*t30 - right3*t32;
-            const double t33 = coefficient11*coefficient23;
-            const double t34 = coefficient13*coefficient31;
-            const double numerator2 = coefficient11*coefficient33*right2 + coefficient13*coefficient21*right3 + coefficient23*coefficient31*right1 - right1*t28 - right2*t34 - right3*t33;
-            const double t35 = coefficient11*coefficient22;
-            const double t36 = coefficient11*coefficient32;
-            const double t37 = coefficient12*coefficient21;
-            const double numerator3 = coefficient12*coefficient31*right2 + right1*t26 - right1*t29 - right2*t36 + right3*t35 - right3*t37;
-            /* residual */
-            const double t38 = h13*t19 + p6*t18;
-            const double t39 = h14*sin_omega3_half_tau1 + h7*t18;
-            const double t40 = cos_omega3_half_tau1*h13 + cos_omega4_half_tau1*p6;
-            const double t41 = cos_omega3_half_tau1*t20 + cos_omega4_half_tau1*h7;
-            /* y, u, w by Cramer's rule */
-            const double t71 = (1.0/(determinant));
-            const double y = numerator1*t71;
-            const double u = numerator2*t71;
-            const double w = numerator3*t71;
-            /* functions of tau in contact */
-            const double t72 = omega1*tau;
-            double sine_4, cosine_4;
-            nonsmooth_sincos(t72, &sine_4, &cosine_4);
-            const double cos_omega1_tau = cosine_4;
-            const double sin_omega1_tau = sine_4;
-            const double t73 = omega2*tau;
-            double sine_5, cosine_5;
-            nonsmooth_sincos(t73, &sine_5, &cosine_5);
-            const double cos_omega2_tau = cosine_5;
-            const double sin_omega2_tau = sine_5;
-            /* contact for tau, until first-leaves-stop */
-            const double t74 = cos_omega1_tau*p2 + cos_omega2_tau*h2;
-            const double t75 = h19*sin_omega1_tau;
-            const double t76 = h20*sin_omega2_tau;
-            const double t77 = h1*t76 + p1*t75;
-            const double t78 = h2*t76 + p2*t75;
-            const double t82 = cos_omega1_tau*p1 + cos_omega2_tau*h1;
-            const double x1_1 = cos_omega1_tau*h21 + cos_omega2_tau*h22 + t74*y + t77*u + t78*w + t79 + t82;
-            const double t83 = cos_omega1_tau*h1 + cos_omega2_tau*p1;
-            const double t84 = h5*t76 + p3*t75;
-            const double t85 = h1*t75 + p1*t76;
-            const double t89 = cos_omega1_tau*p3 + cos_omega2_tau*h5;
-            const double x2_1 = cos_omega1_tau*h23 + cos_omega2_tau*h24 + t83*y + t84*u + t85*w + t87 + t89;
-            const double t90 = omega2*sin_omega2_tau;
-            const double t91 = omega1*sin_omega1_tau;
-            const double t92 = h2*t91 + p2*t90;
-            const double v1_1 = h25*sin_omega1_tau + h26*sin_omega2_tau + h27*t91 + t13*t90 + t74*w + t82*u + t92*y;
-            const double t93 = h27*t90 + t13*t91;
-            const double v2_1 = h28*sin_omega1_tau + h29*sin_omega2_tau + h5*t91 + p3*t90 + t83*w + t89*u + t93*y;
-            /* functions of tau1 in free */
-            const double t94 = omega3*tau1;
-            double sine_6, cosine_6;
-            nonsmooth_sincos(t94, &sine_6, &cosine_6);
-            const double cos_omega3_tau1 = cosine_6;
-            const double sin_omega3_tau1 = sine_6;
-            const double t95 = omega4*tau1;
-            double sine_7, cosine_7;
-            nonsmooth_sincos(t95, &sine_7, &cosine_7);
-            const double cos_omega4_tau1 = cosine_7;
-            const double sin_omega4_tau1 = sine_7;
-            /* free for tau1, until first-reaches-stop */
-            const double t96 = cos_omega3_tau1*p4 + cos_omega4_tau1*h12;
-            const double t97 = cos_omega3_tau1*p5 + cos_omega4_tau1*h6;
-            const double t98 = h30*sin_omega3_tau1;
-            const double t99 = h31*sin_omega4_tau1;
-            const double t100 = h12*t99 + p4*t98;
-            const double t101 = h6*t99 + p5*t98;
-            const double x1_2 = t100*v1_1 + t101*v2_1 + t96*x1_1 + t97*x2_1;
-            const double t102 = cos_omega3_tau1*p6 + cos_omega4_tau1*h13;
-            const double t103 = cos_omega3_tau1*h12 + cos_omega4_tau1*p4;
-            const double t104 = h13*t99 + p6*t98;
-            const double t105 = h12*t98 + p4*t99;
-            const double x2_2 = t102*x1_1 + t103*x2_1 + t104*v1_1 + t105*v2_1;
-            const double t106 = omega3*sin_omega3_tau1;
-            const double t107 = omega4*sin_omega4_tau1;
-            const double t108 = h7*t106 + t107*t20;
-            const double t109 = h6*t106 + p5*t107;
-            const double v1_2 = t108*x1_1 + t109*x2_1 + t96*v1_1 + t97*v2_1;
-            const double t110 = h13*t106 + p6*t107;
-            const double t111 = h7*t107 + t106*t20;
-            const double v2_2 = t102*v1_1 + t103*v2_1 + t110*x1_1 + t111*x2_1;
-            /* Phi along tau */
-            const double carried_x1_1_by_y = t74;
-            const double carried_x1_1_by_u = t77;
-            const double carried_x1_1_by_w = t78;
-            const double carried_x2_1_by_y = t83;
-            const double carried_x2_1_by_u = t84;
-            const double carried_x2_1_by_w = t85;
-            const double carried_v1_1_by_y = t92;
-            const double carried_v1_1_by_u = t82;
-            const double carried_v1_1_by_w = t74;
-            const double carried_v2_1_by_y = t93;
-            const double carried_v2_1_by_u = t89;
-            const double carried_v2_1_by_w = t83;
-            /* rate of the exit boundary after tau */
-            const double rate_1 = -v1_1;
-            /* derivatives of the time to the boundary after tau */
-            const double t112 = (1.0/(rate_1));
-            const double delay_tau_by_y = carried_x1_1_by_y*t112;
-            const double delay_tau_by_u = carried_x1_1_by_u*t112;
-            const double delay_tau_by_w = carried_x1_1_by_w*t112;
-            /* perturbation on the boundary after tau */
-            const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
-            const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
-            const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
-            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
-            const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
-            const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
-            const double t115 = h32*x1_1 + h33 + t114*x2_1;
-            const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t115;
-            const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t115;
-            const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t115;
-            const double t119 = h34*x2_1 + t117*x1_1;
-            const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t119;
-            const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t119;
-            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t119;
-            /* Phi along tau1 */
-            const double carried_x1_2_by_y = t100*v1_1_on_boundary_by_y + t101*v2_1_on_boundary_by_y + t96*x1_1_on_boundary_by_y + t97*x2_1_on_boundary_by_y;
-            const double carried_x1_2_by_u = t100*v1_1_on_boundary_by_u + t101*v2_1_on_boundary_by_u + t96*x1_1_on_boundary_by_u + t97*x2_1_on_boundary_by_u;
-            const double carried_x1_2_by_w = t100*v1_1_on_boundary_by_w + t101*v2_1_on_boundary_by_w + t96*x1_1_on_boundary_by_w + t97*x2_1_on_boundary_by_w;
-            const double carried_x2_2_by_y = t102*x1_1_on_boundary_by_y + t103*x2_1_on_boundary_by_y + t104*v1_1_on_boundary_by_y + t105*v2_1_on_boundary_by_y;
-            const double carried_v1_2_by_u = t108*x1_1_on_boundary_by_u + t109*x2_1_on_boundary_by_u + t96*v1_1_on_boundary_by_u + t97*v2_1_on_boundary_by_u;
-            const double carried_v2_2_by_w = t102*v1_1_on_boundary_by_w + t103*v2_1_on_boundary_by_w + t110*x1_1_on_boundary_by_w + t111*x2_1_on_boundary_by_w;
-            /* derivatives of the time to the boundary after tau1 */
-            const double t120 = (1.0/(v1_2));
-            const double delay_tau1_by_y = -carried_x1_2_by_y*t120;
-            const double delay_tau1_by_u = -carried_x1_2_by_u*t120;
-            const double delay_tau1_by_w = -carried_x1_2_by_w*t120;
-            /* perturbation on the boundary after tau1 */
-            const double x2_2_on_boundary_by_y = carried_x2_2_by_y + delay_tau1_by_y*v2_2;
-            const double v1_2_on_boundary_by_u = carried_v1_2_by_u + delay_tau1_by_u*(h35*x1_2 + h36*x2_2);
-            const double v2_2_on_boundary_by_w = carried_v2_2_by_w + delay_tau1_by_w*(h34*x2_2 + t117*x1_2);
-            const double t122 = (half_tau1*half_tau1);
-            const double t123 = t121*t122;
-            const double t125 = (half_tau*half_tau);
-            const double t126 = 2*t125;
-            const double t127 = h38/(h37*t125 + 1);
-            const double t128 = h40/(h39*t125 + 1);
-            const double t131 = t125*t130;
-            result[0][lane] = y;
-            result[1][lane] = u;
-            result[2][lane] = w;
-            result[3][lane] = tau;
-            slope[lane] = v1_2_on_boundary_by_u + v2_2_on_boundary_by_w + x2_2_on_boundary_by_y;
-            double largest = 0.0;
-            largest = fabs(determinant*t38 + numerator1*t39 + numerator2*t40 + numerator3*t41) > largest ? fabs(determinant*t38 + numerator1*t39 + numerator2*t40 + numerator3*t41) : largest;
-            defect[lane] = largest;
-            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]) + (result[2][lane] - result[2][lane]) + (result[3][lane] - result[3][lane]);
-            int32_t ending = ((result[3][lane] <= 0.0) | (parameter[5][lane] - result[3][lane] <= 0.0)) ? ELASTIC_STOP_NOT_POSITIVE : ELASTIC_STOP_CONVERGED;
-            ending = open[lane] != 0.0 ? ELASTIC_STOP_NOT_CONVERGED : ending;
-            ending = finite == 0.0 ? ending : ELASTIC_STOP_NOT_FINITE;
-            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t124*t126*t127 + t126*t128*(t13*t13) + t129)*sqrt(t127*t131 + t128*t131 + t129 + t130)*sqrt((omega3*omega3*omega3*omega3)*t123/((omega3*omega3)*t122 + 1) + (omega4*omega4*omega4*omega4)*t123/((omega4*omega4)*t122 + 1) + (p4*p4) + t121 + (t20*t20)))) <= 1e-12)) ? ELASTIC_STOP_SINGULAR : ending;
-            ended[lane] = ending;
+            elastic_stop_one_contact_reduced_in_lane(lanes, lane, parameter, spectrum, fixed, x,
+                unknown, determinant, equation, NULL);
+            elastic_stop_one_contact_trace_in_lane(lanes, lane, parameter, spectrum, unknown, NULL,
+                slope, NULL);
         }
-        for (int i = 0; i < 4; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_largest(lanes, reduced, equation, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane) {
+            int32_t code = ELASTIC_STOP_CONVERGED;
+            code = ((unknown[3*lanes + lane] <= 0.0) | (parameter[5*lanes + lane] - unknown[3*lanes
+                + lane] <= 0.0)) ? ELASTIC_STOP_NOT_POSITIVE : code;
+            code = open[lane] != 0.0 ? ELASTIC_STOP_NOT_CONVERGED : code;
+            code = doubt[lane] != 0.0 ? ELASTIC_STOP_NOT_FINITE : code;
+            code = ((fabs(determinant[0*lanes + lane]) <= NONSMOOTH_SINGULAR)) ?
+                ELASTIC_STOP_SINGULAR : code;
+            ended[lane] = code;
+        }
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }
@@ -2847,14 +2328,14 @@ void elastic_stop_one_contact_directions(
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         double parameter[p * lanes], unknown[n * lanes];
         double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
-        nonsmooth_load(p, parameters, count, start, parameter);
-        nonsmooth_load(n, unknowns, count, start, unknown);
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
         double own[5 * lanes], spectrum[12 * lanes], spectrum_derivatives[60 * lanes];
-        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
-        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
-        nonsmooth_load(1, parameters + 2 * count, count, start, own + 2 * lanes);
-        nonsmooth_load(1, parameters + 3 * count, count, start, own + 3 * lanes);
-        nonsmooth_load(1, parameters + 4 * count, count, start, own + 4 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 2 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 3 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 4 * count, count, start, own + 4 * lanes);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane)
             elastic_stop_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
@@ -2867,7 +2348,7 @@ void elastic_stop_one_contact_directions(
             elastic_stop_one_contact_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
                 spectrum_derivatives, NULL, slope);
         nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
-        nonsmooth_store(n * p, moved, count, start, directions);
-        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }

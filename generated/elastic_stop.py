@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 9398124ac0939a59
+# SymPy 1.14.0, derivation 86ec640970ebd475
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "9398124ac0939a59"
+DERIVATION = "86ec640970ebd475"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.codegen/support/nonsmooth_trigonometry.h
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 2707c8c623c20351 */
+ * SymPy 1.14.0, derivation 299106e830d6a50c */
 /* Sine and cosine that vectorise, and the angle of a point.
  *
  * C99 with IEEE double arithmetic in round-to-nearest. Scalar, SSE2, AVX2 and AVX-512 builds give
@@ -11,11 +11,13 @@
 
 #include <math.h>
 
+#include "nonsmooth_compiler.h"
+
 /* Largest argument of nonsmooth_sincos, hence also largest phase w T of nonsmooth_maxima. */
 #define NONSMOOTH_PHASE_LIMIT 1e5
 
 /* Sine and cosine of x, each within 0.9 ulp for |x| <= 1e5; both NaN for any other x. */
-static inline void nonsmooth_sincos(double x, double *sine, double *cosine)
+static NONSMOOTH_INLINE void nonsmooth_sincos(double x, double *sine, double *cosine)
 {
     /* Adding and subtracting 1.5 * 2^52 rounds to an integer in every instruction set. */
     const double rounder = 0x1.8p52;
@@ -68,7 +70,7 @@ typedef struct {
 } nonsmooth_wave;
 
 /* Sine and cosine: those of the C library for one lane, else those of nonsmooth_sincos. */
-static inline nonsmooth_wave nonsmooth_wave_of(int lanes, double x)
+static NONSMOOTH_INLINE nonsmooth_wave nonsmooth_wave_of(int lanes, double x)
 {
     nonsmooth_wave wave;
     if (lanes == 1) {
@@ -80,7 +82,7 @@ static inline nonsmooth_wave nonsmooth_wave_of(int lanes, double x)
 }
 
 /* Angle in [0, 2 pi) of the point (cosine, sine), within 4 ulp; NaN at the origin. */
-static inline double nonsmooth_angle(double sine, double cosine)
+static NONSMOOTH_INLINE double nonsmooth_angle(double sine, double cosine)
 {
     const double a = fabs(sine), b = fabs(cosine);
     const double small = a < b ? a : b, large = a < b ? b : a;

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 8daa9dfa261d8c6c */
+ * SymPy 1.14.0, derivation f85d3ee964449e07 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
+#include "nonsmooth_newton.h"
 #include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
@@ -979,25 +980,27 @@ void rigid_stop_one_impact_flow_free(
 
 /* All unknowns; how singular the linear equations for them are: 0 if they are.
  * Operations: 77. Intermediate terms: 28. */
-NONSMOOTH_UNMERGED
-void rigid_stop_one_impact_reduced(
-    const double parameters[5], const double spectrum[7], double *unknowns, double *determinants)
+static NONSMOOTH_INLINE void rigid_stop_one_impact_reduced_in_lane(
+    int lanes, int lane, const double *parameters, const double *spectrum, double *unknowns,
+    double *determinants)
 {
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double T = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane];
+    const double omega2 = spectrum[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane];
+    const double p2 = spectrum[4*lanes + lane];
+    const double p3 = spectrum[5*lanes + lane];
     /* half of T */
     const double half_T = (1.0/2.0)*T;
     /* functions of half_T in free */
     const double t0 = half_T*omega1;
-    const double cos_omega1_half_T = cos(t0);
-    const double sin_omega1_half_T = sin(t0);
+    const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
+    const double cos_omega1_half_T = wave_0.cosine;
+    const double sin_omega1_half_T = wave_0.sine;
     const double t1 = half_T*omega2;
-    const double cos_omega2_half_T = cos(t1);
-    const double sin_omega2_half_T = sin(t1);
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t1);
+    const double cos_omega2_half_T = wave_1.cosine;
+    const double sin_omega2_half_T = wave_1.sine;
     /* coefficients of the linear equations */
     const double t2 = omega2*sin_omega2_half_T;
     const double t3 = omega1*sin_omega1_half_T;
@@ -1019,8 +1022,8 @@ void rigid_stop_one_impact_reduced(
     const double y = numerator1*t5;
     const double u = numerator2*t5;
     if (unknowns) {
-        unknowns[0] = y;
-        unknowns[1] = u;
+        unknowns[lane] = y;
+        unknowns[1*lanes + lane] = u;
     }
     if (!determinants)
         return;
@@ -1032,169 +1035,70 @@ void rigid_stop_one_impact_reduced(
     const double t10 = (omega1*omega1*omega1*omega1)*t8/((omega1*omega1)*t7 + 1);
     const double t11 = (p2*p2);
     if (determinants) {
-        determinants[0] = determinant/(sqrt(2*(p3*p3) + t10*(t4*t4) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t4*t4) + t6));
+        determinants[lane] = determinant/(sqrt(2*(p3*p3) + t10*(t4*t4) + t6*t9)*sqrt(t10*t11 + t11*t9 + (t4*t4) + t6));
     }
 }
 
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * 1e-9 max(1, |x|). */
+NONSMOOTH_UNMERGED
+void rigid_stop_one_impact_reduced(
+    const double parameters[5], const double spectrum[7], double *unknowns, double *determinants)
+{
+    rigid_stop_one_impact_reduced_in_lane(1, 0, parameters, spectrum, unknowns, determinants);
+}
+
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 void rigid_stop_one_impact_solve(
     ptrdiff_t count, const double *parameters, double *unknowns, double *trace, double *residual,
     int32_t *iterations, int32_t *status)
 {
-    enum { lanes = 16, most = 32 };
+    enum { lanes = 1, n = 2, p = 5, reduced = 0 };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[5][lanes], fixed[12][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+        double determinant[1 * lanes];
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < 5; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-            open[lane] = 0.0;
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        double own[4 * lanes], spectrum[7 * lanes];
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 2 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 3 * count, count, start, own + 3 * lanes);
+        NONSMOOTH_SIMD
+        for (int lane = 0; lane < lanes; ++lane)
+            rigid_stop_spectrum_in_lane(lanes, lane, own, spectrum, NULL);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double m1 = parameter[0][lane];
-            const double m2 = parameter[1][lane];
-            const double k1 = parameter[2][lane];
-            const double k2 = parameter[3][lane];
-            const double T = parameter[4][lane];
-            const double gap1 = sqrt(4*(k1*k1)/(m1*m2) + ((k1/m1 - (k1 + k2)/m2)*(k1/m1 - (k1 + k2)/m2)));
-            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*k1/m1 + (1.0/2.0)*(k1 + k2)/m2);
-            const double omega2 = sqrt(k1)*sqrt(k2)/(sqrt(m1)*sqrt(m2)*omega1);
-            const double p1 = 1.0/2.0 + (1.0/2.0)*(k1/m1 - (k1 + k2)/m2)/gap1;
-            const double p2 = -k1/(gap1*m1);
-            const double p3 = -k1/(gap1*m2);
-            /* half of T */
-            const double half_T = (1.0/2.0)*T;
-            /* functions of half_T in free */
-            const double t0 = half_T*omega1;
-            const double cos_omega1_half_T = cos(t0);
-            const double sin_omega1_half_T = sin(t0);
-            const double t1 = half_T*omega2;
-            const double cos_omega2_half_T = cos(t1);
-            const double sin_omega2_half_T = sin(t1);
-            /* coefficients of the linear equations */
-            const double t2 = omega2*sin_omega2_half_T;
-            const double t3 = omega1*sin_omega1_half_T;
-            const double coefficient11 = p2*t2 - p2*t3;
-            const double t4 = p1 - 1;
-            const double coefficient12 = cos_omega1_half_T*p1 - cos_omega2_half_T*t4;
-            const double coefficient21 = omega1*sin_omega1_half_T*t4 - p1*t2;
-            const double coefficient22 = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
-            /* right-hand sides of the linear equations */
-            const double right1 = p1*t3 - t2*t4;
-            const double right2 = omega1*p3*sin_omega1_half_T - p3*t2;
-            /* determinant of the linear equations */
-            const double determinant = coefficient11*coefficient22 - coefficient12*coefficient21;
-            /* numerators of Cramer's rule */
-            const double numerator1 = -coefficient12*right2 + coefficient22*right1;
-            const double numerator2 = coefficient11*right2 - coefficient21*right1;
-            /* y, u by Cramer's rule */
-            const double t5 = (1.0/(determinant));
-            const double y = numerator1*t5;
-            const double u = numerator2*t5;
-            /* functions of T in free */
-            const double t6 = T*omega1;
-            const double cos_omega1_T = cos(t6);
-            const double sin_omega1_T = sin(t6);
-            const double t7 = T*omega2;
-            const double cos_omega2_T = cos(t7);
-            const double sin_omega2_T = sin(t7);
-            /* free for T, until first-reaches-stop */
-            const double t8 = cos_omega1_T*p2 - cos_omega2_T*p2;
-            const double t9 = sin_omega1_T/omega1;
-            const double t10 = sin_omega2_T/omega2;
-            const double t11 = p1*t9 - t10*t4;
-            const double t12 = cos_omega1_T*p1 - cos_omega2_T*t4;
-            const double x1_1 = t11*u + t12 + t8*y;
-            const double t13 = -cos_omega1_T*t4 + cos_omega2_T*p1;
-            const double t14 = cos_omega1_T*p3 - cos_omega2_T*p3;
-            const double x2_1 = t13*y + t14 + u*(-p3*t10 + p3*t9);
-            const double t15 = omega2*sin_omega2_T;
-            const double t16 = omega1*sin_omega1_T;
-            const double v1_1 = -p1*t16 + t12*u + t15*t4 + y*(p2*t15 - p2*t16);
-            const double v2_1 = p3*t15 - p3*t16 + t14*u + y*(-p1*t15 + t16*t4);
-            /* Phi along T */
-            const double carried_x1_1_by_y = t8;
-            const double carried_x1_1_by_u = t11;
-            const double carried_x1_1_by_w = -p2*t10 + p2*t9;
-            const double carried_x2_1_by_y = t13;
-            const double carried_v1_1_by_u = t12;
-            const double carried_v2_1_by_w = t13;
-            /* derivatives of the time to the boundary after T */
-            const double t17 = (1.0/(v1_1));
-            const double delay_T_by_y = -carried_x1_1_by_y*t17;
-            const double delay_T_by_u = -carried_x1_1_by_u*t17;
-            const double delay_T_by_w = -carried_x1_1_by_w*t17;
-            /* perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
-            const double t18 = (1.0/(m1));
-            const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*(-k1*t18*x1_1 + k1*t18*x2_1);
-            const double t19 = (1.0/(m2));
-            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*(k1*t19*x1_1 - t19*x2_1*(k1 + k2));
-            /* determinants */
-            const double t20 = (p1*p1);
-            const double t21 = (half_T*half_T);
-            const double t22 = 2*t21;
-            const double t23 = (omega2*omega2*omega2*omega2)*t22/((omega2*omega2)*t21 + 1);
-            const double t24 = (omega1*omega1*omega1*omega1)*t22/((omega1*omega1)*t21 + 1);
-            const double t25 = (p2*p2);
-            fixed[0][lane] = p3;
-            fixed[1][lane] = t4;
-            fixed[2][lane] = determinant;
-            fixed[3][lane] = y;
-            fixed[4][lane] = u;
-            fixed[5][lane] = x2_1_on_boundary_by_y;
-            fixed[6][lane] = v1_1_on_boundary_by_u;
-            fixed[7][lane] = v2_1_on_boundary_by_w;
-            fixed[8][lane] = t20;
-            fixed[9][lane] = t23;
-            fixed[10][lane] = t24;
-            fixed[11][lane] = t25;
+            rigid_stop_one_impact_reduced_in_lane(lanes, lane, parameter, spectrum, unknown,
+                determinant);
+            rigid_stop_one_impact_trace_in_lane(lanes, lane, parameter, spectrum, unknown, NULL,
+                slope, NULL);
         }
-        double result[2][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
+        nonsmooth_largest(lanes, reduced, NULL, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-            const double p3 = fixed[0][lane];
-            const double t4 = fixed[1][lane];
-            const double determinant = fixed[2][lane];
-            const double y = fixed[3][lane];
-            const double u = fixed[4][lane];
-            const double x2_1_on_boundary_by_y = fixed[5][lane];
-            const double v1_1_on_boundary_by_u = fixed[6][lane];
-            const double v2_1_on_boundary_by_w = fixed[7][lane];
-            const double t20 = fixed[8][lane];
-            const double t23 = fixed[9][lane];
-            const double t24 = fixed[10][lane];
-            const double t25 = fixed[11][lane];
-            result[0][lane] = y;
-            result[1][lane] = u;
-            slope[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
-            double largest = 0.0;
-            defect[lane] = largest;
-            const double finite = (slope[lane] - slope[lane]) + (result[0][lane] - result[0][lane]) + (result[1][lane] - result[1][lane]);
-            int32_t ending = ((parameter[4][lane] <= 0.0)) ? RIGID_STOP_NOT_POSITIVE : RIGID_STOP_CONVERGED;
-            ending = open[lane] != 0.0 ? RIGID_STOP_NOT_CONVERGED : ending;
-            ending = finite == 0.0 ? ending : RIGID_STOP_NOT_FINITE;
-            ending = ((fabs(determinant/(sqrt(2*(p3*p3) + t20*t23 + t24*(t4*t4))*sqrt(t20 + t23*t25 + t24*t25 + (t4*t4)))) <= 1e-12)) ? RIGID_STOP_SINGULAR : ending;
-            ended[lane] = ending;
+            int32_t code = RIGID_STOP_CONVERGED;
+            code = ((parameter[4*lanes + lane] <= 0.0)) ? RIGID_STOP_NOT_POSITIVE : code;
+            code = open[lane] != 0.0 ? RIGID_STOP_NOT_CONVERGED : code;
+            code = doubt[lane] != 0.0 ? RIGID_STOP_NOT_FINITE : code;
+            code = ((fabs(determinant[0*lanes + lane]) <= NONSMOOTH_SINGULAR)) ? RIGID_STOP_SINGULAR
+                : code;
+            ended[lane] = code;
         }
-        for (int i = 0; i < 2; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }
@@ -1285,13 +1189,13 @@ void rigid_stop_one_impact_directions(
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         double parameter[p * lanes], unknown[n * lanes];
         double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
-        nonsmooth_load(p, parameters, count, start, parameter);
-        nonsmooth_load(n, unknowns, count, start, unknown);
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
         double own[4 * lanes], spectrum[7 * lanes], spectrum_derivatives[28 * lanes];
-        nonsmooth_load(1, parameters + 0 * count, count, start, own + 0 * lanes);
-        nonsmooth_load(1, parameters + 1 * count, count, start, own + 1 * lanes);
-        nonsmooth_load(1, parameters + 2 * count, count, start, own + 2 * lanes);
-        nonsmooth_load(1, parameters + 3 * count, count, start, own + 3 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 0 * count, count, start, own + 0 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 1 * count, count, start, own + 1 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 2 * count, count, start, own + 2 * lanes);
+        nonsmooth_load(lanes, 1, parameters + 3 * count, count, start, own + 3 * lanes);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane)
             rigid_stop_spectrum_in_lane(lanes, lane, own, spectrum, spectrum_derivatives);
@@ -1304,7 +1208,7 @@ void rigid_stop_one_impact_directions(
             rigid_stop_one_impact_trace_in_lane(lanes, lane, parameter, spectrum, unknown,
                 spectrum_derivatives, NULL, slope);
         nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
-        nonsmooth_store(n * p, moved, count, start, directions);
-        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 8daa9dfa261d8c6c
+# SymPy 1.14.0, derivation f85d3ee964449e07
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "8daa9dfa261d8c6c"
+DERIVATION = "f85d3ee964449e07"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",

@@ -117,7 +117,6 @@ def _soft_stop(element: SoftStop, frame: Frame, elements: Sequence[Element]) -> 
         )
     return SwitchPart(
         name,
-        tuple(exits),
         {"contact": -push * row.T},
         exits,
         sign * row,
@@ -206,7 +205,6 @@ def _slider(element: Slider, frame: Frame, elements: Sequence[Element]) -> Switc
     turns = f"{name}-turns"
     return SwitchPart(
         name,
-        ("stuck", "forward", "backward"),
         {"stuck": -spring * row.T, "forward": -limit * row.T, "backward": limit * row.T},
         {
             "stuck": (
@@ -251,7 +249,6 @@ def _regions(element: Regions, frame: Frame, elements: Sequence[Element]) -> Swi
 
     return SwitchPart(
         element.name,
-        ("below", "above"),
         {"below": forces(element.below, "below"), "above": forces(element.above, "above")},
         {
             "below": (Exit(Boundary(f"{element.name}-rises", function), "above"),),

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from nonsmooth.derive.building.matrices import is_array, values_of_doubles
-from nonsmooth.derive.declaration.parameter import exact
+from nonsmooth.derive.declaration.parameter import exact, set_fields
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = [
@@ -174,7 +174,7 @@ class SoftStop:
                 f"{self.name!r}: released is {self.released!r}, not 'gap' or 'force'"
             )
         if exact(self.damping) == 0:
-            object.__setattr__(self, "released", "gap")
+            set_fields(self, released="gap")
 
 
 @dataclass(frozen=True)
@@ -245,7 +245,7 @@ class Friction:
     def __post_init__(self) -> None:
         _settle_direction(self)
         if self.static is None:
-            object.__setattr__(self, "static", self.kinetic)
+            set_fields(self, static=self.kinetic)
         _check(self.kinetic, f"kinetic friction of {self.name!r}", lower=0)
         _check(self.static, f"static friction of {self.name!r}", lower=0)
         excess = exact(self.static) - exact(self.kinetic)
@@ -349,7 +349,7 @@ class Regions:
     name: str = "region"
 
 
-def direction_name(direction: Direction) -> str:
+def _direction_name(direction: Direction) -> str:
     """Name of a coordinate; of a direction the names of its coordinates, joined by hyphens."""
     if isinstance(direction, str):
         return direction
@@ -361,10 +361,10 @@ def direction_name(direction: Direction) -> str:
 def _settle_direction(element: Any, ending: str = "") -> None:
     """Name an element by its direction if it has no name, and make a vector of doubles exact."""
     direction = element.coordinate
-    object.__setattr__(element, "name", element.name or direction_name(direction) + ending)
+    set_fields(element, name=element.name or _direction_name(direction) + ending)
     if is_array(direction):
         weights = values_of_doubles(direction, f"element {element.name!r}")
-        object.__setattr__(element, "coordinate", tuple(weights))
+        set_fields(element, coordinate=tuple(weights))
 
 
 def _check_side(side: str) -> None:

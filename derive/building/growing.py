@@ -26,6 +26,7 @@ from nonsmooth.derive.building.transitions import (
     transitions_from,
 )
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
+from nonsmooth.derive.declaration.parameter import set_fields
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
@@ -101,10 +102,8 @@ class GrowingSystem(System):
     def __init__(
         self, name: str, description: str, assembly: Assembly, constraints: Sequence[sp.Expr]
     ) -> None:
-        object.__setattr__(self, "assembly", assembly)
         checked = listed(name, description, assembly, constraints, (), ())
-        for attribute in _GIVEN:
-            object.__setattr__(self, attribute, getattr(checked, attribute))
+        set_fields(self, assembly=assembly, **{each: getattr(checked, each) for each in _GIVEN})
 
     def __eq__(self, other: object) -> bool:
         """Whether the declarations are equal."""

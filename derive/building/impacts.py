@@ -41,10 +41,8 @@ def impacts(
     boundary, and `landing` friction contacts that regain their normal load.
     """
     for number, struck, impact in _ordered(assembly, regimes, reached):
-        for conditions, following, after in _settled(
-            assembly, regimes, impact, struck, moved, landing
-        ):
-            yield number, (conditions, following, after)
+        for settled in _settled(assembly, regimes, impact, struck, moved, landing):
+            yield number, settled
 
 
 def _ordered(

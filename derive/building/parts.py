@@ -38,7 +38,6 @@ class SwitchPart:
     """A part whose regimes follow each other independently of the other parts."""
 
     name: str
-    regimes: tuple[str, ...]
     forces: Mapping[str, sp.Matrix]  # by regime, n x 1: generalized forces, affine in the state
     exits: Mapping[str, tuple[Exit, ...]]
     direction: sp.Matrix | None = None  # 1 x n, for a part that acts in one direction
@@ -53,6 +52,11 @@ class SwitchPart:
     needed: Mapping[str, sp.Expr] = field(default_factory=dict)
     sign: ClassVar[int] = 1
     speed: ClassVar[sp.Expr] = sp.S.Zero
+
+    @property
+    def regimes(self) -> tuple[str, ...]:
+        """All regimes."""
+        return tuple(self.exits)
 
     def push(self, regime: str) -> sp.Expr | None:
         """Force on the oscillator along the direction; None in a regime without one."""

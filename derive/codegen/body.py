@@ -17,7 +17,7 @@ from nonsmooth.derive.declaration.real_numbers import (
 from nonsmooth.derive.equations.program import Kernel, Stage, prune
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["Body", "Constant", "Line", "body_of", "hoisted", "needed", "split"]
+__all__ = ["Body", "Constant", "Line", "body_of", "needed", "split"]
 
 
 class Constant(sp.AtomicExpr):
@@ -62,7 +62,6 @@ class Body:
     An output needs the lines up to its place in `ends`, and no later ones.
     """
 
-    inputs: tuple[sp.Symbol, ...]
     lines: tuple[Line, ...]
     outputs: tuple[tuple[sp.Expr, ...], ...]
     ends: tuple[int, ...]
@@ -94,6 +93,13 @@ def _operations(expression: sp.Expr) -> int:
     return int(sp.count_ops(expression))
 
 
+@lru_cache(maxsize=1 << 14)  # kernels of one orbit share most of their expressions
+def _prepared(expression: sp.Expr) -> sp.Expr:
+    """The expression with its irrational numbers as constants."""
+    found: sp.Expr = map_numbers(expression, Constant)
+    return found
+
+
 @lru_cache(maxsize=256)  # Python and C are printed from one body
 def body_of(kernel: Kernel) -> Body:
     """The body of a kernel, its common subexpressions eliminated.
@@ -101,13 +107,13 @@ def body_of(kernel: Kernel) -> Body:
     The symbols of the stages stay; each common term is assigned right before its first use.
     SymPy sorts by name: meanwhile every symbol has a name that only tells its place.
     """
-    prepared = _translated(kernel, lambda e: map_numbers(e, Constant))
+    prepared = _translated(kernel, _prepared)
     taken = _checked_names(prepared)
     # of the orders that were tried, the last entries of an argument first gives least operations
     inputs = tuple(s for argument in kernel.arguments for s in reversed(argument.symbols))
     places = _places([*inputs, *(s for s, _ in _assignments(kernel))])
     body = _eliminated(_translated(prepared, lambda e: e.xreplace(places)))
-    return replace(_named(body, places, "t", taken), inputs=inputs)
+    return _named(body, places, taken)
 
 
 def _places(symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
@@ -115,17 +121,12 @@ def _places(symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
     return {s: sp.Symbol(f"s{i:06}", **s.assumptions0) for i, s in enumerate(symbols)}
 
 
-def _named(body: Body, places: Mapping[sp.Symbol, sp.Symbol], stem: str, taken: set[str]) -> Body:
+def _named(body: Body, places: Mapping[sp.Symbol, sp.Symbol], taken: set[str]) -> Body:
     """The body with the symbols again that have places, and numbered ones for all others."""
     names = {place: symbol for symbol, place in places.items()}
-    fresh = (s for s in sp.numbered_symbols(stem, real=True) if s.name not in taken)
+    fresh = (s for s in sp.numbered_symbols("t", real=True) if s.name not in taken)
     names |= {line.symbol: next(fresh) for line in body.lines if line.symbol not in names}
-    return _renamed(body, names)
-
-
-def _renamed(body: Body, names: Mapping[sp.Symbol, sp.Symbol]) -> Body:
     return Body(
-        tuple(names[s] for s in body.inputs),
         tuple(Line(names[x.symbol], x.expression.xreplace(names), x.title) for x in body.lines),
         tuple(tuple(e.xreplace(names) for e in output) for output in body.outputs),
         body.ends,
@@ -212,7 +213,7 @@ def _eliminated(kernel: Kernel) -> Body:
         outputs.append(tuple(require(e) for e in expressions))
         titled(begin, output.name)
         ends.append(len(lines))
-    return Body((), tuple(lines), tuple(outputs), tuple(ends))
+    return Body(tuple(lines), tuple(outputs), tuple(ends))
 
 
 def _checked_names(kernel: Kernel) -> set[str]:
@@ -259,46 +260,6 @@ def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[L
         else:
             moving.append(line)
     return tuple(fixed), tuple(moving)
-
-
-def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
-    """The body with every term that depends on the given inputs alone on a line of its own."""
-    places = _places([*body.inputs, *(line.symbol for line in body.lines)])
-    placed = _renamed(body, places)
-    fixed, _ = split(body, inputs)
-    known = {places[s] for s in inputs.union(line.symbol for line in fixed) if s in places}
-    found: dict[sp.Expr, sp.Symbol] = {}
-    lines: list[Line] = []
-    fresh = sp.numbered_symbols("h", real=True)
-
-    def name(part: sp.Expr) -> sp.Expr:
-        if part.is_Atom or not part.free_symbols:
-            return part
-        if isinstance(part, sp.Tuple):
-            return sp.Tuple(*map(name, part))
-        if part not in found:
-            found[part] = next(fresh)
-            lines.append(Line(found[part], part))
-        return found[part]
-
-    def hoist(expression: sp.Expr) -> sp.Expr:
-        if expression.free_symbols <= known:
-            return name(expression)
-        if expression.is_Atom:
-            return expression
-        if expression.is_Add or expression.is_Mul:
-            constant = [a for a in expression.args if a.free_symbols <= known]
-            moving = [hoist(a) for a in expression.args if not a.free_symbols <= known]
-            return expression.func(name(expression.func(*constant)), *moving)
-        return expression.func(*(hoist(a) for a in expression.args))
-
-    for line in placed.lines:
-        moves = not line.expression.free_symbols <= known
-        value = hoist(line.expression) if moves else line.expression
-        lines.append(Line(line.symbol, value, line.title))
-    outputs = tuple(tuple(hoist(e) for e in output) for output in placed.outputs)
-    raised = Body(placed.inputs, tuple(lines), outputs, (len(lines),) * len(outputs))
-    return _named(raised, places, "h", {s.name for s in places})
 
 
 def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:

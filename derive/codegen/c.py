@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import lru_cache
-from textwrap import fill
+from textwrap import fill, wrap
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from nonsmooth.derive.codegen.any_arithmetic import Ordered
-from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of
+from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of, needed, split
 from nonsmooth.derive.codegen.naming import C_TAKEN, C_TAKEN_BEGINNINGS, c_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
@@ -22,13 +23,21 @@ __all__ = [
     "c_declaration",
     "c_kernel",
     "c_prototype",
+    "count_of_fixed",
+    "fixed_part",
     "in_lane",
     "line_sources",
     "print_c",
 ]
 
 
-_IN_LANES = ("spectrum", "equations", "trace")  # kernels that functions of many points call
+_IN_LANES = (
+    "spectrum",
+    "equations",
+    "trace",
+    "reduced",
+)  # kernels that functions of many points call
+_ITERATED = "reduced"  # the argument that changes while the others stay
 _LARGE = 40  # entries of an output, from which on a table may be shorter
 
 
@@ -203,32 +212,85 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
 
     One that functions of many points call is the case of one lane of its `in_lane`.
     """
-    body = body_of(kernel)
-    title = f"/* {kernel.title}"
-    cost = f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */"
+    body, function = body_of(kernel), c_function(system, kernel.name, orbit)
+    comment = [
+        f"/* {kernel.title}",
+        f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */",
+    ]
     # orbits with other parameters may have the same body
     public = ["NONSMOOTH_UNMERGED"] if orbit is not None else []
     public += [c_prototype(kernel, system, orbit), "{"]
     if not _runs_in_lanes(kernel):
-        return "\n".join([title, cost, *public, *_statements(kernel, body, lanes=False), "}"])
-    name = in_lane(c_function(system, kernel.name, orbit))
+        return "\n".join([*comment, *public, *_statements(kernel, body, lanes=False), "}"])
+    fixed, moving = _parts(kernel)
+    if fixed is not None:
+        comment += [*_for_one_lane(*fixed, fixed_part(function)), ""]
+        (carried,) = fixed[0].outputs
+        public += [
+            f"    double fixed[{len(carried.expressions)}];",
+            *_call(fixed_part(function), fixed[0]),
+        ]
+    return "\n".join(
+        [*comment, *_for_one_lane(*moving, function), "", *public, *_call(function, moving[0]), "}"]
+    )
+
+
+def _for_one_lane(kernel: Kernel, body: Body, function: str) -> list[str]:
+    """C definition of what a kernel computes for one lane."""
     arrays = [f"const double *{a.name}" for a in kernel.arguments]
     arrays += [f"double *{o.name}" for o in kernel.outputs]
+    declared = c_declaration(in_lane(function), ["int lanes", "int lane", *arrays])
+    statements = _statements(kernel, body, lanes=True)
+    return [f"static NONSMOOTH_INLINE {declared}", "{", *statements, "}"]
+
+
+def _call(function: str, kernel: Kernel) -> list[str]:
+    """C statement that computes a kernel for the only lane."""
     given = ", ".join([*(a.name for a in kernel.arguments), *(o.name for o in kernel.outputs)])
-    return "\n".join(
-        [
-            title,
-            cost,
-            f"static NONSMOOTH_INLINE {c_declaration(name, ['int lanes', 'int lane', *arrays])}",
-            "{",
-            *_statements(kernel, body, lanes=True),
-            "}",
-            "",
-            *public,
-            fill(f"{name}(1, 0, {given});", 100, initial_indent=" " * 4, subsequent_indent=" " * 8),
-            "}",
-        ]
+    call, indent = f"{in_lane(function)}(1, 0, {given});", " " * 4
+    return wrap(call, 100, initial_indent=indent, subsequent_indent=2 * indent)
+
+
+_Part = tuple[Kernel, Body]
+
+
+@lru_cache(maxsize=64)
+def _parts(kernel: Kernel) -> tuple[_Part | None, _Part]:
+    """What of a kernel does not depend on the argument that changes in iterations, and the rest.
+
+    The first part is None if there is nothing of it.
+    """
+    body = body_of(kernel)
+    given = [a for a in kernel.arguments if a.name != _ITERATED]
+    fixed, moving = split(body, {s for argument in given for s in argument.symbols})
+    left = {line.symbol for line in moving}
+    ends = tuple(sum(line.symbol in left for line in body.lines[:end]) for end in body.ends)
+    rest = Body(moving, body.outputs, ends)
+    carried = tuple(line.symbol for line in fixed if line.symbol in rest.used)
+    if len(given) == len(kernel.arguments) or not carried:
+        return None, (kernel, body)
+    title = "What does not depend on the iterated unknowns."
+    values = Output("fixed", (len(carried),), carried)
+    before = Kernel(f"{kernel.name}_fixed", title, tuple(given), (values,), ())
+    argument = Argument("fixed", values.shape, carried)
+    iterated = [a for a in kernel.arguments if a.name == _ITERATED]
+    arguments = (*given, argument, *iterated)
+    lines = needed(fixed, carried)
+    return (
+        (before, Body(lines, (carried,), (len(lines),))),
+        (replace(kernel, arguments=arguments), rest),
     )
+
+
+def count_of_fixed(kernel: Kernel) -> int:
+    """Number of those values of a kernel that iterations carry from one to the next."""
+    fixed, _ = _parts(kernel)
+    return 0 if fixed is None else len(fixed[0].outputs[0].expressions)
+
+
+def fixed_part(function: str) -> str:
+    """Name of the function that computes what iterations of a kernel have in common."""
+    return f"{function}_fixed"
 
 
 def _runs_in_lanes(kernel: Kernel) -> bool:

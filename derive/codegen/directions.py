@@ -10,7 +10,7 @@ from string import Template
 
 from nonsmooth.derive.codegen.c import c_declaration
 from nonsmooth.derive.codegen.naming import c_function
-from nonsmooth.derive.codegen.solver import lanes_of_spectrum, loop_over_lanes
+from nonsmooth.derive.codegen.solver import lane_call, lanes_of_spectrum, loop_over_lanes
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
@@ -34,12 +34,12 @@ $prototype
     for (ptrdiff_t start = 0; start < count; start += lanes) {
         double parameter[p * lanes], unknown[n * lanes];
         double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
-        nonsmooth_load(p, parameters, count, start, parameter);
-        nonsmooth_load(n, unknowns, count, start, unknown);
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
 $kernels
         nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
-        nonsmooth_store(n * p, moved, count, start, directions);
-        nonsmooth_store(p, slope + n * lanes, count, start, directions + n * p * count);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
     }
 }""")
 
@@ -72,7 +72,7 @@ def directions_source(orbit: EquationSystem) -> str:
     point = ("parameter", spectrum[0], "unknown", spectrum[1], "NULL")
     for kernel, results in (("equations", ("jacobian", "moved")), ("trace", ("slope",))):
         function = c_function(orbit.system.name, kernel, name)
-        lines += loop_over_lanes(function, [*point, *results], " " * 8)
+        lines += loop_over_lanes([lane_call(function, [*point, *results])])
     return _DIRECTIONS.substitute(
         n=n, p=p, prototype=directions_prototype(orbit), kernels="\n".join(lines)
     )

@@ -19,7 +19,6 @@ from nonsmooth.derive.equations.program import (
     merged,
     prune,
 )
-from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.symbols import Symbol, derivative
@@ -28,7 +27,7 @@ __all__ = [
     "flow_kernels",
     "orbit_kernels",
     "period_map_kernel",
-    "reduced_equations",
+    "reduced_kernel",
     "spectrum_kernel",
 ]
 
@@ -89,7 +88,7 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
         _passage_kernel(orbit, point),
         _linearisation_kernel(orbit, point),
         *flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters),
-        _reduced_kernel(orbit),
+        reduced_kernel(orbit),
     )
 
 
@@ -100,13 +99,6 @@ def _point(orbit: EquationSystem) -> tuple[Argument, Argument, Argument]:
         _vector("spectrum", orbit.spectrum.symbols),
         _vector("unknowns", orbit.unknowns),
     )
-
-
-def _reduced_point(orbit: EquationSystem) -> tuple[Argument, ...]:
-    """What the reduced equations are evaluated at."""
-    parameters, spectrum, _ = _point(orbit)
-    unknowns = orbit.reduction.unknowns
-    return (parameters, spectrum, *([_vector("reduced", unknowns)] if unknowns else []))
 
 
 def _spectrum_derivatives(orbit: EquationSystem) -> Argument:
@@ -229,59 +221,26 @@ def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
     )
 
 
-def _reduced_kernel(orbit: EquationSystem) -> Kernel:
+def reduced_kernel(orbit: EquationSystem) -> Kernel:
     """Kernel of all unknowns from the reduced ones, and of the equations that are left."""
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
     outputs = [_flat("unknowns", [reduction.values[u] for u in orbit.unknowns])]
     title = "All unknowns from the reduced ones" if reduction.unknowns else "All unknowns"
     if reduction.determinants:
-        outputs.append(_determinants(reduction))
+        values = [value / bound for value, bound in reduction.determinants]
+        outputs.append(_flat("determinants", values))
         title += "; how singular the linear equations for them are: 0 if they are"
+    parameters, spectrum, _ = _point(orbit)
+    point = [parameters, spectrum]
     if reduction.unknowns:
+        point.append(_vector("reduced", reduction.unknowns))
         outputs += [
             _flat("reduced_residual", [e for _, e in reduction.equations]),
             _table("reduced_jacobian", jacobian),
         ]
         title += "; the equations for these and their derivatives"
-    return _kernel(
-        "reduced", f"{title}.", _reduced_point(orbit), outputs, (*reduction.stages, *stages)
-    )
-
-
-def _determinants(reduction: Reduction) -> Output:
-    """Output of the determinants, each divided by its bound."""
-    return _flat("determinants", [value / bound for value, bound in reduction.determinants])
-
-
-def reduced_equations(orbit: EquationSystem) -> Kernel:
-    """One kernel with all that a solver on the reduced unknowns computes.
-
-    Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns,
-    the trace and the determinants (for the result).
-    """
-    reduction = orbit.reduction
-    stages, jacobian = reduction.jacobian()
-    trace_stages, trace = orbit.trace_program
-    equations = [e for _, e in reduction.equations]
-    values = [reduction.values[u] for u in orbit.unknowns]
-    # states behind the phases have one name in the chain and in the reduction
-    given = [(u, v) for u, v in reduction.values.items() if u != v]
-    back = Stage("all unknowns", tuple(given))
-    known = merged(merged(reduction.stages, stages), [back])
-    return _kernel(
-        "solve",
-        "Newton's method on the reduced equations.",
-        _reduced_point(orbit),
-        (
-            _flat("residual", equations),
-            _table("jacobian", jacobian),
-            _flat("unknowns", values),
-            _scalar("trace", trace),
-            _determinants(reduction),
-        ),
-        merged(known, trace_stages, reduction.unknowns),
-    )
+    return _kernel("reduced", f"{title}.", point, outputs, (*reduction.stages, *stages))
 
 
 def _kernel(

@@ -7,15 +7,20 @@ depends on its neighbours, on the block it falls into or on the number of thread
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from string import Template
 from textwrap import wrap
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.body import Line, body_of, hoisted, needed, split
-from nonsmooth.derive.codegen.c import Scope, c_declaration, in_lane, line_sources, print_c
-from nonsmooth.derive.codegen.kernels import reduced_equations
+from nonsmooth.derive.codegen.c import (
+    c_declaration,
+    count_of_fixed,
+    fixed_part,
+    in_lane,
+    print_c,
+)
+from nonsmooth.derive.codegen.kernels import reduced_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
@@ -24,6 +29,7 @@ __all__ = [
     "MOST_REDUCED",
     "SOLVE",
     "STATUSES",
+    "lane_call",
     "lanes_of_spectrum",
     "loop_over_lanes",
     "solve_prototype",
@@ -31,8 +37,6 @@ __all__ = [
 ]
 
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
-TOLERANCE = "1e-9"  # of the last step: Newton's method squares it
-SINGULAR = "1e-12"  # a determinant in units of its bound
 MOST_STEPS = 32
 
 # codes of nonsmooth.runtime.shooting.newton by name, and what to do
@@ -50,70 +54,52 @@ SOLVE = (
     " solutions the guess decides."
 )
 
-# names of the solver's own, which hide symbols of the same name
-_OWN = """
-count defect ended ending finite fixed guess here i inverse iteration iterations lane lanes
-largest most next open parameter parameters point residual result running slope start status
-taken trace unknowns x
-"""
+_INDENT = " " * 8
 
 _SOLVE = Template("""\
-/* Newton's method on the reduced equations for `count` points. In one step a dwell time changes by
- * a factor of four at most; a point has converged when a whole step is below
- * $tolerance max(1, |x|). */
+/* Newton's method on the reduced equations for `count` points. */
 NONSMOOTH_MULTIVERSION
 $prototype
 {
-    enum { lanes = 16, most = $most };
+    enum { lanes = $lanes, n = $n, p = $p, reduced = $reduced };
     for (ptrdiff_t start = 0; start < count; start += lanes) {
-        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
-        double parameter[$p][lanes], ${x}fixed[$fixed][lanes];
-        double open[lanes];
-        int32_t taken[lanes];
+        const int here = count - start < lanes ? (int)(count - start) : lanes;
+        double parameter[p * lanes], unknown[n * lanes];
+$arrays
+        double slope[lanes], largest[lanes], open[lanes], doubt[lanes];
+        int32_t taken[lanes], ended[lanes];
         for (int lane = 0; lane < lanes; ++lane) {
-            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
-            for (int i = 0; i < $p; ++i)
-                parameter[i][lane] = parameters[i * count + point];
-$begin
+            open[lane] = reduced > 0 ? 1.0 : 0.0;
             taken[lane] = 0;
+            doubt[lane] = 0.0;
         }
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+$lines
+        nonsmooth_largest(lanes, reduced, $equations, largest);
+        nonsmooth_doubt(lanes, n, unknown, doubt);
+        nonsmooth_doubt(lanes, 1, slope, doubt);
         NONSMOOTH_SIMD
         for (int lane = 0; lane < lanes; ++lane) {
-$prelude
+            int32_t code = $converged;
+$status
+            ended[lane] = code;
         }
-$newton        double result[$n][lanes], slope[lanes], defect[lanes];
-        int32_t ended[lanes];
-        NONSMOOTH_SIMD
-        for (int lane = 0; lane < lanes; ++lane) {
-$finish
-        }
-        for (int i = 0; i < $n; ++i)
-            for (int lane = 0; lane < here; ++lane)
-                unknowns[i * count + start + lane] = result[i][lane];
+        nonsmooth_store(lanes, n, unknown, count, start, unknowns);
+        nonsmooth_store(lanes, 1, slope, count, start, trace);
+        nonsmooth_store(lanes, 1, largest, count, start, residual);
         for (int lane = 0; lane < here; ++lane) {
-            const ptrdiff_t point = start + lane;
-            trace[point] = slope[lane];
-            residual[point] = defect[lane];
-            iterations[point] = taken[lane];
-            status[point] = ended[lane];
+            iterations[start + lane] = taken[lane];
+            status[start + lane] = ended[lane];
         }
     }
 }""")
 
-
 _NEWTON = Template("""\
-        for (int iteration = 0; iteration < most; ++iteration) {
-            double running = 0.0;
-            NONSMOOTH_SIMD
-            for (int lane = 0; lane < lanes; ++lane) {
+        static const int positive[] = {$positive};
+        nonsmooth_load(lanes, reduced, guess, count, start, x);
+        for (int step = 0; step < $most && nonsmooth_runs(lanes, open); ++step) {
 $step
-            }
-            for (int lane = 0; lane < lanes; ++lane)
-                running += open[lane];
-            if (running == 0.0)
-                break;
-        }
-""")
+        }""")
 
 
 def solve_prototype(orbit: EquationSystem) -> str:
@@ -135,116 +121,104 @@ def solve_prototype(orbit: EquationSystem) -> str:
 
 
 def solve_source(orbit: EquationSystem) -> str:
-    """C definition of the solver of an orbit.
+    """C definition of the solver of an orbit, which calls its kernels.
 
-    DerivationError refuses a reduction that leaves more than `MOST_REDUCED` unknowns, and a
-    symbol with a name that the solver itself uses.
+    DerivationError refuses a reduction that leaves more than `MOST_REDUCED` unknowns.
     """
-    count = len(orbit.reduction.unknowns)
+    system, name, unknowns = orbit.system.name, orbit.itinerary.name, orbit.reduction.unknowns
+    count = len(unknowns)
     if count > MOST_REDUCED:
         raise DerivationError(
-            f"orbit {orbit.itinerary.name!r}: {count} reduced unknowns,"
+            f"orbit {name!r}: {count} reduced unknowns,"
             f" the compiled solver takes at most {MOST_REDUCED}"
         )
-    body = body_of(reduced_equations(orbit))
-    symbols = {*body.used, *orbit.parameters, *(line.symbol for line in body.lines)}
-    if hidden := sorted({symbol.name for symbol in symbols} & {*_OWN.split()}):
-        raise DerivationError(f"the compiled solver has a {hidden[0]!r} of its own: rename it")
-    residual, jacobian, values, (trace,), determinants = body.outputs
-    unknowns = orbit.reduction.unknowns
-    spectrum = [Line(symbol, expression) for symbol, expression in orbit.spectrum.entries]
-    inputs = set(orbit.parameters) | set(orbit.spectrum.symbols)
-    fixed, moving = split(hoisted(body, inputs), inputs)
-    step = needed(moving, (*residual, *jacobian))
-    results = (*residual, *values, trace, *determinants)
-    finish = needed(moving, results)
-    used = inputs_of(step, (*residual, *jacobian)) | inputs_of(finish, results)
-    prelude = needed((*spectrum, *fixed), used)
-    carried = [line.symbol for line in prelude if line.symbol in used]
+    kernel = reduced_kernel(orbit)
+    function, fixed = c_function(system, kernel.name, name), count_of_fixed(kernel)
+    (spectrum,), lines = lanes_of_spectrum(orbit, ["spectrum"])
+    point = ["parameter", spectrum]
+    if fixed:
+        lines += loop_over_lanes([lane_call(fixed_part(function), [*point, "fixed"])])
+    taken = [*point, *(["fixed"] if fixed else []), *(["x"] if count else [])]
 
-    def load(lines: Sequence[Line], results: Iterable[sp.Expr], indent: str) -> list[str]:
-        wanted = inputs_of(lines, results)
-        arrays = (("parameter", orbit.parameters), ("fixed", carried), ("x", unknowns))
-        return [
-            f"{indent}const double {print_c(symbol)} = {array}[{i}][lane];"
-            for array, symbols in arrays
-            for i, symbol in enumerate(symbols)
-            if symbol in wanted and not (array == "fixed" and lines is prelude)
-        ]
+    def computed(results: Mapping[str, str]) -> str:
+        """Statement that computes results of the kernel, each into an array."""
+        given = [results.get(output.name, "NULL") for output in kernel.outputs]
+        return lane_call(function, [*taken, *given])
 
-    outer, inner = " " * 12, " " * 16
-    newton = [
-        *load(step, (*residual, *jacobian), inner),
-        *lane_sources(step, scope := Scope(inner)),
-        *_newton(orbit, residual, jacobian, scope),
-    ]
-    last = Scope(outer)
-    begin = [f"{outer}open[lane] = {float(count > 0)};"]
+    equations = {"reduced_residual": "equation"}
     if count:
-        begin += [
-            f"{outer}for (int i = 0; i < {count}; ++i)",
-            f"{inner}x[i][lane] = guess[i * count + point];",
+        dwell_times = {link.dwell for link in orbit.chain.links}
+        given = "reduced, positive, lane, jacobian, equation, x, open, taken"
+        step = [
+            computed({**equations, "reduced_jacobian": "jacobian"}),
+            f"nonsmooth_newton_in_lane({given});",
         ]
+        lines += _NEWTON.substitute(
+            positive=", ".join(str(int(u in dwell_times)) for u in unknowns),
+            most=MOST_STEPS,
+            step="\n".join(loop_over_lanes(step, _INDENT + "    ")),
+        ).split("\n")
+    trace = [*point, "unknown", "NULL", "slope", "NULL"]
+    lines += loop_over_lanes(
+        [
+            computed({"unknowns": "unknown", "determinants": "determinant", **equations}),
+            lane_call(c_function(system, "trace", name), trace),
+        ]
+    )
+    sizes = {
+        "fixed": fixed,
+        "determinant": len(orbit.reduction.determinants),
+        "x": count,
+        "equation": count,
+        "jacobian": count**2,
+    }
+    arrays = ", ".join(f"{array}[{size} * lanes]" for array, size in sizes.items() if size)
     return _SOLVE.substitute(
-        p=len(orbit.parameters),
         n=len(orbit.unknowns),
-        x=f"x[{count}][lanes], " if count else "",
-        most=MOST_STEPS,
-        begin="\n".join(begin),
-        tolerance=TOLERANCE,
+        p=len(orbit.parameters),
+        reduced=count,
+        # one lane takes its sines and cosines from the C library, whatever the phases are
+        lanes="NONSMOOTH_LANES" if count else "1",
         prototype=solve_prototype(orbit),
-        fixed=max(len(carried), 1),
-        prelude="\n".join(
-            [
-                *load(prelude, (), outer),
-                *line_sources(prelude, Scope(outer)),
-                *(f"{outer}fixed[{i}][lane] = {print_c(s)};" for i, s in enumerate(carried)),
-            ]
-        ),
-        newton=_NEWTON.substitute(step="\n".join(newton)) if count else "",
-        finish="\n".join(
-            [
-                *load(finish, results, outer),
-                *lane_sources(finish, last),
-                *(
-                    source
-                    for i, v in enumerate(values)
-                    for source in last.assigned(f"result[{i}][lane]", v)
-                ),
-                *last.assigned("slope[lane]", trace),
-                f"{outer}double largest = 0.0;",
-                *(
-                    f"{outer}largest = fabs({print_c(r)}) > largest ? fabs({print_c(r)}) : largest;"
-                    for r in residual
-                ),
-                f"{outer}defect[lane] = largest;",
-                *_status(orbit, determinants, outer),
-            ]
-        ),
+        arrays=f"{_INDENT}double {arrays};" if arrays else "",
+        lines="\n".join(lines),
+        equations="equation" if count else "NULL",
+        converged=constant(system, "converged"),
+        status="\n".join(_status(orbit)),
     )
 
 
-def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str) -> list[str]:
-    """C statements that set the status of a lane, without branches."""
-    # x - x is 0 or NaN, and so is a sum of such
-    values = ("slope[lane]", *(f"result[{i}][lane]" for i in range(len(orbit.unknowns))))
-    finite = " + ".join(f"({value} - {value})" for value in values)
-    places = {s: sp.Symbol(f"result[{i}][lane]") for i, s in enumerate(orbit.unknowns)}
-    places |= {s: sp.Symbol(f"parameter[{i}][lane]") for i, s in enumerate(orbit.parameters)}
-    times = [link.duration.xreplace(places) for link in orbit.chain.links if link.duration != 0]
+def _status(orbit: EquationSystem) -> list[str]:
+    """C statements that set the status of a lane."""
+    places = {s: f"unknown[{i}*lanes + lane]" for i, s in enumerate(orbit.unknowns)}
+    places |= {s: f"parameter[{i}*lanes + lane]" for i, s in enumerate(orbit.parameters)}
+    entries = {symbol: sp.Symbol(place) for symbol, place in places.items()}
+    times = [link.duration.xreplace(entries) for link in orbit.chain.links if link.duration != 0]
+    # | and not ||: a branch would keep the loop from being vectorised
     negative = " | ".join(f"({print_c(time)} <= 0.0)" for time in times)
-    codes = {name: constant(orbit.system.name, name) for name in STATUSES}
     # a determinant that is no number tells nothing
-    singular = " | ".join(f"(fabs({print_c(d)}) <= {SINGULAR})" for d in determinants)
-    lines = [
-        f"const double finite = {finite};",
-        f"int32_t ending = ({negative}) ? {codes['not_positive']} : {codes['converged']};",
-        f"ending = open[lane] != 0.0 ? {codes['not_converged']} : ending;",
-        f"ending = finite == 0.0 ? ending : {codes['not_finite']};",
-        *([f"ending = ({singular}) ? {codes['singular']} : ending;"] if singular else []),
-        "ended[lane] = ending;",
+    singular = " | ".join(
+        f"(fabs(determinant[{i}*lanes + lane]) <= NONSMOOTH_SINGULAR)"
+        for i in range(len(orbit.reduction.determinants))
+    )
+    conditions = {
+        "not_positive": f"({negative})" if negative else "",
+        "not_converged": "open[lane] != 0.0",
+        "not_finite": "doubt[lane] != 0.0",
+        "singular": f"({singular})" if singular else "",
+    }
+    indent = _INDENT + "    "
+    return [
+        line
+        for name, condition in conditions.items()
+        if condition
+        for line in wrap(
+            f"code = {condition} ? {constant(orbit.system.name, name)} : code;",
+            100,
+            initial_indent=indent,
+            subsequent_indent=indent + "    ",
+        )
     ]
-    return [indent + line for line in lines]
 
 
 def lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -264,87 +238,26 @@ def lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[lis
     for to, parameter in enumerate(parameters):
         place = orbit.parameters.index(parameter)
         given = f"parameters + {place} * count, count, start, own + {to} * lanes"
-        lines.append(f"{indent}nonsmooth_load(1, {given});")
+        lines.append(f"{indent}nonsmooth_load(lanes, 1, {given});")
     function = c_function(orbit.system.name, "spectrum", None)
     taken = "own" if parameters else "NULL"
-    lines += loop_over_lanes(function, [taken, *arrays], indent)
+    lines += loop_over_lanes([lane_call(function, [taken, *arrays])])
     return arrays[: len(wanted)], lines
 
 
-def loop_over_lanes(kernel: str, arguments: Sequence[str], indent: str) -> list[str]:
-    """C lines that compute a kernel in all lanes; `kernel` is the name of its function."""
-    inner = indent + "    "
-    call = f"{in_lane(kernel)}(lanes, lane, {', '.join(arguments)});"
-    return [
-        f"{indent}NONSMOOTH_SIMD",
-        f"{indent}for (int lane = 0; lane < lanes; ++lane)",
-        *wrap(call, 100, initial_indent=inner, subsequent_indent=inner + "    "),
+def lane_call(kernel: str, arguments: Sequence[str]) -> str:
+    """C statement that computes a kernel for one lane; `kernel` is the name of its function."""
+    return f"{in_lane(kernel)}(lanes, lane, {', '.join(arguments)});"
+
+
+def loop_over_lanes(statements: Sequence[str], indent: str = _INDENT) -> list[str]:
+    """C lines that make statements for each lane."""
+    inner, head = indent + "    ", f"{indent}for (int lane = 0; lane < lanes; ++lane)"
+    lines = [
+        line
+        for statement in statements
+        for line in wrap(statement, 100, initial_indent=inner, subsequent_indent=inner + "    ")
     ]
-
-
-def inputs_of(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:
-    """Symbols that lines and results use but the lines do not assign."""
-    used: set[sp.Symbol] = set().union(
-        *(e.free_symbols for e in results), *(line.expression.free_symbols for line in lines)
-    )
-    return used - {line.symbol for line in lines}
-
-
-def lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
-    """C assignments with sines and cosines of the support header, which vectorise."""
-    sources: list[str] = []
-    pairs: dict[sp.Expr, int] = {}
-    for line in lines:
-        if not isinstance(line.expression, sp.sin | sp.cos):
-            sources += line_sources([line], scope)
-            continue
-        argument = line.expression.args[0]
-        if argument not in pairs:
-            pair = pairs[argument] = len(pairs)
-            sources.append(f"{scope.indent}double sine_{pair}, cosine_{pair};")
-            call = f"nonsmooth_sincos({print_c(argument)}, &sine_{pair}, &cosine_{pair});"
-            sources.append(f"{scope.indent}{call}")
-        part = "sine" if isinstance(line.expression, sp.sin) else "cosine"
-        name = print_c(line.symbol)
-        sources.append(f"{scope.indent}const double {name} = {part}_{pairs[argument]};")
-    return sources
-
-
-def _newton(
-    orbit: EquationSystem, residual: Sequence[sp.Expr], jacobian: Sequence[sp.Expr], scope: Scope
-) -> list[str]:
-    """C statements of one damped Newton step of a lane, by Cramer's rule.
-
-    A lane that has converged keeps its values.
-    """
-    unknowns = orbit.reduction.unknowns
-    size = len(unknowns)
-    r = sp.symbols(f"residual_0:{size}", real=True)
-    j = sp.symbols(f"jacobian_0:{size * size}", real=True)
-    matrix = sp.Matrix(size, size, j)
-    numerators = matrix.adjugate() * sp.Matrix(r)
-    dwell_times = {link.dwell for link in orbit.chain.links}
-    given = [
-        source
-        for s, e in zip((*r, *j), (*residual, *jacobian), strict=True)
-        for source in scope.assigned(f"const double {s}", e)
-    ]
-    lines = [f"const double inverse = {print_c(1 / sp.expand(matrix.det()))};"]
-    texts = [print_c(x) for x in unknowns]
-    for i, (unknown, x) in enumerate(zip(unknowns, texts, strict=True)):
-        lines.append(f"const double wanted_{i} = {x} - ({print_c(numerators[i])})*inverse;")
-        limited = (
-            f"wanted_{i} < 0.25*{x} ? 0.25*{x} : wanted_{i} > 4.0*{x} ? 4.0*{x} : wanted_{i}"
-            if unknown in dwell_times
-            else f"wanted_{i}"
-        )
-        lines.append(f"const double next_{i} = {limited};")
-        lines.append(f"const double size_{i} = fabs(next_{i}) > 1.0 ? fabs(next_{i}) : 1.0;")
-    # & and not &&: a branch would keep the loop from being vectorised
-    small = " & ".join(
-        f"(fabs(wanted_{i} - {x}) <= {TOLERANCE}*size_{i})" for i, x in enumerate(texts)
-    )
-    lines += [f"x[{i}][lane] = open[lane] != 0.0 ? next_{i} : {x};" for i, x in enumerate(texts)]
-    lines.append("taken[lane] += open[lane] != 0.0 ? 1 : 0;")
-    lines.append(f"open[lane] = ({small}) ? 0.0 : open[lane];")
-    return [*given, *(scope.indent + line for line in lines)]
+    if len(statements) == 1:
+        return [f"{indent}NONSMOOTH_SIMD", head, *lines]
+    return [f"{indent}NONSMOOTH_SIMD", f"{head} {{", *lines, f"{indent}}}"]

@@ -13,6 +13,7 @@ __all__ = [
     "along",
     "cancel",
     "factor",
+    "factor_terms",
     "frozen",
     "inverse",
     "is_affine",
@@ -31,6 +32,12 @@ def cancel(expression: sp.Expr) -> sp.Expr:
 def factor(expression: sp.Expr) -> sp.Expr:
     """Product of irreducible factors, as SymPy gives it."""
     return expression if expression.is_Atom else sp.factor(expression)
+
+
+@lru_cache(maxsize=1 << 14)
+def factor_terms(expression: sp.Expr) -> sp.Expr:
+    """Sum of terms before which stands what they have in common, as SymPy gives it."""
+    return expression if expression.is_Atom else sp.factor_terms(expression)
 
 
 def affine_terms(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 
 import sympy as sp
 
@@ -69,6 +69,19 @@ class Presentation:
             If the system has another number of states, or a velocity of a second-order motion is
             shifted.
         """
+        for known, presented in self._presented:
+            if known is system:
+                return presented
+        presented = self._present(system)
+        self._presented.append((system, presented))
+        return presented
+
+    @cached_property
+    def _presented(self) -> list[tuple[System, System]]:
+        """Systems with their presentations: orbits of one system often share theirs."""
+        return []
+
+    def _present(self, system: System) -> System:
         if len(self.states) != len(system.states):
             raise DeclarationError(
                 f"presentation has {len(self.states)} states, system has {len(system.states)}"

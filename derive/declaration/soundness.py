@@ -58,12 +58,13 @@ def check_unique(names: Sequence[str], what: str) -> None:
             raise DeclarationError(f"{what} {name!r} is declared twice")
 
 
-def named(records: Iterable[_Named], name: str, without: str) -> _Named:
+def named(records: Sequence[_Named], name: str, without: str) -> _Named:
     """The record of a name; DeclarationError says what is without it, and which names there are."""
-    known = {record.name: record for record in records}
-    if name not in known:
-        raise DeclarationError(f"{without} {name!r} (it has: {', '.join(known)})")
-    return known[name]
+    for record in records:
+        if record.name == name:
+            return record
+    known = ", ".join(record.name for record in records)
+    raise DeclarationError(f"{without} {name!r} (it has: {known})")
 
 
 def check_system(system: System) -> None:

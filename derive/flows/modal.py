@@ -19,13 +19,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import count
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.errors import DerivationError
@@ -176,25 +177,41 @@ def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
 
     DerivationError refuses a configuration with a block of too many roots and no modes.
     """
-    names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
-    flows = {c.name: _flow(c, system, names) for c in system.configurations}
+    motions = tuple((c.name, c.dynamics) for c in system.configurations)
+    spectrum, flows = _derived(system.states, system.parameters, motions)
+    return spectrum, dict(flows)
+
+
+@lru_cache(maxsize=64)  # orbits of one system share its flows, and its document shows them
+def _derived(
+    states: tuple[sp.Symbol, ...],
+    parameters: tuple[Parameter, ...],
+    motions: tuple[tuple[str, Dynamics], ...],
+) -> tuple[Spectrum, dict[str, Flow]]:
+    names = _Names([*map(str, states), *(p.name for p in parameters)])
+    flows = {name: _flow(name, dynamics, states, parameters, names) for name, dynamics in motions}
     entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
     used = frozenset().union(*(expression.free_symbols for expression in names.entries))
-    return Spectrum(entries, tuple(p.symbol for p in system.parameters if p.symbol in used)), flows
+    return Spectrum(entries, tuple(p.symbol for p in parameters if p.symbol in used)), flows
 
 
-def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
-    dynamics = configuration.dynamics
-    field = dynamics.field(system.states)
+def _flow(
+    name: str,
+    dynamics: Dynamics,
+    states: tuple[sp.Symbol, ...],
+    parameters: tuple[Parameter, ...],
+    names: _Names,
+) -> Flow:
+    field = dynamics.field(states)
     terms = None
     if isinstance(dynamics, SecondOrder) and dynamics.damping.is_zero_matrix:
-        terms = _undamped_terms(dynamics, system, names)
+        terms = _undamped_terms(dynamics, states, parameters, names)
     if terms is None:
         try:
-            terms = _general_terms(field, system, names)
+            terms = _general_terms(field, parameters, names)
         except DerivationError as problem:
-            raise DerivationError(f"configuration {configuration.name!r}: {problem}") from None
-    size = len(system.states)
+            raise DerivationError(f"configuration {name!r}: {problem}") from None
+    size = len(states)
     found: dict[sp.Expr, sp.Matrix] = {sp.Integer(1): sp.zeros(size, size + 1)}
     for value, matrix in terms:
         # a multiple of a power of time joins the others of that power
@@ -202,7 +219,7 @@ def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
         found[function] = found.get(function, sp.zeros(size, size + 1)) + scale * matrix
     kept = {f: sp.ImmutableMatrix(m) for f, m in found.items() if f == 1 or not m.is_zero_matrix}
     return Flow(
-        configuration.name,
+        name,
         tuple(kept),
         tuple(matrix[:, :size] for matrix in kept.values()),
         tuple(matrix[:, size] for matrix in kept.values()),
@@ -211,11 +228,10 @@ def _flow(configuration: Configuration, system: System, names: _Names) -> Flow:
 
 
 def _general_terms(
-    field: tuple[sp.Matrix, sp.Matrix], system: System, names: _Names
+    field: tuple[sp.Matrix, sp.Matrix], parameters: tuple[Parameter, ...], names: _Names
 ) -> list[_Term]:
     """Terms of the flow of any linear motion, from the resolvent of its field."""
     terms = []
-    parameters = system.parameters
     for (given, k), numerator in resolvent(*field, parameters, names.symbol, names.resolvents):
         if not numerator.is_zero_matrix:
             factors = tuple(f.func(*map(names.coefficient, f)) for f in given)
@@ -238,30 +254,35 @@ def _function_of_time(
     return ExponentialDifference(k, TIME, *factors)
 
 
-def _undamped_terms(dynamics: SecondOrder, system: System, names: _Names) -> list[_Term] | None:
+def _undamped_terms(
+    dynamics: SecondOrder,
+    states: tuple[sp.Symbol, ...],
+    parameters: tuple[Parameter, ...],
+    names: _Names,
+) -> list[_Term] | None:
     """Terms of the flow of free and held coordinates where L is nonsingular; None elsewhere.
 
     w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0, and what is held moves
     with the velocity that the state has.
     """
     size = dynamics.mass.rows
-    held = sorted(dynamics.held_at(system.states))
+    held = sorted(dynamics.held_at(states))
     free = [i for i in range(size) if i not in held]
     one, zero, nothing = sp.eye(size), sp.zeros(size, size), sp.zeros(size, 1)
     inverse = dynamics.mass.extract(free, free).inv()
     stiffness, coupling, load = (
-        (inverse * part).applyfunc(sp.cancel)
+        (inverse * part).applyfunc(cancel)
         for part in (
             dynamics.stiffness.extract(free, free),
             dynamics.stiffness.extract(free, held),
             dynamics.load.extract(free, [0]),
         )
     )
-    modes = _positive_modes(stiffness, system.parameters, names)
+    modes = _positive_modes(stiffness, parameters, names)
     if modes is None:
         return None
-    quasi_static = stiffness.LUsolve(coupling).applyfunc(sp.cancel)
-    rest = stiffness.LUsolve(load).applyfunc(sp.cancel)
+    quasi_static = stiffness.LUsolve(coupling).applyfunc(cancel)
+    rest = stiffness.LUsolve(load).applyfunc(cancel)
     place = one[:, free]
     moved, centre = one[:, held] - place * quasi_static, place * rest
     deviation = one[free, :] + quasi_static * one[held, :]

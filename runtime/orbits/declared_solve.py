@@ -16,13 +16,15 @@ from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_problem import labelled
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import (
+    CONTINUATION_STEPS,
+    solve_itinerary,
+    steps_between,
+)
 from nonsmooth.runtime.shooting.fitting_start import fitting_start
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 
 __all__ = ["solve_declared", "unknowns_of", "whole_names"]
-
-CONTINUATION_STEPS = 24
 
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
@@ -127,23 +129,14 @@ def _followed(
     guess: _Guess,
     symmetry: Mapping[str, str] | None,
 ) -> Orbit | None:
-    """Return the reference orbit carried to the parameters in even steps; None if it gets lost.
-
-    Steps are even in the logarithm of what is positive at both ends.
-    """
+    """Return the reference orbit carried to the parameters; None if it gets lost."""
     phases, dwell, start = guess
-    begin = {name: float(as_value(value)) for name, value in defaults.items()}
     end = {name: float(value) for name, value in system_parameters(system, values).items()}
+    begin = np.array([float(as_value(defaults[name])) for name in end])
     orbit = None
-    for step in range(CONTINUATION_STEPS + 1):
-        fraction = step / CONTINUATION_STEPS
-        here = {
-            name: begin[name] ** (1 - fraction) * end[name] ** fraction
-            if begin[name] > 0 < end[name]
-            else begin[name] + fraction * (end[name] - begin[name])
-            for name in end
-        }
-        point = values if step == CONTINUATION_STEPS else here
+    for step, here in enumerate(steps_between(begin, np.array([*end.values()]))):
+        last = step == CONTINUATION_STEPS
+        point = values if last else dict(zip(end, here.tolist(), strict=True))
         orbit = solve_itinerary(system, point, phases, dwell, start, symmetry=symmetry)
         if not orbit.converged:
             return None

@@ -17,7 +17,11 @@ from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import (
+    CONTINUATION_STEPS,
+    solve_itinerary,
+    steps_between,
+)
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
     Full,
@@ -31,7 +35,6 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, judged
 
 __all__ = ["search", "solve_kernels"]
 
-CONTINUATION_STEPS = 24
 STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
 SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
 
@@ -133,27 +136,13 @@ def _ordinary(
 def _followed(
     kernels: OrbitKernels, point: Point, parameters: np.ndarray, guess: np.ndarray
 ) -> Orbit:
-    """Return the reference orbit carried to the parameters, in even steps.
-
-    Steps are of the parameters or of their logarithms.
-    """
+    """Return the reference orbit carried to the parameters."""
     defaults = kernels.table["reference"]["parameters"]
     begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
     places = [kernels.unknowns.index(name) for name in kernels.reduced]
-    solved = solve_reduced(kernels, begin, guess)
-    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
-        solved = solve_reduced(
-            kernels, _between(begin, parameters, fraction), solved.unknowns[places]
-        )
-    solved = solve_reduced(kernels, parameters, solved.unknowns[places])
-    return _orbit(kernels, point, parameters, solved)
-
-
-def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
-    """Return a point on the way: geometric where both ends are positive, else linear."""
-    positive = (begin > 0) & (end > 0)
-    ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
-    return np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
+    for here in steps_between(begin, parameters):
+        guess = solve_reduced(kernels, here, guess).unknowns[places]
+    return _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, guess))
 
 
 def _good(orbit: Orbit, parameters: np.ndarray) -> bool:

@@ -6,7 +6,7 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +37,9 @@ from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
 from nonsmooth.runtime.shooting.table_newton import TableSolution, solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
-__all__ = ["Symmetries", "known_orbit", "solve_itinerary"]
+__all__ = ["CONTINUATION_STEPS", "Symmetries", "known_orbit", "solve_itinerary", "steps_between"]
+
+CONTINUATION_STEPS = 24  # from a reference orbit to other parameters
 
 Symmetries = Mapping[str, str] | np.ndarray | Sequence[Sequence[int]] | None
 
@@ -163,3 +165,11 @@ def _orbit(stated: _Stated, found: TableSolution) -> Orbit:
         int(found.iterations[0]),
         int(status[0]),
     )
+
+
+def steps_between(begin: np.ndarray, end: np.ndarray) -> Iterator[np.ndarray]:
+    """Yield points (p,) from begin to end: even in the logarithms of what is positive at both."""
+    positive = (begin > 0) & (end > 0)
+    ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
+    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1):
+        yield np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))

@@ -218,7 +218,7 @@ def test_what_calls_an_absent_kernel_is_absent_for_the_same_reason(
     header = library(damped=False)["awkward.h"]
     absent = dict(re.findall(r"There is no (\w+): ([^.]*)\.", header))
     assert absent == dict.fromkeys(
-        ["awkward_loop_trace", "awkward_loop_directions"], "it is too long"
+        ["awkward_loop_trace", "awkward_loop_solve", "awkward_loop_directions"], "it is too long"
     )
 
 
@@ -240,7 +240,7 @@ def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_pat
 
 def test_only_the_support_that_is_used_is_written() -> None:
     """An undamped orbit is solved and searched in sines, damped flows alone are exponentials."""
-    solved = ("compiler", "elimination", "lanes", "search", "sums", "trigonometry")
+    solved = ("compiler", "elimination", "lanes", "newton", "search", "sums", "trigonometry")
     flows = ("compiler", "exponentials", "trigonometry")
     for damped, names in ((False, solved), (True, flows)):
         written = {name for name in library(damped) if name.startswith("nonsmooth_")}

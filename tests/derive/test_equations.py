@@ -34,9 +34,11 @@ from nonsmooth.derive import (
     derive_equations,
 )
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.kernels import spectrum_kernel
+from nonsmooth.derive.codegen.c import c_kernel
+from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.codegen.solver import STATUSES, solve_source
+from nonsmooth.derive.codegen.support_files import including
 from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
 from nonsmooth.derive.equations.linearisation import monodromy, saltation_matrix
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
@@ -589,15 +591,20 @@ def test_the_first_return_is_the_first_rise_through_zero() -> None:
 def in_c(equations: EquationSystem, folder: Path) -> Callable[..., tuple[int, list[float]]]:
     """The emitted solver, compiled: status and unknowns from parameters and a guess."""
     source, library = folder / "solver.c", folder / "solver.so"
+    system, orbit = equations.system.name, equations.itinerary.name
+    kernels = [k for k in orbit_kernels(equations) if k.name in ("trace", "reduced")]
+    called = [c_kernel(kernel, system, orbit) for kernel in kernels]
+    if equations.spectrum.symbols:
+        called.append(c_kernel(spectrum_kernel(equations.spectrum), system, None))
+    body = "\n\n".join([*called, solve_source(equations)])
     head = "".join(f"#include <{name}.h>\n" for name in ("math", "stddef", "stdint"))
-    head += "".join(f'#include "nonsmooth_{n}.h"\n' for n in ("compiler", "differences"))
-    system = equations.system.name
+    head += "".join(f'#include "{name}"\n' for name in including(body))
     codes = ", ".join(f"{constant(system, name)} = {n}" for name, (n, _) in STATUSES.items())
-    source.write_text(f"{head}enum {{{codes}}};\n{solve_source(equations)}")
+    source.write_text(f"{head}enum {{{codes}}};\n{body}")
     support = CHECKOUT / "derive" / "codegen" / "support"
     command = [COMPILER, "-shared", "-fPIC", "-O1", f"-I{support}", source, "-o", library, "-lm"]
     subprocess.run(command, check=True)
-    name = c_function(equations.system.name, "solve", equations.itinerary.name)
+    name = c_function(system, "solve", orbit)
     solver = getattr(ctypes.CDLL(str(library)), name)
 
     def solve(values: Sequence[Any], guess: Sequence[Any]) -> tuple[int, list[float]]:

@@ -29,6 +29,7 @@ FILES = [
     "nonsmooth_compiler.h",
     "nonsmooth_elimination.h",
     "nonsmooth_lanes.h",
+    "nonsmooth_newton.h",
     "nonsmooth_search.h",
     "nonsmooth_sums.h",
     "nonsmooth_trigonometry.h",

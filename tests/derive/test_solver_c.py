@@ -15,7 +15,6 @@ from numpy.testing import assert_array_equal
 
 from nonsmooth.derive import DerivationError, derive_equations
 from nonsmooth.derive.codegen.directions import directions_source
-from nonsmooth.derive.codegen.solver import solve_source
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.declared import random_points
@@ -160,11 +159,3 @@ def test_derivatives_of_too_many_numbers_are_refused(monkeypatch):
     monkeypatch.setattr("nonsmooth.derive.codegen.directions.MOST_NUMBERS", 60)
     with pytest.raises(DerivationError, match=r"'one-impact' take \d+ numbers for each point"):
         directions_source(orbit)
-
-
-def test_a_symbol_that_the_solver_would_hide_is_refused(monkeypatch):
-    orbit = derive_equations(rigid_stop.one_impact)
-    assert "void rigid_stop_one_impact_solve(" in solve_source(orbit)
-    monkeypatch.setattr("nonsmooth.derive.codegen.solver._OWN", "lane m1")
-    with pytest.raises(DerivationError, match="'m1' of its own: rename it"):
-        solve_source(orbit)

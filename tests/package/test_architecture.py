@@ -86,7 +86,6 @@ def _piecewise_spring(
     position = frame.position(row)
     return SwitchPart(
         element.name,
-        ("slack", "tight"),
         {"tight": -frame.expression(element.stiffness) * position * row.T},
         {
             "slack": (Exit(Boundary(f"{element.name}-tightens", position), "tight"),),

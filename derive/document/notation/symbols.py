@@ -146,7 +146,7 @@ class Symbols:
             inner[rest] = inner.get(rest, sp.Integer(0)) + algebra.factor(algebra.cancel(factor))
         sums: dict[sp.Expr, sp.Expr] = {}
         for state, inner in grouped.items():
-            factor = sp.factor_terms(sp.Add(*(r * f for r, f in inner.items())))
+            factor = algebra.factor_terms(sp.Add(*(r * f for r, f in inner.items())))
             # states with one factor up to its sign share it
             opposite = next((f for f in sums if f == -factor), None)
             if factor == 1 or factor == -1 or (factor not in sums and opposite is None):
@@ -155,7 +155,7 @@ class Symbols:
                 key, sign = (factor, 1) if opposite is None else (opposite, -1)
             sums[key] = sums.get(key, sp.Integer(0)) + sign * state
         parts = [f * s if f.is_number else sp.Mul(f, s) for f, s in sums.items()]
-        return sp.factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
+        return algebra.factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
 
     def place(self, symbol: sp.Symbol) -> int | None:
         """Index of the state that a symbol is, at the start, behind a phase, or differentiated."""
