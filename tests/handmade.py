@@ -47,10 +47,11 @@ def _module(name, states, boundaries, transitions, functions, forcing) -> Module
             "spectrum": [],
             "spectrum_parameters": [],
             "modes": None,
-            "forcing": [forcing],
-            "coordinates": list(
-                zip(states[: size // 2 - 1], states[size // 2 - 1 : -2], strict=True)
-            ),
+            "forcing": [list(forcing)],
+            "coordinates": [
+                list(pair)
+                for pair in zip(states[: size // 2 - 1], states[size // 2 - 1 : -2], strict=True)
+            ],
             "held": {"free": []},
             "constraint_rows": {"free": []},
             "boundary_rows": {"free": list(range(len(boundaries)))},

@@ -176,7 +176,7 @@ def test_the_file_tells_where_it_is_from(path: Path) -> None:
     friction().save(path)
     header, arrays = parts(path)
     assert header["format"] == "nonsmooth trajectory"
-    assert header["version"] == 3
+    assert header["version"] == 4
     assert header["package"] == nonsmooth.__version__
     assert header["system"] == "dry-friction"
     assert header["parameters"]["chi"] == "2/5"
@@ -394,7 +394,7 @@ def cell(name: str, place: int, entry: object) -> Change:
     ("change", "part"),
     [
         (put("format", "nonsmooth orbit"), "not a saved motion, such as --save or save() writes"),
-        (put("version", 2), "version 2 of the format, where 3 is known"),
+        (put("version", 3), "version 3 of the format, where 4 is known"),
         (put("version", "1"), "version '1' of the format"),
         (put("more", 1), "'more' is unknown"),
         (put("end", 60.0), "'end' is of the wrong type"),
