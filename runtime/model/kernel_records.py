@@ -387,7 +387,7 @@ class OrbitKernels:
         """Whether a kernel of this orbit gives a quantity."""
         return quantity in self._quantities
 
-    @property
+    @cached_property
     def of_equations(self) -> tuple[str, ...]:
         """Quantities at all unknowns; those of the reduced equations are not among them."""
         known = self._quantities.items()

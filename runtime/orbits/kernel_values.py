@@ -19,7 +19,7 @@ def evaluate(orbit: Orbit, *quantities: str) -> Any:
     """
     kernels, values = orbit.kernels, orbit.values
     for quantity in quantities:
-        if kernels.has(quantity) and quantity not in kernels.of_equations:
+        if quantity not in kernels.of_equations and kernels.has(quantity):
             raise InputError(
                 f"{quantity!r} is of the reduced equations, which `kernels.evaluate` takes at"
                 f" {', '.join(kernels.reduced) or 'no unknowns'}; at all unknowns there are:"
