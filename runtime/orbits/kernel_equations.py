@@ -9,12 +9,13 @@ from functools import partial
 
 import numpy as np
 
-from nonsmooth.runtime.core.matrices import eigenvalues
+from nonsmooth.runtime.core.matrices import eigenvalues, sorted_by_size
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
     equations_at,
@@ -55,6 +56,7 @@ class KernelEquations:
         ]
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
+        self._pair = has_reciprocal_pair(orbit)
 
     @property
     def sizes(self) -> np.ndarray:
@@ -177,7 +179,7 @@ class KernelEquations:
         table = self._kernels.table
         if table["rank"] == 1:
             return self.traces(x)[:, None].astype(complex)[:, int(table["conservative"]) :]
-        if table["conservative"] and len(table["section"]) == 3:
+        if self._pair:
             half = (self.traces(x) - 1) / 2
             with np.errstate(all="ignore"):
                 root = np.sqrt(half.astype(complex) ** 2 - 1)
@@ -185,7 +187,12 @@ class KernelEquations:
                 return np.stack([larger, 1 / larger], axis=-1)
         with np.errstate(all="ignore"):  # infinite where a boundary is touched
             matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(x))
-        return eigenvalues(matrices)[:, : table["rank"]]
+        values = eigenvalues(matrices)
+        if self.conservative:
+            trivial = np.argmin(abs(values - 1), axis=-1)
+            values[np.arange(len(values)), trivial] = 0
+            values = sorted_by_size(values)
+        return np.asarray(values[:, : table["rank"] - self.conservative])
 
     def traces(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""

@@ -16,7 +16,7 @@ from nonsmooth.runtime.orbits.kernel_equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_many import solve_from
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
-from nonsmooth.runtime.shooting.multipliers import ROUNDING, pair_margins
+from nonsmooth.runtime.shooting.multipliers import ROUNDING, family_margins
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 __all__ = ["KernelPoints"]
@@ -128,13 +128,15 @@ def _margins(
     table = kernels.table
     if table["rank"] == 1:
         return np.zeros_like(trace) if table["conservative"] else np.asarray(1 - np.abs(trace))
-    if table["conservative"] and len(table["section"]) == 3:
-        return pair_margins(trace)
     spectrum, _ = kernels.spectrum(points)
     matrices = kernels.evaluate("poincare_jacobian", at=(points, spectrum, unknowns))
     found = np.full(len(points), np.nan)
     sound = np.isfinite(matrices).all(axis=(-2, -1))
-    found[sound] = 1 - _largest_sizes(matrices[sound])
+    if table["conservative"]:
+        values = np.linalg.eigvals(matrices[sound])
+        found[sound] = family_margins(values, trace[sound], table["rank"])
+    else:
+        found[sound] = 1 - _largest_sizes(matrices[sound])
     return np.where(np.abs(found) <= ROUNDING, 0.0, found)
 
 

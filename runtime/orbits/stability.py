@@ -6,7 +6,6 @@ of the kernels keeps the digits of a reciprocal pair, in any precision, without 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
@@ -17,9 +16,11 @@ from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, Orbit
 from nonsmooth.runtime.orbits.refine import refine_kernels
 from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability, reciprocal_pair
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.section_map import family_multipliers, reciprocal
 
-__all__ = ["assess_stability"]
+__all__ = ["assess_stability", "has_reciprocal_pair"]
 
 _WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
 
@@ -56,10 +57,10 @@ def _assessed(orbit: Orbit) -> Stability:
     rank, dimension = table["rank"], len(table["section"])
     if rank == 1:
         nonzero = [Multiplier(trace, zero, trivial=table["conservative"])]
-    elif table["conservative"] and dimension == 3:
-        nonzero = _conservative(orbit, trace)
     else:
         nonzero = _eigenvalues(orbit)[:rank] if rank else []
+        if table["conservative"] and nonzero:
+            nonzero = family_multipliers(_map(orbit), nonzero, trace, _library(orbit))
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
     # a rounding leaves the pair on the unit circle in front of the trivial 1
     found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))
@@ -70,7 +71,10 @@ def _assessed(orbit: Orbit) -> Stability:
     ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
     error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
     # of a reciprocal pair it is s = mu + 1/mu, not |mu|, that is known to this error
-    distance = 2 - abs(trace - 1) if table["conservative"] else margin
+    pair = has_reciprocal_pair(orbit)
+    distance = 2 - abs(trace - 1) if pair else margin
+    if table["conservative"] and not pair and abs(margin) <= np.sqrt(LEAST):
+        distance = 1  # a neutral one may be a defective one
     if abs(distance) <= error or _grazes(orbit, error):
         verdict = "undecided"
     elif distance < 0:
@@ -123,20 +127,31 @@ def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
             yield terms.sum(), abs(terms).sum()
 
 
-def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
-    """Return a trivial 1 and the pair mu, 1/mu of a map that keeps energy and area.
+def has_reciprocal_pair(orbit: Orbit) -> bool:
+    """Return whether an orbit with kernels has multipliers 1, mu and 1/mu.
 
-    They follow from mu + 1/mu = tr J - 1 (or tr M - 2 of the monodromy matrix M, where 1
-    is double and defective), whose digits are those of the trace.
+    Transitions that keep energy need not keep volume; the determinant of the map tells it.
     """
-    return reciprocal_pair(trace, orbit.arithmetic.mp.sqrt if orbit.precise else math.sqrt)
+    table = orbit.kernels.table
+    if not table["conservative"] or len(table["section"]) != 3:
+        return False
+    return reciprocal(_map(orbit), table["rank"], _library(orbit))
+
+
+def _library(orbit: Orbit) -> Any:
+    return orbit.arithmetic.mp if orbit.precise else np
+
+
+def _map(orbit: Orbit) -> np.ndarray:
+    matrix = orbit.evaluate("poincare_jacobian")
+    return np.array(matrix, dtype=object if orbit.precise else float)
 
 
 def _eigenvalues(orbit: Orbit) -> list[Multiplier]:
-    matrix = orbit.evaluate("poincare_jacobian")
+    matrix = _map(orbit)
     if orbit.precise:
         mp = orbit.arithmetic.mp
-        values = mp.eig(mp.matrix(matrix), left=False, right=False)
+        values = mp.eig(mp.matrix(matrix.tolist()), left=False, right=False)
         found = [Multiplier(mp.re(v), mp.im(v)) for v in values]
     else:
         found = [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]

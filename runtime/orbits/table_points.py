@@ -10,7 +10,6 @@ from typing import ClassVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.core.matrices import sorted_by_size
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.structure import structure_of
@@ -20,8 +19,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.orbits.table_batch import TableBatch
 from nonsmooth.runtime.orbits.table_many import section_of
-from nonsmooth.runtime.shooting.multipliers import ROUNDING, pair_margins
-from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.multipliers import ROUNDING, family_margins
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.table_newton import sizes
 
@@ -153,22 +151,7 @@ class TablePoints:
             return np.full(len(maps), np.nan)
         values = np.linalg.eigvals(maps)
         if timed:
-            margin = _family_margins(values, trace, self._section[1])
+            margin = family_margins(values, trace, self._section[1])
         else:
             margin = 1 - np.abs(values).max(axis=-1)
         return np.where(np.abs(margin) <= ROUNDING, 0.0, margin)
-
-
-def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
-    """Return margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
-    values = sorted_by_size(values)
-    trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]
-    rest = np.abs(values)
-    np.put_along_axis(rest, trivial, 0.0, axis=-1)
-    margin = 1 - rest.max(axis=-1)
-    margin[np.abs(margin) <= np.sqrt(LEAST)] = 0  # a neutral one may be a defective one
-    if rank != 3:
-        return np.asarray(margin)
-    # of a reciprocal pair beside the 1 the sum keeps the digits
-    pair = np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST)
-    return np.where(pair, pair_margins(trace), margin)

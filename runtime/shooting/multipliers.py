@@ -6,7 +6,10 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["ROUNDING", "Multiplier", "Stability", "pair_margins", "reciprocal_pair"]
+from nonsmooth.runtime.core.matrices import sorted_by_size
+from nonsmooth.runtime.shooting.newton import LEAST
+
+__all__ = ["ROUNDING", "Multiplier", "Stability", "family_margins", "reciprocal_pair"]
 
 ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 
@@ -80,8 +83,23 @@ def reciprocal_pair(trace: Any, root: Callable[[Any], Any]) -> list[Multiplier]:
     return [*pair, Multiplier(one, zero, trivial=True)]
 
 
-def pair_margins(trace: np.ndarray) -> np.ndarray:
+def _pair_margins(trace: np.ndarray) -> np.ndarray:
     """1 - |mu| (n,) of the larger one of each reciprocal pair beside a 1; 0 on the unit circle."""
     half = np.abs(trace - 1) / 2
     root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
     return np.where(half <= 1, 0.0, 1 - (half + root))
+
+
+def family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
+    """Return margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
+    values = sorted_by_size(values)
+    trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]
+    rest = np.abs(values)
+    np.put_along_axis(rest, trivial, 0.0, axis=-1)
+    margin = 1 - rest.max(axis=-1)
+    margin[np.abs(margin) <= np.sqrt(LEAST)] = 0  # a neutral one may be a defective one
+    if rank != 3:
+        return np.asarray(margin)
+    # of a reciprocal pair beside the 1 the sum keeps the digits
+    pair = np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST)
+    return np.where(pair, _pair_margins(trace), margin)

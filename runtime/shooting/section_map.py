@@ -22,8 +22,10 @@ from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 
 __all__ = [
     "assess",
+    "family_multipliers",
     "local_maps",
     "mechanical_states",
+    "reciprocal",
     "saltations",
     "section_dimension",
     "smallest_section",
@@ -231,13 +233,13 @@ def assess(
     trace = trace if precise else float(trace)
     found = _eigenvalues(matrix, trace, lib)
     if family and found:
-        found = _family(matrix, found, trace, lib)
+        found = family_multipliers(matrix, found, trace, lib)
     found += [Multiplier(zero, zero)] * (dimension - rank)
     found += [Multiplier(zero + 1, zero, trivial=True)] * shifts
     found.sort(key=lambda m: -round(float(_modulus(m, lib)), 12))
     largest = max((_modulus(m, lib) for m in found if not m.trivial), default=zero)
     margin = 1 - largest if precise else float(1 - largest)
-    pair = _reciprocal(matrix, rank, lib) if family else False
+    pair = reciprocal(matrix, rank, lib) if family else False
     area = not (family or shifts) and dimension == 2 and _keeps_area(cycle, numbers)
     entries, multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
     if pair or area:
@@ -331,7 +333,7 @@ def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
     return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
 
 
-def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
+def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     """Whether a map with three multipliers, one of them 1, keeps the area of the two others."""
     if rank != 3:
         return False
@@ -340,12 +342,14 @@ def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     return bool(abs(determinant - 1) < math.sqrt(LEAST))
 
 
-def _family(matrix: Any, found: list[Multiplier], trace: Any, lib: Any) -> list[Multiplier]:
+def family_multipliers(
+    matrix: Any, found: list[Multiplier], trace: Any, lib: Any
+) -> list[Multiplier]:
     """Mark the multiplier that is 1; compute a reciprocal pair beside it from the trace.
 
     So the pair keeps the trace's digits.
     """
-    if _reciprocal(matrix, len(found), lib):
+    if reciprocal(matrix, len(found), lib):
         if matrix.dtype != object:
             return reciprocal_pair(float(trace), math.sqrt)
         return reciprocal_pair(trace, lib.sqrt)

@@ -12,7 +12,7 @@ from nonsmooth import InputError
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.explore.charting.grid import Grid
 from nonsmooth.runtime.orbits import table_limits
-from nonsmooth.runtime.orbits.table_points import _family_margins
+from nonsmooth.runtime.shooting.multipliers import family_margins
 from tests.places import GALLERY
 from tests.user_systems import declare
 
@@ -150,10 +150,10 @@ def test_margins_of_families() -> None:
     """One multiplier is 1; a reciprocal pair beside it is neutral on the circle."""
     angle = np.exp(0.7j)
     values = np.array([[1, angle, 1 / angle], [1, 3.0, 1 / 3.0], [0.5, 1, 0.2]], dtype=complex)
-    margins = _family_margins(values, values.sum(axis=-1).real, 3)
+    margins = family_margins(values, values.sum(axis=-1).real, 3)
     np.testing.assert_allclose(margins, [0, -2, 0.5], atol=1e-12)
     np.testing.assert_allclose(
-        _family_margins(np.array([[1, 0.25 + 0j]]), np.array([1.25]), 2), [0.75]
+        family_margins(np.array([[1, 0.25 + 0j]]), np.array([1.25]), 2), [0.75]
     )
 
 
