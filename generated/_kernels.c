@@ -30,14 +30,15 @@ enum {
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
 
-/* Core of one argument: entries of a point, axes, columns of a table. */
+/* Core of one argument: its place among those of the C function, entries of a point, axes, columns
+ * of a table. */
 typedef struct {
-    int size, axes, columns, type;
+    int place, size, axes, columns, type;
 } array;
 
 typedef struct {
     const char *name, *signature;
-    void (*call)(npy_intp count, char *const *arrays);
+    void (*call)(npy_intp count, void *const *blocks);
     enum layout layout;
     int inputs, outputs;
     array arrays[most_arrays];
@@ -113,7 +114,7 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
     const npy_intp most = f->layout == one_point ? 1 : most_points;
     const npy_intp points = dimensions[0] < most ? dimensions[0] : most;
     located at[most_arrays];
-    char *blocks[most_arrays];
+    void *blocks[most_arrays] = {NULL};
     double stack[on_stack];
     size_t total = 0;
     for (int k = 0, axes = 0; k < count; axes += f->arrays[k++].axes) {
@@ -135,7 +136,8 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
         for (int k = 0; k < count; ++k) {
             at[k].base = args[k] + start * steps[k];
             const int direct = f->layout == in_rows && lies_in_rows(&f->arrays[k], &at[k]);
-            blocks[k] = at[k].block = direct ? at[k].base : (char *)rest;
+            at[k].block = direct ? at[k].base : (char *)rest;
+            blocks[f->arrays[k].place] = at[k].block;
             rest += points * f->arrays[k].size;
         }
         for (int k = 0; k < f->inputs; ++k)
@@ -148,1235 +150,911 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
         free(memory);
 }
 
-static void call_rigid_stop_spectrum_1(npy_intp count, char *const *a)
+/* Row of a point in a block. */
+static inline double *row(void *block, npy_intp point, int size)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_spectrum(((const double *)(void *)a[0] + 4 * i), ((double *)(void *)a[1] + 7 * i), NULL);
-}
-
-static void call_rigid_stop_spectrum_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_spectrum(((const double *)(void *)a[0] + 4 * i), ((double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 28 * i));
-}
-
-static void call_rigid_stop_flow_free_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_flow_free(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_rigid_stop_flow_contact_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_flow_contact(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_rigid_stop_fields_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_fields(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 40 * i));
-}
-
-static void call_rigid_stop_rows_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_rows(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 25 * i));
-}
-
-static void call_rigid_stop_resets_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_resets(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 60 * i));
-}
-
-static void call_rigid_stop_modes_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 10 * i), NULL);
-}
-
-static void call_rigid_stop_modes_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 10 * i), ((double *)(void *)a[3] + 180 * i));
-}
-
-static void call_rigid_stop_one_impact_equations_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), NULL, ((double *)(void *)a[3] + 2 * i), NULL, NULL);
-}
-
-static void call_rigid_stop_one_impact_equations_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), NULL, ((double *)(void *)a[3] + 2 * i), ((double *)(void *)a[4] + 4 * i), NULL);
-}
-
-static void call_rigid_stop_one_impact_equations_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((const double *)(void *)a[3] + 28 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i), ((double *)(void *)a[6] + 10 * i));
-}
-
-static void call_rigid_stop_one_impact_trace_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
-}
-
-static void call_rigid_stop_one_impact_trace_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((const double *)(void *)a[3] + 28 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 7 * i));
-}
-
-static void call_rigid_stop_one_impact_passage_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), NULL, NULL);
-}
-
-static void call_rigid_stop_one_impact_passage_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), NULL);
-}
-
-static void call_rigid_stop_one_impact_passage_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 8 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 2 * i));
-}
-
-static void call_rigid_stop_one_impact_linearisation_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 9 * i), NULL, NULL);
-}
-
-static void call_rigid_stop_one_impact_linearisation_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 16 * i), NULL);
-}
-
-static void call_rigid_stop_one_impact_linearisation_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 16 * i), ((double *)(void *)a[5] + 16 * i));
-}
-
-static void call_rigid_stop_one_impact_flow_free_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_flow_free(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_rigid_stop_one_impact_reduced_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 2 * i), NULL);
-}
-
-static void call_rigid_stop_one_impact_reduced_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 1 * i));
-}
-
-static void call_rigid_stop_one_impact_solve(npy_intp count, char *const *a)
-{
-    rigid_stop_one_impact_solve(count, (const double *)(void *)a[0], (double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (int32_t *)(void *)a[4], (int32_t *)(void *)a[5]);
-}
-
-static void call_rigid_stop_one_impact_admissible(npy_intp count, char *const *a)
-{
-    rigid_stop_one_impact_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (int32_t *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4]);
-}
-
-static void call_rigid_stop_one_impact_directions(npy_intp count, char *const *a)
-{
-    rigid_stop_one_impact_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
-}
-
-static void call_elastic_stop_spectrum_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_spectrum(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 12 * i), NULL);
-}
-
-static void call_elastic_stop_spectrum_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_spectrum(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 12 * i), ((double *)(void *)a[2] + 60 * i));
-}
-
-static void call_elastic_stop_flow_contact_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_flow_contact(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_elastic_stop_flow_free_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_flow_free(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_elastic_stop_fields_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_fields(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 40 * i));
-}
-
-static void call_elastic_stop_rows_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_rows(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 25 * i));
-}
-
-static void call_elastic_stop_resets_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_resets(((const double *)(void *)a[0] + 5 * i), ((double *)(void *)a[1] + 20 * i));
-}
-
-static void call_elastic_stop_modes_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((double *)(void *)a[2] + 12 * i), NULL);
-}
-
-static void call_elastic_stop_modes_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_modes(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 12 * i), ((double *)(void *)a[2] + 12 * i), ((double *)(void *)a[3] + 200 * i));
-}
-
-static void call_elastic_stop_one_contact_equations_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_equations(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), NULL, ((double *)(void *)a[3] + 4 * i), NULL, NULL);
-}
-
-static void call_elastic_stop_one_contact_equations_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_equations(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), NULL, ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 16 * i), NULL);
-}
-
-static void call_elastic_stop_one_contact_equations_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_equations(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((const double *)(void *)a[3] + 60 * i), ((double *)(void *)a[4] + 4 * i), ((double *)(void *)a[5] + 16 * i), ((double *)(void *)a[6] + 24 * i));
-}
-
-static void call_elastic_stop_one_contact_trace_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_trace(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
-}
-
-static void call_elastic_stop_one_contact_trace_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_trace(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((const double *)(void *)a[3] + 60 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 10 * i));
-}
-
-static void call_elastic_stop_one_contact_passage_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL);
-}
-
-static void call_elastic_stop_one_contact_passage_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), NULL);
-}
-
-static void call_elastic_stop_one_contact_passage_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 12 * i), ((double *)(void *)a[5] + 4 * i));
-}
-
-static void call_elastic_stop_one_contact_linearisation_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_linearisation(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 9 * i), NULL, NULL);
-}
-
-static void call_elastic_stop_one_contact_linearisation_2(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_linearisation(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 32 * i), NULL);
-}
-
-static void call_elastic_stop_one_contact_linearisation_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_linearisation(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 4 * i), ((double *)(void *)a[3] + 9 * i), ((double *)(void *)a[4] + 32 * i), ((double *)(void *)a[5] + 16 * i));
-}
-
-static void call_elastic_stop_one_contact_flow_contact_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_flow_contact(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_elastic_stop_one_contact_flow_free_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_flow_free(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
-}
-
-static void call_elastic_stop_one_contact_reduced_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL, NULL);
+    return (double *)block + size * point;
 }
 
-static void call_elastic_stop_one_contact_reduced_2(npy_intp count, char *const *a)
+/* The same, or NULL in place of a block that is not wanted. */
+static inline double *row_if_wanted(void *block, npy_intp point, int size)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 1 * i), NULL, NULL);
-}
-
-static void call_elastic_stop_one_contact_reduced_3(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 1 * i), NULL);
-}
-
-static void call_elastic_stop_one_contact_reduced_4(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_reduced(((const double *)(void *)a[0] + 6 * i), ((const double *)(void *)a[1] + 12 * i), ((const double *)(void *)a[2] + 1 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 1 * i), ((double *)(void *)a[6] + 1 * i));
-}
-
-static void call_elastic_stop_one_contact_solve(npy_intp count, char *const *a)
-{
-    elastic_stop_one_contact_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
-}
-
-static void call_elastic_stop_one_contact_admissible(npy_intp count, char *const *a)
-{
-    elastic_stop_one_contact_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (int32_t *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4]);
-}
-
-static void call_elastic_stop_one_contact_directions(npy_intp count, char *const *a)
-{
-    elastic_stop_one_contact_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
-}
-
-static void call_dry_friction_spectrum_1(npy_intp count, char *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_spectrum(((const double *)(void *)a[0] + 2 * i), ((double *)(void *)a[1] + 7 * i), NULL);
+    return block ? row(block, point, size) : NULL;
 }
 
-static void call_dry_friction_spectrum_2(npy_intp count, char *const *a)
+static void call_rigid_stop_spectrum(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_spectrum(((const double *)(void *)a[0] + 2 * i), ((double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 14 * i));
+        rigid_stop_spectrum(row(a[0], i, 4), row(a[1], i, 7), row_if_wanted(a[2], i, 28));
 }
 
-static void call_dry_friction_flow_slip_slip_1(npy_intp count, char *const *a)
+static void call_rigid_stop_flow_free(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_slip_slip(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_flow_free(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_flow_slip_stick_1(npy_intp count, char *const *a)
+static void call_rigid_stop_flow_contact(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_slip_stick(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_flow_contact(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_flow_slip_overshoot_1(npy_intp count, char *const *a)
+static void call_rigid_stop_fields(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_slip_overshoot(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_fields(row(a[0], i, 5), row(a[1], i, 40));
 }
 
-static void call_dry_friction_flow_stick_slip_1(npy_intp count, char *const *a)
+static void call_rigid_stop_rows(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_stick_slip(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_rows(row(a[0], i, 5), row(a[1], i, 25));
 }
 
-static void call_dry_friction_flow_stick_stick_1(npy_intp count, char *const *a)
+static void call_rigid_stop_resets(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_stick_stick(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_resets(row(a[0], i, 5), row(a[1], i, 60));
 }
 
-static void call_dry_friction_flow_stick_overshoot_1(npy_intp count, char *const *a)
+static void call_rigid_stop_modes(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_stick_overshoot(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_modes(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 10), row_if_wanted(a[3], i, 180));
 }
 
-static void call_dry_friction_flow_overshoot_slip_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_equations(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_overshoot_slip(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_one_impact_equations(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row_if_wanted(a[3], i, 28), row(a[4], i, 2), row_if_wanted(a[5], i, 4), row_if_wanted(a[6], i, 10));
 }
 
-static void call_dry_friction_flow_overshoot_stick_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_trace(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_overshoot_stick(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_one_impact_trace(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row_if_wanted(a[3], i, 28), row(a[4], i, 1), row_if_wanted(a[5], i, 7));
 }
 
-static void call_dry_friction_flow_overshoot_overshoot_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_passage(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_overshoot_overshoot(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        rigid_stop_one_impact_passage(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 8), row_if_wanted(a[4], i, 6), row_if_wanted(a[5], i, 2));
 }
 
-static void call_dry_friction_fields_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_linearisation(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_fields(((const double *)(void *)a[0] + 7 * i), ((double *)(void *)a[1] + 180 * i));
+        rigid_stop_one_impact_linearisation(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 9), row_if_wanted(a[4], i, 16), row_if_wanted(a[5], i, 16));
 }
 
-static void call_dry_friction_rows_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_flow_free(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_rows(((const double *)(void *)a[0] + 7 * i), ((double *)(void *)a[1] + 85 * i));
+        rigid_stop_one_impact_flow_free(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_resets_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_reduced(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_resets(((const double *)(void *)a[0] + 7 * i), ((double *)(void *)a[1] + 80 * i));
+        rigid_stop_one_impact_reduced(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row_if_wanted(a[3], i, 1));
 }
 
-static void call_dry_friction_modes_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_solve(npy_intp count, void *const *a)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_modes(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 42 * i), NULL);
+    rigid_stop_one_impact_solve(count, a[0], a[1], a[2], a[3], a[4], a[5]);
 }
 
-static void call_dry_friction_modes_2(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_admissible(npy_intp count, void *const *a)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_modes(((const double *)(void *)a[0] + 7 * i), ((const double *)(void *)a[1] + 7 * i), ((double *)(void *)a[2] + 42 * i), ((double *)(void *)a[3] + 760 * i));
+    rigid_stop_one_impact_admissible(count, a[0], a[1], a[2], a[3], a[4]);
 }
 
-static void call_dry_friction_symmetric_equations_1(npy_intp count, char *const *a)
+static void call_rigid_stop_one_impact_directions(npy_intp count, void *const *a)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), NULL, ((double *)(void *)a[3] + 5 * i), NULL, NULL);
+    rigid_stop_one_impact_directions(count, a[0], a[1], a[2]);
 }
 
-static void call_dry_friction_symmetric_equations_2(npy_intp count, char *const *a)
+static void call_elastic_stop_spectrum(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), NULL, ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 25 * i), NULL);
+        elastic_stop_spectrum(row(a[0], i, 5), row(a[1], i, 12), row_if_wanted(a[2], i, 60));
 }
 
-static void call_dry_friction_symmetric_equations_3(npy_intp count, char *const *a)
+static void call_elastic_stop_flow_contact(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 5 * i), ((double *)(void *)a[5] + 25 * i), ((double *)(void *)a[6] + 20 * i));
+        elastic_stop_flow_contact(row(a[0], i, 5), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_symmetric_trace_1(npy_intp count, char *const *a)
+static void call_elastic_stop_flow_free(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+        elastic_stop_flow_free(row(a[0], i, 5), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_symmetric_trace_2(npy_intp count, char *const *a)
+static void call_elastic_stop_fields(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 9 * i));
+        elastic_stop_fields(row(a[0], i, 5), row(a[1], i, 40));
 }
 
-static void call_dry_friction_symmetric_passage_1(npy_intp count, char *const *a)
+static void call_elastic_stop_rows(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), NULL, NULL);
+        elastic_stop_rows(row(a[0], i, 5), row(a[1], i, 25));
 }
 
-static void call_dry_friction_symmetric_passage_2(npy_intp count, char *const *a)
+static void call_elastic_stop_resets(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), NULL);
+        elastic_stop_resets(row(a[0], i, 5), row(a[1], i, 20));
 }
 
-static void call_dry_friction_symmetric_passage_3(npy_intp count, char *const *a)
+static void call_elastic_stop_modes(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 12 * i), ((double *)(void *)a[4] + 24 * i), ((double *)(void *)a[5] + 3 * i));
+        elastic_stop_modes(row(a[0], i, 5), row(a[1], i, 12), row(a[2], i, 12), row_if_wanted(a[3], i, 200));
 }
 
-static void call_dry_friction_symmetric_linearisation_1(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_equations(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL);
+        elastic_stop_one_contact_equations(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row_if_wanted(a[3], i, 60), row(a[4], i, 4), row_if_wanted(a[5], i, 16), row_if_wanted(a[6], i, 24));
 }
 
-static void call_dry_friction_symmetric_linearisation_2(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_trace(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 32 * i), NULL);
+        elastic_stop_one_contact_trace(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row_if_wanted(a[3], i, 60), row(a[4], i, 1), row_if_wanted(a[5], i, 10));
 }
 
-static void call_dry_friction_symmetric_linearisation_3(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_passage(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 5 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 32 * i), ((double *)(void *)a[5] + 16 * i));
+        elastic_stop_one_contact_passage(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row(a[3], i, 12), row_if_wanted(a[4], i, 12), row_if_wanted(a[5], i, 4));
 }
 
-static void call_dry_friction_symmetric_flow_slip_slip_1(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_linearisation(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_flow_slip_slip(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        elastic_stop_one_contact_linearisation(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row(a[3], i, 9), row_if_wanted(a[4], i, 32), row_if_wanted(a[5], i, 16));
 }
 
-static void call_dry_friction_symmetric_flow_slip_stick_1(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_flow_contact(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_flow_slip_stick(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        elastic_stop_one_contact_flow_contact(row(a[0], i, 6), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_symmetric_reduced_1(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_flow_free(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), NULL, NULL, NULL);
+        elastic_stop_one_contact_flow_free(row(a[0], i, 6), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_symmetric_reduced_2(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_reduced(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 1 * i), NULL, NULL);
+        elastic_stop_one_contact_reduced(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 1), row(a[3], i, 4), row_if_wanted(a[4], i, 1), row_if_wanted(a[5], i, 1), row_if_wanted(a[6], i, 1));
 }
 
-static void call_dry_friction_symmetric_reduced_3(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_solve(npy_intp count, void *const *a)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 2 * i), NULL);
+    elastic_stop_one_contact_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
 }
 
-static void call_dry_friction_symmetric_reduced_4(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_admissible(npy_intp count, void *const *a)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 5 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 2 * i), ((double *)(void *)a[6] + 4 * i));
+    elastic_stop_one_contact_admissible(count, a[0], a[1], a[2], a[3], a[4]);
 }
 
-static void call_dry_friction_global_stick_equations_1(npy_intp count, char *const *a)
+static void call_elastic_stop_one_contact_directions(npy_intp count, void *const *a)
 {
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+    elastic_stop_one_contact_directions(count, a[0], a[1], a[2]);
 }
 
-static void call_dry_friction_global_stick_equations_2(npy_intp count, char *const *a)
+static void call_dry_friction_spectrum(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 36 * i), NULL);
+        dry_friction_spectrum(row(a[0], i, 2), row(a[1], i, 7), row_if_wanted(a[2], i, 14));
 }
 
-static void call_dry_friction_global_stick_equations_3(npy_intp count, char *const *a)
+static void call_dry_friction_flow_slip_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_equations(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 36 * i), ((double *)(void *)a[6] + 30 * i));
+        dry_friction_flow_slip_slip(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_trace_1(npy_intp count, char *const *a)
+static void call_dry_friction_flow_slip_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+        dry_friction_flow_slip_stick(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_trace_2(npy_intp count, char *const *a)
+static void call_dry_friction_flow_slip_overshoot(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_trace(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 11 * i));
+        dry_friction_flow_slip_overshoot(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_passage_1(npy_intp count, char *const *a)
+static void call_dry_friction_flow_stick_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
+        dry_friction_flow_stick_slip(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_passage_2(npy_intp count, char *const *a)
+static void call_dry_friction_flow_stick_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL);
+        dry_friction_flow_stick_stick(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_passage_3(npy_intp count, char *const *a)
+static void call_dry_friction_flow_stick_overshoot(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i));
+        dry_friction_flow_stick_overshoot(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_linearisation_1(npy_intp count, char *const *a)
+static void call_dry_friction_flow_overshoot_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL);
+        dry_friction_flow_overshoot_slip(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_linearisation_2(npy_intp count, char *const *a)
+static void call_dry_friction_flow_overshoot_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), NULL);
+        dry_friction_flow_overshoot_stick(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_linearisation_3(npy_intp count, char *const *a)
+static void call_dry_friction_flow_overshoot_overshoot(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_linearisation(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), ((double *)(void *)a[5] + 16 * i));
+        dry_friction_flow_overshoot_overshoot(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_flow_stick_stick_1(npy_intp count, char *const *a)
+static void call_dry_friction_fields(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_stick_stick(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_fields(row(a[0], i, 7), row(a[1], i, 180));
 }
 
-static void call_dry_friction_global_stick_flow_slip_stick_1(npy_intp count, char *const *a)
+static void call_dry_friction_rows(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_slip_stick(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_rows(row(a[0], i, 7), row(a[1], i, 85));
 }
 
-static void call_dry_friction_global_stick_flow_slip_slip_1(npy_intp count, char *const *a)
+static void call_dry_friction_resets(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_slip_slip(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_resets(row(a[0], i, 7), row(a[1], i, 80));
 }
 
-static void call_dry_friction_global_stick_flow_stick_slip_1(npy_intp count, char *const *a)
+static void call_dry_friction_modes(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_stick_slip(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_modes(row(a[0], i, 7), row(a[1], i, 7), row(a[2], i, 42), row_if_wanted(a[3], i, 760));
 }
 
-static void call_dry_friction_global_stick_reduced_1(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_equations(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+        dry_friction_symmetric_equations(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row_if_wanted(a[3], i, 14), row(a[4], i, 5), row_if_wanted(a[5], i, 25), row_if_wanted(a[6], i, 20));
 }
 
-static void call_dry_friction_global_stick_reduced_2(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_trace(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 2 * i), NULL);
+        dry_friction_symmetric_trace(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row_if_wanted(a[3], i, 14), row(a[4], i, 1), row_if_wanted(a[5], i, 9));
 }
 
-static void call_dry_friction_global_stick_reduced_3(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_passage(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_reduced(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 2 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
+        dry_friction_symmetric_passage(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row(a[3], i, 12), row_if_wanted(a[4], i, 24), row_if_wanted(a[5], i, 3));
 }
 
-static void call_dry_friction_global_stick_period_map_1(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_linearisation(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_period_map(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
+        dry_friction_symmetric_linearisation(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row(a[3], i, 4), row_if_wanted(a[4], i, 32), row_if_wanted(a[5], i, 16));
 }
 
-static void call_dry_friction_global_stick_period_map_2(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_flow_slip_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_period_map(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), NULL);
+        dry_friction_symmetric_flow_slip_slip(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_global_stick_period_map_3(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_flow_slip_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_period_map(((const double *)(void *)a[0] + 5 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
+        dry_friction_symmetric_flow_slip_stick(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_equations_1(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_reduced(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+        dry_friction_symmetric_reduced(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 5), row_if_wanted(a[4], i, 1), row_if_wanted(a[5], i, 2), row_if_wanted(a[6], i, 4));
 }
 
-static void call_dry_friction_solution_ii_equations_2(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_equations(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 36 * i), NULL);
+        dry_friction_global_stick_equations(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 6), row_if_wanted(a[5], i, 36), row_if_wanted(a[6], i, 30));
 }
 
-static void call_dry_friction_solution_ii_equations_3(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_trace(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_equations(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 6 * i), ((double *)(void *)a[5] + 36 * i), ((double *)(void *)a[6] + 24 * i));
+        dry_friction_global_stick_trace(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 1), row_if_wanted(a[5], i, 11));
 }
 
-static void call_dry_friction_solution_ii_trace_1(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_passage(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), NULL, ((double *)(void *)a[3] + 1 * i), NULL);
+        dry_friction_global_stick_passage(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 44), row_if_wanted(a[5], i, 4));
 }
 
-static void call_dry_friction_solution_ii_trace_2(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_linearisation(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_trace(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((const double *)(void *)a[3] + 14 * i), ((double *)(void *)a[4] + 1 * i), ((double *)(void *)a[5] + 10 * i));
+        dry_friction_global_stick_linearisation(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 4), row_if_wanted(a[4], i, 64), row_if_wanted(a[5], i, 16));
 }
 
-static void call_dry_friction_solution_ii_passage_1(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_flow_stick_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
+        dry_friction_global_stick_flow_stick_stick(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_passage_2(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_flow_slip_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), NULL);
+        dry_friction_global_stick_flow_slip_stick(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_passage_3(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_flow_slip_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 44 * i), ((double *)(void *)a[5] + 4 * i));
+        dry_friction_global_stick_flow_slip_slip(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_linearisation_1(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_flow_stick_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), NULL, NULL);
+        dry_friction_global_stick_flow_stick_slip(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_linearisation_2(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_reduced(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), NULL);
+        dry_friction_global_stick_reduced(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 6), row_if_wanted(a[4], i, 2), row_if_wanted(a[5], i, 4));
 }
 
-static void call_dry_friction_solution_ii_linearisation_3(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_period_map(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_linearisation(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 64 * i), ((double *)(void *)a[5] + 16 * i));
+        dry_friction_global_stick_period_map(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 2), row_if_wanted(a[5], i, 4));
 }
 
-static void call_dry_friction_solution_ii_flow_stick_stick_1(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_equations(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_stick_stick(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_solution_ii_equations(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 6), row_if_wanted(a[5], i, 36), row_if_wanted(a[6], i, 24));
 }
 
-static void call_dry_friction_solution_ii_flow_slip_stick_1(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_trace(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_slip_stick(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_solution_ii_trace(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 1), row_if_wanted(a[5], i, 10));
 }
 
-static void call_dry_friction_solution_ii_flow_slip_slip_1(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_passage(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_slip_slip(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_solution_ii_passage(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 44), row_if_wanted(a[5], i, 4));
 }
 
-static void call_dry_friction_solution_ii_flow_stick_slip_1(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_linearisation(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_stick_slip(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2])[i], ((const double *)(void *)a[3] + 4 * i), ((double *)(void *)a[4] + 4 * i));
+        dry_friction_solution_ii_linearisation(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 4), row_if_wanted(a[4], i, 64), row_if_wanted(a[5], i, 16));
 }
 
-static void call_dry_friction_solution_ii_reduced_1(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_flow_stick_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), NULL, NULL);
+        dry_friction_solution_ii_flow_stick_stick(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_reduced_2(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_flow_slip_stick(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 3 * i), NULL);
+        dry_friction_solution_ii_flow_slip_stick(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_reduced_3(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_flow_slip_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_reduced(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 3 * i), ((double *)(void *)a[3] + 6 * i), ((double *)(void *)a[4] + 3 * i), ((double *)(void *)a[5] + 9 * i));
+        dry_friction_solution_ii_flow_slip_slip(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_period_map_1(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_flow_stick_slip(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_period_map(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), NULL, NULL);
+        dry_friction_solution_ii_flow_stick_slip(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
 }
 
-static void call_dry_friction_solution_ii_period_map_2(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_reduced(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_period_map(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), NULL);
+        dry_friction_solution_ii_reduced(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 3), row(a[3], i, 6), row_if_wanted(a[4], i, 3), row_if_wanted(a[5], i, 9));
 }
 
-static void call_dry_friction_solution_ii_period_map_3(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_period_map(npy_intp count, void *const *a)
 {
     for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_period_map(((const double *)(void *)a[0] + 4 * i), ((const double *)(void *)a[1] + 7 * i), ((const double *)(void *)a[2] + 6 * i), ((double *)(void *)a[3] + 20 * i), ((double *)(void *)a[4] + 2 * i), ((double *)(void *)a[5] + 4 * i));
+        dry_friction_solution_ii_period_map(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 2), row_if_wanted(a[5], i, 4));
 }
 
-static void call_dry_friction_symmetric_solve(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_solve(npy_intp count, void *const *a)
 {
-    dry_friction_symmetric_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+    dry_friction_symmetric_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
 }
 
-static void call_dry_friction_symmetric_admissible(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_admissible(npy_intp count, void *const *a)
 {
-    dry_friction_symmetric_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (int32_t *)(void *)a[3], (double *)(void *)a[4], (double *)(void *)a[5]);
+    dry_friction_symmetric_admissible(count, a[0], a[1], a[2], a[3], a[4], a[5]);
 }
 
-static void call_dry_friction_symmetric_directions(npy_intp count, char *const *a)
+static void call_dry_friction_symmetric_directions(npy_intp count, void *const *a)
 {
-    dry_friction_symmetric_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
+    dry_friction_symmetric_directions(count, a[0], a[1], a[2]);
 }
 
-static void call_dry_friction_global_stick_solve(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_solve(npy_intp count, void *const *a)
 {
-    dry_friction_global_stick_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+    dry_friction_global_stick_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
 }
 
-static void call_dry_friction_global_stick_admissible(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_admissible(npy_intp count, void *const *a)
 {
-    dry_friction_global_stick_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (int32_t *)(void *)a[3], (double *)(void *)a[4], (double *)(void *)a[5]);
+    dry_friction_global_stick_admissible(count, a[0], a[1], a[2], a[3], a[4], a[5]);
 }
 
-static void call_dry_friction_global_stick_directions(npy_intp count, char *const *a)
+static void call_dry_friction_global_stick_directions(npy_intp count, void *const *a)
 {
-    dry_friction_global_stick_directions(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2]);
+    dry_friction_global_stick_directions(count, a[0], a[1], a[2]);
 }
 
-static void call_dry_friction_solution_ii_solve(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_solve(npy_intp count, void *const *a)
 {
-    dry_friction_solution_ii_solve(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (double *)(void *)a[3], (double *)(void *)a[4], (int32_t *)(void *)a[5], (int32_t *)(void *)a[6]);
+    dry_friction_solution_ii_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
 }
 
-static void call_dry_friction_solution_ii_admissible(npy_intp count, char *const *a)
+static void call_dry_friction_solution_ii_admissible(npy_intp count, void *const *a)
 {
-    dry_friction_solution_ii_admissible(count, (const double *)(void *)a[0], (const double *)(void *)a[1], (double *)(void *)a[2], (int32_t *)(void *)a[3], (double *)(void *)a[4], (double *)(void *)a[5]);
+    dry_friction_solution_ii_admissible(count, a[0], a[1], a[2], a[3], a[4], a[5]);
 }
 
 static const wrapped functions[] = {
     {"rigid_stop_spectrum_1", "(4)->(7)",
-     call_rigid_stop_spectrum_1, in_rows, 1, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_spectrum, in_rows, 1, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_spectrum_2", "(4)->(7),(7,4)",
-     call_rigid_stop_spectrum_2, in_rows, 1, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {28, 2, 4, NPY_DOUBLE}}},
+     call_rigid_stop_spectrum, in_rows, 1, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 28, 2, 4, NPY_DOUBLE}}},
     {"rigid_stop_flow_free_1", "(5),(7),(),(4)->(4)",
-     call_rigid_stop_flow_free_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_flow_free, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_flow_contact_1", "(5),(7),(),(4)->(4)",
-     call_rigid_stop_flow_contact_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_flow_contact, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_fields_1", "(5)->(8,5)",
-     call_rigid_stop_fields_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {40, 2, 5, NPY_DOUBLE}}},
+     call_rigid_stop_fields, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 40, 2, 5, NPY_DOUBLE}}},
     {"rigid_stop_rows_1", "(5)->(5,5)",
-     call_rigid_stop_rows_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}}},
+     call_rigid_stop_rows, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 25, 2, 5, NPY_DOUBLE}}},
     {"rigid_stop_resets_1", "(5)->(12,5)",
-     call_rigid_stop_resets_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}}},
+     call_rigid_stop_resets, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 60, 2, 5, NPY_DOUBLE}}},
     {"rigid_stop_modes_1", "(5),(7)->(5,2)",
-     call_rigid_stop_modes_1, in_rows, 2, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {10, 2, 2, NPY_DOUBLE}}},
+     call_rigid_stop_modes, in_rows, 2, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 10, 2, 2, NPY_DOUBLE}}},
     {"rigid_stop_modes_2", "(5),(7)->(5,2),(36,5)",
-     call_rigid_stop_modes_2, in_rows, 2, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {10, 2, 2, NPY_DOUBLE}, {180, 2, 5, NPY_DOUBLE}}},
+     call_rigid_stop_modes, in_rows, 2, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 10, 2, 2, NPY_DOUBLE}, {3, 180, 2, 5, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_equations_1", "(5),(7),(2)->(2)",
-     call_rigid_stop_one_impact_equations_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_equations, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_equations_2", "(5),(7),(2)->(2),(2,2)",
-     call_rigid_stop_one_impact_equations_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_equations, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 2, 2, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_equations_3", "(5),(7),(2),(7,4)->(2),(2,2),(2,5)",
-     call_rigid_stop_one_impact_equations_3, in_rows, 4, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {28, 2, 4, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {10, 2, 5, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_equations, in_rows, 4, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 28, 2, 4, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 2, 2, NPY_DOUBLE}, {6, 10, 2, 5, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_trace_1", "(5),(7),(2)->()",
-     call_rigid_stop_one_impact_trace_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_trace, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_trace_2", "(5),(7),(2),(7,4)->(),(7)",
-     call_rigid_stop_one_impact_trace_2, in_rows, 4, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {28, 2, 4, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_trace, in_rows, 4, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 28, 2, 4, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 7, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_passage_1", "(5),(7),(2)->(2,4)",
-     call_rigid_stop_one_impact_passage_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_passage, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 8, 2, 4, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_passage_2", "(5),(7),(2)->(2,4),(6)",
-     call_rigid_stop_one_impact_passage_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_passage, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 8, 2, 4, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_passage_3", "(5),(7),(2)->(2,4),(6),(2)",
-     call_rigid_stop_one_impact_passage_3, in_rows, 3, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {8, 2, 4, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_passage, in_rows, 3, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 8, 2, 4, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 2, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_linearisation_1", "(5),(7),(2)->(3,3)",
-     call_rigid_stop_one_impact_linearisation_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_linearisation, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_linearisation_2", "(5),(7),(2)->(3,3),(4,4)",
-     call_rigid_stop_one_impact_linearisation_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_linearisation, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 16, 2, 4, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_linearisation_3", "(5),(7),(2)->(3,3),(4,4),(4,4)",
-     call_rigid_stop_one_impact_linearisation_3, in_rows, 3, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_linearisation, in_rows, 3, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 16, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_flow_free_1", "(5),(7),(),(4)->(4)",
-     call_rigid_stop_one_impact_flow_free_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_flow_free, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_reduced_1", "(5),(7)->(2)",
-     call_rigid_stop_one_impact_reduced_1, in_rows, 2, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_reduced, in_rows, 2, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_reduced_2", "(5),(7)->(2),(1)",
-     call_rigid_stop_one_impact_reduced_2, in_rows, 2, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+     call_rigid_stop_one_impact_reduced, in_rows, 2, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 1, 1, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_solve", "(5)->(2),(),(),(),()",
      call_rigid_stop_one_impact_solve, in_columns, 1, 5,
-     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_INT32}, {5, 1, 0, 0, NPY_INT32}}},
     {"rigid_stop_one_impact_admissible", "(5),(2)->(),(),()",
      call_rigid_stop_one_impact_admissible, one_point, 2, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_INT32}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"rigid_stop_one_impact_directions", "(5),(2)->(3,5)",
      call_rigid_stop_one_impact_directions, in_columns, 2, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {15, 2, 5, NPY_DOUBLE}}},
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 15, 2, 5, NPY_DOUBLE}}},
     {"elastic_stop_spectrum_1", "(5)->(12)",
-     call_elastic_stop_spectrum_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_spectrum, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_spectrum_2", "(5)->(12),(12,5)",
-     call_elastic_stop_spectrum_2, in_rows, 1, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}}},
+     call_elastic_stop_spectrum, in_rows, 1, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 60, 2, 5, NPY_DOUBLE}}},
     {"elastic_stop_flow_contact_1", "(5),(12),(),(4)->(4)",
-     call_elastic_stop_flow_contact_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_flow_contact, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_flow_free_1", "(5),(12),(),(4)->(4)",
-     call_elastic_stop_flow_free_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_flow_free, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_fields_1", "(5)->(8,5)",
-     call_elastic_stop_fields_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {40, 2, 5, NPY_DOUBLE}}},
+     call_elastic_stop_fields, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 40, 2, 5, NPY_DOUBLE}}},
     {"elastic_stop_rows_1", "(5)->(5,5)",
-     call_elastic_stop_rows_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}}},
+     call_elastic_stop_rows, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 25, 2, 5, NPY_DOUBLE}}},
     {"elastic_stop_resets_1", "(5)->(4,5)",
-     call_elastic_stop_resets_1, in_rows, 1, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}}},
+     call_elastic_stop_resets, in_rows, 1, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 20, 2, 5, NPY_DOUBLE}}},
     {"elastic_stop_modes_1", "(5),(12)->(6,2)",
-     call_elastic_stop_modes_1, in_rows, 2, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {12, 2, 2, NPY_DOUBLE}}},
+     call_elastic_stop_modes, in_rows, 2, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 12, 2, 2, NPY_DOUBLE}}},
     {"elastic_stop_modes_2", "(5),(12)->(6,2),(40,5)",
-     call_elastic_stop_modes_2, in_rows, 2, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {12, 2, 2, NPY_DOUBLE}, {200, 2, 5, NPY_DOUBLE}}},
+     call_elastic_stop_modes, in_rows, 2, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 12, 2, 2, NPY_DOUBLE}, {3, 200, 2, 5, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_equations_1", "(6),(12),(4)->(4)",
-     call_elastic_stop_one_contact_equations_1, in_rows, 3, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_equations, in_rows, 3, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_equations_2", "(6),(12),(4)->(4),(4,4)",
-     call_elastic_stop_one_contact_equations_2, in_rows, 3, 2,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_equations, in_rows, 3, 2,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_equations_3", "(6),(12),(4),(12,5)->(4),(4,4),(4,6)",
-     call_elastic_stop_one_contact_equations_3, in_rows, 4, 3,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}, {24, 2, 6, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_equations, in_rows, 4, 3,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 60, 2, 5, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}, {6, 24, 2, 6, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_trace_1", "(6),(12),(4)->()",
-     call_elastic_stop_one_contact_trace_1, in_rows, 3, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_trace, in_rows, 3, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_trace_2", "(6),(12),(4),(12,5)->(),(10)",
-     call_elastic_stop_one_contact_trace_2, in_rows, 4, 2,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {60, 2, 5, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {10, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_trace, in_rows, 4, 2,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 60, 2, 5, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 10, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_passage_1", "(6),(12),(4)->(3,4)",
-     call_elastic_stop_one_contact_passage_1, in_rows, 3, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_passage, in_rows, 3, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_passage_2", "(6),(12),(4)->(3,4),(12)",
-     call_elastic_stop_one_contact_passage_2, in_rows, 3, 2,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_passage, in_rows, 3, 2,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 12, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_passage_3", "(6),(12),(4)->(3,4),(12),(4)",
-     call_elastic_stop_one_contact_passage_3, in_rows, 3, 3,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_passage, in_rows, 3, 3,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 12, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_linearisation_1", "(6),(12),(4)->(3,3)",
-     call_elastic_stop_one_contact_linearisation_1, in_rows, 3, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_linearisation, in_rows, 3, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_linearisation_2", "(6),(12),(4)->(3,3),(8,4)",
-     call_elastic_stop_one_contact_linearisation_2, in_rows, 3, 2,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_linearisation, in_rows, 3, 2,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_linearisation_3", "(6),(12),(4)->(3,3),(8,4),(4,4)",
-     call_elastic_stop_one_contact_linearisation_3, in_rows, 3, 3,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_linearisation, in_rows, 3, 3,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_flow_contact_1", "(6),(12),(),(4)->(4)",
-     call_elastic_stop_one_contact_flow_contact_1, in_rows, 4, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_flow_contact, in_rows, 4, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_flow_free_1", "(6),(12),(),(4)->(4)",
-     call_elastic_stop_one_contact_flow_free_1, in_rows, 4, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_flow_free, in_rows, 4, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_reduced_1", "(6),(12),(1)->(4)",
-     call_elastic_stop_one_contact_reduced_1, in_rows, 3, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_reduced, in_rows, 3, 1,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_reduced_2", "(6),(12),(1)->(4),(1)",
-     call_elastic_stop_one_contact_reduced_2, in_rows, 3, 2,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_reduced, in_rows, 3, 2,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_reduced_3", "(6),(12),(1)->(4),(1),(1)",
-     call_elastic_stop_one_contact_reduced_3, in_rows, 3, 3,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_reduced, in_rows, 3, 3,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 1, 1, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_reduced_4", "(6),(12),(1)->(4),(1),(1),(1,1)",
-     call_elastic_stop_one_contact_reduced_4, in_rows, 3, 4,
-     {{6, 1, 0, NPY_DOUBLE}, {12, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 2, 1, NPY_DOUBLE}}},
+     call_elastic_stop_one_contact_reduced, in_rows, 3, 4,
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 1, 1, 0, NPY_DOUBLE}, {6, 1, 2, 1, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_solve", "(6),(1)->(4),(),(),(),()",
      call_elastic_stop_one_contact_solve, in_columns, 2, 5,
-     {{6, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 1, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
     {"elastic_stop_one_contact_admissible", "(6),(4)->(),(),()",
      call_elastic_stop_one_contact_admissible, one_point, 2, 3,
-     {{6, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 4, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_INT32}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"elastic_stop_one_contact_directions", "(6),(4)->(5,6)",
      call_elastic_stop_one_contact_directions, in_columns, 2, 1,
-     {{6, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {30, 2, 6, NPY_DOUBLE}}},
+     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 4, 1, 0, NPY_DOUBLE}, {2, 30, 2, 6, NPY_DOUBLE}}},
     {"dry_friction_spectrum_1", "(2)->(7)",
-     call_dry_friction_spectrum_1, in_rows, 1, 1,
-     {{2, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_spectrum, in_rows, 1, 1,
+     {{0, 2, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_spectrum_2", "(2)->(7),(7,2)",
-     call_dry_friction_spectrum_2, in_rows, 1, 2,
-     {{2, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_spectrum, in_rows, 1, 2,
+     {{0, 2, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 14, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_flow_slip_slip_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_slip_slip_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_slip_slip, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_slip_stick_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_slip_stick_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_slip_stick, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_slip_overshoot_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_slip_overshoot_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_slip_overshoot, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_stick_slip_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_stick_slip_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_stick_slip, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_stick_stick_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_stick_stick_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_stick_stick, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_stick_overshoot_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_stick_overshoot_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_stick_overshoot, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_overshoot_slip_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_overshoot_slip_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_overshoot_slip, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_overshoot_stick_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_overshoot_stick_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_overshoot_stick, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_flow_overshoot_overshoot_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_overshoot_overshoot_1, in_rows, 4, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_flow_overshoot_overshoot, in_rows, 4, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_fields_1", "(7)->(36,5)",
-     call_dry_friction_fields_1, in_rows, 1, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {180, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_fields, in_rows, 1, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 180, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_rows_1", "(7)->(17,5)",
-     call_dry_friction_rows_1, in_rows, 1, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {85, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_rows, in_rows, 1, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 85, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_resets_1", "(7)->(16,5)",
-     call_dry_friction_resets_1, in_rows, 1, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {80, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_resets, in_rows, 1, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 80, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_modes_1", "(7),(7)->(21,2)",
-     call_dry_friction_modes_1, in_rows, 2, 1,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {42, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_modes, in_rows, 2, 1,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 42, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_modes_2", "(7),(7)->(21,2),(152,5)",
-     call_dry_friction_modes_2, in_rows, 2, 2,
-     {{7, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {42, 2, 2, NPY_DOUBLE}, {760, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_modes, in_rows, 2, 2,
+     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 42, 2, 2, NPY_DOUBLE}, {3, 760, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_symmetric_equations_1", "(4),(7),(5)->(5)",
-     call_dry_friction_symmetric_equations_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_equations, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {4, 5, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_equations_2", "(4),(7),(5)->(5),(5,5)",
-     call_dry_friction_symmetric_equations_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_equations, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {4, 5, 1, 0, NPY_DOUBLE}, {5, 25, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_symmetric_equations_3", "(4),(7),(5),(7,2)->(5),(5,5),(5,4)",
-     call_dry_friction_symmetric_equations_3, in_rows, 4, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {25, 2, 5, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_equations, in_rows, 4, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 5, 1, 0, NPY_DOUBLE}, {5, 25, 2, 5, NPY_DOUBLE}, {6, 20, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_symmetric_trace_1", "(4),(7),(5)->()",
-     call_dry_friction_symmetric_trace_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_trace, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_trace_2", "(4),(7),(5),(7,2)->(),(9)",
-     call_dry_friction_symmetric_trace_2, in_rows, 4, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {9, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_trace, in_rows, 4, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 9, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_passage_1", "(4),(7),(5)->(3,4)",
-     call_dry_friction_symmetric_passage_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_passage, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_symmetric_passage_2", "(4),(7),(5)->(3,4),(24)",
-     call_dry_friction_symmetric_passage_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_passage, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 24, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_passage_3", "(4),(7),(5)->(3,4),(24),(3)",
-     call_dry_friction_symmetric_passage_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {12, 2, 4, NPY_DOUBLE}, {24, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_passage, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 24, 1, 0, NPY_DOUBLE}, {5, 3, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_linearisation_1", "(4),(7),(5)->(2,2)",
-     call_dry_friction_symmetric_linearisation_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_linearisation, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_symmetric_linearisation_2", "(4),(7),(5)->(2,2),(8,4)",
-     call_dry_friction_symmetric_linearisation_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_linearisation, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_symmetric_linearisation_3", "(4),(7),(5)->(2,2),(8,4),(4,4)",
-     call_dry_friction_symmetric_linearisation_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {32, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_linearisation, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_symmetric_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_symmetric_flow_slip_slip_1, in_rows, 4, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_flow_slip_slip, in_rows, 4, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_flow_slip_stick_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_symmetric_flow_slip_stick_1, in_rows, 4, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_flow_slip_stick, in_rows, 4, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_reduced_1", "(4),(7),(2)->(5)",
-     call_dry_friction_symmetric_reduced_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_reduced, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_reduced_2", "(4),(7),(2)->(5),(1)",
-     call_dry_friction_symmetric_reduced_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_reduced, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_reduced_3", "(4),(7),(2)->(5),(1),(2)",
-     call_dry_friction_symmetric_reduced_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_reduced, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 2, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_reduced_4", "(4),(7),(2)->(5),(1),(2),(2,2)",
-     call_dry_friction_symmetric_reduced_4, in_rows, 3, 4,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_symmetric_reduced, in_rows, 3, 4,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 2, 1, 0, NPY_DOUBLE}, {6, 4, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_global_stick_equations_1", "(5),(7),(6)->(6)",
-     call_dry_friction_global_stick_equations_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_equations, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_equations_2", "(5),(7),(6)->(6),(6,6)",
-     call_dry_friction_global_stick_equations_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_equations, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}}},
     {"dry_friction_global_stick_equations_3", "(5),(7),(6),(7,2)->(6),(6,6),(6,5)",
-     call_dry_friction_global_stick_equations_3, in_rows, 4, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}, {30, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_equations, in_rows, 4, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}, {6, 30, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_global_stick_trace_1", "(5),(7),(6)->()",
-     call_dry_friction_global_stick_trace_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_trace, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_trace_2", "(5),(7),(6),(7,2)->(),(11)",
-     call_dry_friction_global_stick_trace_2, in_rows, 4, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {11, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_trace, in_rows, 4, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 11, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_passage_1", "(5),(7),(6)->(5,4)",
-     call_dry_friction_global_stick_passage_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_passage, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_global_stick_passage_2", "(5),(7),(6)->(5,4),(44)",
-     call_dry_friction_global_stick_passage_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_passage, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_passage_3", "(5),(7),(6)->(5,4),(44),(4)",
-     call_dry_friction_global_stick_passage_3, in_rows, 3, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_passage, in_rows, 3, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_linearisation_1", "(5),(7),(6)->(2,2)",
-     call_dry_friction_global_stick_linearisation_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_linearisation, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_global_stick_linearisation_2", "(5),(7),(6)->(2,2),(16,4)",
-     call_dry_friction_global_stick_linearisation_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_linearisation, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_global_stick_linearisation_3", "(5),(7),(6)->(2,2),(16,4),(4,4)",
-     call_dry_friction_global_stick_linearisation_3, in_rows, 3, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_linearisation, in_rows, 3, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_global_stick_flow_stick_stick_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_stick_stick_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_flow_stick_stick, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_flow_slip_stick_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_slip_stick_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_flow_slip_stick, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_flow_slip_slip_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_slip_slip_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_flow_slip_slip, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_flow_stick_slip_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_stick_slip_1, in_rows, 4, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_flow_stick_slip, in_rows, 4, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_reduced_1", "(5),(7),(2)->(6)",
-     call_dry_friction_global_stick_reduced_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_reduced, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_reduced_2", "(5),(7),(2)->(6),(2)",
-     call_dry_friction_global_stick_reduced_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_reduced, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_reduced_3", "(5),(7),(2)->(6),(2),(2,2)",
-     call_dry_friction_global_stick_reduced_3, in_rows, 3, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_reduced, in_rows, 3, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_global_stick_period_map_1", "(5),(7),(6)->(4,5)",
-     call_dry_friction_global_stick_period_map_1, in_rows, 3, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_period_map, in_rows, 3, 1,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_global_stick_period_map_2", "(5),(7),(6)->(4,5),(2)",
-     call_dry_friction_global_stick_period_map_2, in_rows, 3, 2,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_period_map, in_rows, 3, 2,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_period_map_3", "(5),(7),(6)->(4,5),(2),(4)",
-     call_dry_friction_global_stick_period_map_3, in_rows, 3, 3,
-     {{5, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_global_stick_period_map, in_rows, 3, 3,
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_equations_1", "(4),(7),(6)->(6)",
-     call_dry_friction_solution_ii_equations_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_equations, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_equations_2", "(4),(7),(6)->(6),(6,6)",
-     call_dry_friction_solution_ii_equations_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_equations, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_equations_3", "(4),(7),(6),(7,2)->(6),(6,6),(6,4)",
-     call_dry_friction_solution_ii_equations_3, in_rows, 4, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {36, 2, 6, NPY_DOUBLE}, {24, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_equations, in_rows, 4, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}, {6, 24, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_trace_1", "(4),(7),(6)->()",
-     call_dry_friction_solution_ii_trace_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_trace, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_trace_2", "(4),(7),(6),(7,2)->(),(10)",
-     call_dry_friction_solution_ii_trace_2, in_rows, 4, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {14, 2, 2, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {10, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_trace, in_rows, 4, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 10, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_passage_1", "(4),(7),(6)->(5,4)",
-     call_dry_friction_solution_ii_passage_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_passage, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_passage_2", "(4),(7),(6)->(5,4),(44)",
-     call_dry_friction_solution_ii_passage_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_passage, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_passage_3", "(4),(7),(6)->(5,4),(44),(4)",
-     call_dry_friction_solution_ii_passage_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 4, NPY_DOUBLE}, {44, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_passage, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_linearisation_1", "(4),(7),(6)->(2,2)",
-     call_dry_friction_solution_ii_linearisation_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_linearisation, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_linearisation_2", "(4),(7),(6)->(2,2),(16,4)",
-     call_dry_friction_solution_ii_linearisation_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_linearisation, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_linearisation_3", "(4),(7),(6)->(2,2),(16,4),(4,4)",
-     call_dry_friction_solution_ii_linearisation_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {4, 2, 2, NPY_DOUBLE}, {64, 2, 4, NPY_DOUBLE}, {16, 2, 4, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_linearisation, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_flow_stick_stick_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_stick_stick_1, in_rows, 4, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_flow_stick_stick, in_rows, 4, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_flow_slip_stick_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_slip_stick_1, in_rows, 4, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_flow_slip_stick, in_rows, 4, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_slip_slip_1, in_rows, 4, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_flow_slip_slip, in_rows, 4, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_flow_stick_slip_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_stick_slip_1, in_rows, 4, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_flow_stick_slip, in_rows, 4, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_reduced_1", "(4),(7),(3)->(6)",
-     call_dry_friction_solution_ii_reduced_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_reduced, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 3, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_reduced_2", "(4),(7),(3)->(6),(3)",
-     call_dry_friction_solution_ii_reduced_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_reduced, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 3, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 3, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_reduced_3", "(4),(7),(3)->(6),(3),(3,3)",
-     call_dry_friction_solution_ii_reduced_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {9, 2, 3, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_reduced, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 3, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 3, 1, 0, NPY_DOUBLE}, {5, 9, 2, 3, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_period_map_1", "(4),(7),(6)->(4,5)",
-     call_dry_friction_solution_ii_period_map_1, in_rows, 3, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_period_map, in_rows, 3, 1,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_period_map_2", "(4),(7),(6)->(4,5),(2)",
-     call_dry_friction_solution_ii_period_map_2, in_rows, 3, 2,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_period_map, in_rows, 3, 2,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_period_map_3", "(4),(7),(6)->(4,5),(2),(4)",
-     call_dry_friction_solution_ii_period_map_3, in_rows, 3, 3,
-     {{4, 1, 0, NPY_DOUBLE}, {7, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {20, 2, 5, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {4, 1, 0, NPY_DOUBLE}}},
+     call_dry_friction_solution_ii_period_map, in_rows, 3, 3,
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_solve", "(4),(2)->(5),(),(),(),()",
      call_dry_friction_symmetric_solve, in_columns, 2, 5,
-     {{4, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
     {"dry_friction_symmetric_admissible", "(4),(5)->(1),(),(),()",
      call_dry_friction_symmetric_admissible, one_point, 2, 4,
-     {{4, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {1, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 5, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_INT32}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_DOUBLE}}},
     {"dry_friction_symmetric_directions", "(4),(5)->(6,4)",
      call_dry_friction_symmetric_directions, in_columns, 2, 1,
-     {{4, 1, 0, NPY_DOUBLE}, {5, 1, 0, NPY_DOUBLE}, {24, 2, 4, NPY_DOUBLE}}},
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 5, 1, 0, NPY_DOUBLE}, {2, 24, 2, 4, NPY_DOUBLE}}},
     {"dry_friction_global_stick_solve", "(5),(2)->(6),(),(),(),()",
      call_dry_friction_global_stick_solve, in_columns, 2, 5,
-     {{5, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
     {"dry_friction_global_stick_admissible", "(5),(6)->(2),(),(),()",
      call_dry_friction_global_stick_admissible, one_point, 2, 4,
-     {{5, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 6, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_INT32}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_DOUBLE}}},
     {"dry_friction_global_stick_directions", "(5),(6)->(7,5)",
      call_dry_friction_global_stick_directions, in_columns, 2, 1,
-     {{5, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {35, 2, 5, NPY_DOUBLE}}},
+     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 6, 1, 0, NPY_DOUBLE}, {2, 35, 2, 5, NPY_DOUBLE}}},
     {"dry_friction_solution_ii_solve", "(4),(3)->(6),(),(),(),()",
      call_dry_friction_solution_ii_solve, in_columns, 2, 5,
-     {{4, 1, 0, NPY_DOUBLE}, {3, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_INT32}}},
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 3, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
     {"dry_friction_solution_ii_admissible", "(4),(6)->(2),(),(),()",
      call_dry_friction_solution_ii_admissible, one_point, 2, 4,
-     {{4, 1, 0, NPY_DOUBLE}, {6, 1, 0, NPY_DOUBLE}, {2, 1, 0, NPY_DOUBLE}, {1, 0, 0, NPY_INT32}, {1, 0, 0, NPY_DOUBLE}, {1, 0, 0, NPY_DOUBLE}}},
+     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 6, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_INT32}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_DOUBLE}}},
 };
 enum { function_count = sizeof functions / sizeof *functions };
 static PyUFuncGenericFunction loops[function_count];

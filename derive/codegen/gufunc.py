@@ -24,6 +24,7 @@ class Array:
 
     shape: tuple[int, ...]
     ctype: str = "double"
+    since: int = 0  # for a result its own place, for an argument that of the first to need it
 
     @property
     def size(self) -> int:
@@ -38,27 +39,33 @@ class Array:
 class Wrapped:
     """A C function to wrap; one call takes one point, or `many` with their count first.
 
-    In place of an array that is None, or has no entries, C gets NULL, and the wrapper takes and
-    gives none. A function is `long` if one point may take as much time as thousands of others: it
-    gets one point at a time. Other functions of `many` points take and give columns.
+    In place of an array whose `since` is not below `wanted`, or that has no entries, C gets NULL,
+    and the wrapper takes and gives none. A function is `long` if one point may take as much time as
+    thousands of others: it gets one point at a time. Other functions of `many` points take and give
+    columns.
     """
 
     name: str  # of the wrapper
     function: str
-    inputs: tuple[Array | None, ...]
-    outputs: tuple[Array | None, ...]
+    inputs: tuple[Array, ...]
+    outputs: tuple[Array, ...]
+    wanted: int = 1
     many: bool = False
     long: bool = False
 
+    def uses(self, array: Array) -> bool:
+        """Whether the wrapper takes or gives this array."""
+        return array.since < self.wanted and array.size > 0
+
     @property
     def taken(self) -> tuple[Array, ...]:
-        """Inputs that have entries."""
-        return tuple(a for a in self.inputs if a is not None and a.size)
+        """Inputs of the wrapper."""
+        return tuple(filter(self.uses, self.inputs))
 
     @property
     def given(self) -> tuple[Array, ...]:
-        """Outputs that have entries."""
-        return tuple(a for a in self.outputs if a is not None and a.size)
+        """Outputs of the wrapper."""
+        return tuple(filter(self.uses, self.outputs))
 
     @property
     def signature(self) -> str:
@@ -73,16 +80,11 @@ class Wrapped:
 def wrapped_functions(system: str, kernel: Kernel, orbit: str | None) -> list[Wrapped]:
     """Wrappers of a plain kernel: the one whose name ends in n gives its first n outputs."""
     function = c_function(system, kernel.name, orbit)
+    inputs = tuple(Array(a.shape, since=a.since) for a in kernel.arguments)
+    outputs = tuple(Array(o.shape, since=place) for place, o in enumerate(kernel.outputs))
     return [
-        Wrapped(
-            f"{function}_{count}",
-            function,
-            tuple(Array(a.shape) if a.since < count else None for a in kernel.arguments),
-            tuple(
-                Array(o.shape) if place < count else None for place, o in enumerate(kernel.outputs)
-            ),
-        )
-        for count in range(1, len(kernel.outputs) + 1)
+        Wrapped(f"{function}_{count}", function, inputs, outputs, count)
+        for count in range(1, len(outputs) + 1)
     ]
 
 
@@ -157,14 +159,15 @@ enum {
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
 
-/* Core of one argument: entries of a point, axes, columns of a table. */
+/* Core of one argument: its place among those of the C function, entries of a point, axes, columns
+ * of a table. */
 typedef struct {
-    int size, axes, columns, type;
+    int place, size, axes, columns, type;
 } array;
 
 typedef struct {
     const char *name, *signature;
-    void (*call)(npy_intp count, char *const *arrays);
+    void (*call)(npy_intp count, void *const *blocks);
     enum layout layout;
     int inputs, outputs;
     array arrays[most_arrays];
@@ -240,7 +243,7 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
     const npy_intp most = f->layout == one_point ? 1 : most_points;
     const npy_intp points = dimensions[0] < most ? dimensions[0] : most;
     located at[most_arrays];
-    char *blocks[most_arrays];
+    void *blocks[most_arrays] = {NULL};
     double stack[on_stack];
     size_t total = 0;
     for (int k = 0, axes = 0; k < count; axes += f->arrays[k++].axes) {
@@ -262,7 +265,8 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
         for (int k = 0; k < count; ++k) {
             at[k].base = args[k] + start * steps[k];
             const int direct = f->layout == in_rows && lies_in_rows(&f->arrays[k], &at[k]);
-            blocks[k] = at[k].block = direct ? at[k].base : (char *)rest;
+            at[k].block = direct ? at[k].base : (char *)rest;
+            blocks[f->arrays[k].place] = at[k].block;
             rest += points * f->arrays[k].size;
         }
         for (int k = 0; k < f->inputs; ++k)
@@ -273,6 +277,18 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
     }
     if (memory != stack)
         free(memory);
+}
+
+/* Row of a point in a block. */
+static inline double *row(void *block, npy_intp point, int size)
+{
+    return (double *)block + size * point;
+}
+
+/* The same, or NULL in place of a block that is not wanted. */
+static inline double *row_if_wanted(void *block, npy_intp point, int size)
+{
+    return block ? row(block, point, size) : NULL;
 }
 
 $calls
@@ -324,18 +340,19 @@ PyMODINIT_FUNC PyInit__kernels(void)
 def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]) -> str:
     """C source of the extension module for all systems, without a stamp."""
     kinds = {"double": "NPY_DOUBLE", "int32_t": "NPY_INT32"}
-    calls, table = [], []
+    table = []
     for function in functions:
         arrays = [
-            f"{{{a.size}, {len(a.shape)}, {a.shape[-1] if len(a.shape) == 2 else 0},"
+            f"{{{place}, {a.size}, {len(a.shape)}, {a.shape[-1] if len(a.shape) == 2 else 0},"
             f" {kinds[a.ctype]}}}"
-            for a in (*function.taken, *function.given)
+            for place, a in enumerate((*function.inputs, *function.outputs))
+            if function.uses(a)
         ]
         layout = "in_rows" if not function.many else "one_point" if function.long else "in_columns"
-        calls.append(_call(function))
         table.append(
             f'    {{"{function.name}", "{function.signature}",\n'
-            f"     call_{function.name}, {layout}, {len(function.taken)}, {len(function.given)},\n"
+            f"     call_{function.function}, {layout},"
+            f" {len(function.taken)}, {len(function.given)},\n"
             f"     {{{', '.join(arrays)}}}}},"
         )
     constants = [
@@ -345,8 +362,8 @@ def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[s
     ]
     return _MODULE.substitute(
         includes="\n".join(f'#include "{module_file(name, ".h")}"' for name, _ in derivations),
-        most=max((len(f.taken) + len(f.given) for f in functions), default=1),
-        calls="\n\n".join(calls),
+        most=max((len(f.inputs) + len(f.outputs) for f in functions), default=1),
+        calls="\n\n".join({f.function: _call(f) for f in functions}.values()),
         table="\n".join(table),
         derivations="\n".join(constants),
     )
@@ -354,23 +371,15 @@ def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[s
 
 def _call(function: Wrapped) -> str:
     """The C function that calls a wrapped one for a block of points."""
-    passed, place = [], 0
-    for is_input, arrays in ((True, function.inputs), (False, function.outputs)):
-        for array in arrays:
-            if array is None or not array.size:
-                passed.append("NULL")
-                continue
-            block = f"(const {array.ctype} *)" if is_input else f"({array.ctype} *)"
-            block += f"(void *)a[{place}]"
-            place += 1
-            if function.many:
-                passed.append(block)
-            elif is_input and not array.shape:
-                passed.append(f"({block})[i]")
-            else:
-                passed.append(f"({block} + {array.size} * i)")
-    head = f"static void call_{function.name}(npy_intp count, char *const *a)"
+    head = f"static void call_{function.function}(npy_intp count, void *const *a)"
+    arrays = (*function.inputs, *function.outputs)
     if function.many:
-        return f"{head}\n{{\n    {function.function}(count, {', '.join(passed)});\n}}"
-    call = f"{function.function}({', '.join(passed)});"
+        passed = ", ".join(f"a[{place}]" for place in range(len(arrays)))
+        return f"{head}\n{{\n    {function.function}(count, {passed});\n}}"
+    passed = ", ".join(
+        f"{'' if array.shape or place >= len(function.inputs) else '*'}"
+        f"row{'_if_wanted' if array.since or not array.size else ''}(a[{place}], i, {array.size})"
+        for place, array in enumerate(arrays)
+    )
+    call = f"{function.function}({passed});"
     return f"{head}\n{{\n    for (npy_intp i = 0; i < count; ++i)\n        {call}\n}}"
