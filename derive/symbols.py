@@ -73,7 +73,8 @@ class Symbol(sp.Symbol):
     Its class has SymPy's name, by which SymPy orders the terms of a sum.
     """
 
-    __slots__ = ("meaning", "parts")
+    __slots__ = ("content", "meaning", "parts")
+    content: tuple[Any, ...]  # by which SymPy tells and orders symbols
     meaning: str
     parts: tuple[Any, ...]
 
@@ -82,7 +83,13 @@ class Symbol(sp.Symbol):
         name = _NAMES[meaning].format(*parts)
         symbol: Symbol = sp.Symbol.__xnew__(cls, name, **(assumptions or {"real": True}))
         symbol.meaning, symbol.parts = meaning, parts
+        # ordered by name as all symbols are, and behind one of a declaration that has this name
+        content = sp.Symbol._hashable_content(symbol)
+        symbol.content = (f"{name}\0{meaning}\0{parts}", *content[1:])
         return symbol
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return self.content
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, bool]]:
         """Arguments that make an equal symbol."""

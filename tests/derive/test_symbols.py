@@ -111,6 +111,16 @@ def test_a_symbol_is_what_it_means() -> None:
             assert (same - symbol) == 0
 
 
+def test_symbols_of_one_name_add_and_multiply_as_others_do() -> None:
+    made = Symbol("state", sp.Symbol("x", real=True), 1)
+    for other in (sp.Symbol("x_1", real=True), Symbol("written", "x_1", "y")):
+        assert made.compare(other) == -other.compare(made) != 0
+        assert made + other == other + made
+        assert made * other - other * made == 0
+        square = made**2 + 2 * made * other + other**2
+        assert sp.expand((made + other) ** 2 - square) == 0
+
+
 def test_terms_have_the_order_that_names_give_them() -> None:
     made, declared = Symbol("state", X, 1), sp.Symbol("x_1", real=True)
     y = sp.Symbol("w", real=True)
