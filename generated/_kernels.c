@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 457893cd5707cc95 */
+ * SymPy 1.14.0, derivation 06750a9e5aabab6d */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -1079,11 +1079,11 @@ static int add_all(PyObject *module)
         for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
             ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "f85d3ee964449e07") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "6ab4b35d60128a25") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "86ec640970ebd475") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "be50ff9ea3fd87a3") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "d67f2b8f88a01722") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "69dc208163fa82f5") < 0)
         return -1;
     return 0;
 }

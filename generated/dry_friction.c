@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation d67f2b8f88a01722 */
+ * SymPy 1.14.0, derivation 69dc208163fa82f5 */
 #include "dry_friction.h"
 
 #include <math.h>

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation d67f2b8f88a01722
+# SymPy 1.14.0, derivation 69dc208163fa82f5
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "d67f2b8f88a01722"
+DERIVATION = "69dc208163fa82f5"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",
@@ -590,6 +590,7 @@ ORBITS = json.loads(r"""{
   "rank": 2,
   "section": ["z20", "v10"],
   "conservative": false,
+  "reciprocal_pair": false,
   "required": {},
   "vanishing": [],
   "levels": {"v1": "V", "v2": "V"},
@@ -661,6 +662,7 @@ ORBITS = json.loads(r"""{
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
+  "reciprocal_pair": false,
   "required": {},
   "vanishing": [],
   "levels": {"v1": "V", "v2": "V"},
@@ -741,6 +743,7 @@ ORBITS = json.loads(r"""{
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
+  "reciprocal_pair": false,
   "required": {},
   "vanishing": ["ta"],
   "levels": {"v1": "V", "v2": "V"},

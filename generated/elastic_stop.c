@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 86ec640970ebd475 */
+ * SymPy 1.14.0, derivation be50ff9ea3fd87a3 */
 #include "elastic_stop.h"
 
 #include <math.h>

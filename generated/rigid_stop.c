@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f85d3ee964449e07 */
+ * SymPy 1.14.0, derivation 6ab4b35d60128a25 */
 #include "rigid_stop.h"
 
 #include <math.h>

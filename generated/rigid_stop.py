@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation f85d3ee964449e07
+# SymPy 1.14.0, derivation 6ab4b35d60128a25
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "f85d3ee964449e07"
+DERIVATION = "6ab4b35d60128a25"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",
@@ -83,6 +83,7 @@ ORBITS = json.loads(r"""{
   "rank": 3,
   "section": ["y", "u", "w"],
   "conservative": true,
+  "reciprocal_pair": true,
   "required": {"r": "1"},
   "vanishing": [],
   "levels": {"x1": "1"},

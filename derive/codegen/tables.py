@@ -133,6 +133,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "rank": reduction.rank,
         "section": list(map(str, orbit.chain.coordinates)),
         "conservative": orbit.conservative,
+        "reciprocal_pair": orbit.reciprocal_pair,
         "required": {str(p): str(value) for p, value in orbit.required.items()},
         "vanishing": list(itinerary.vanishing),
         "levels": _levels(orbit),

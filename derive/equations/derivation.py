@@ -9,7 +9,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import Chain, follow
 from nonsmooth.derive.equations.elimination import eliminate_coordinates, reduce_forced
-from nonsmooth.derive.equations.energy import is_conservative, without_redundant
+from nonsmooth.derive.equations.energy import is_conservative, keeps_volume, without_redundant
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.forcing import PERIODS, forcing_of
 from nonsmooth.derive.equations.program import Equation
@@ -133,6 +133,7 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
         required,
         vanishing,
         conservative,
+        conservative and rank == len(chain.coordinates) == 3 and keeps_volume(itinerary),
         known,
     )
 

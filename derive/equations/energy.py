@@ -1,6 +1,7 @@
 """The energy of an orbit's configurations: a first integral, if every transition keeps it.
 
-A closure then follows from the others, and is left out of the equations.
+A closure then follows from the others, and is left out of the equations. Where transitions keep
+volume too, the multipliers of two coordinates' orbits are 1, mu and 1/mu.
 """
 
 from __future__ import annotations
@@ -14,10 +15,10 @@ from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import Chain
 from nonsmooth.derive.equations.program import Equation
-from nonsmooth.derive.equations.section import passages_of
+from nonsmooth.derive.equations.section import Passage, passages_of
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["energy_of", "is_conservative", "without_redundant"]
+__all__ = ["energy_of", "is_conservative", "keeps_volume", "without_redundant"]
 
 
 def energy_of(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> sp.Expr | None:
@@ -45,15 +46,40 @@ def is_conservative(itinerary: Itinerary) -> bool:
         before, behind = energies[index], energies[index + 1]
         if before is None or behind is None:
             return False
-        boundary = passage.value(sp.Matrix(states))
-        fixed = next(s for s in states if sp.diff(boundary, s) != 0)
-        on_boundary = {fixed: sp.solve(boundary, fixed)[0]}
+        on_boundary = _on_boundary(passage)
         image = passage.behind(sp.Matrix(states))
         after = behind.subs(dict(zip(states, image, strict=True)), simultaneous=True)
         change = cancel(sp.expand((after - before).subs(on_boundary)))
         if change.free_symbols & set(states):
             return False
     return True
+
+
+def keeps_volume(itinerary: Itinerary) -> bool:
+    """Whether every transition keeps the volume of the states, as undamped flows do.
+
+    The determinant of a saltation matrix S = R + (f+ - R f-) n / (n f-) is
+    det R (n R^-1 f+) / (n f-), by the lemma on determinants of a matrix plus one of rank one.
+    """
+    passages = passages_of(itinerary)
+    for passage, following in zip(passages, [*passages[1:], passages[0]], strict=True):
+        factor = cancel(passage.reset.det())
+        if factor == 0:
+            return False
+        state, jump = sp.Matrix([*passage.states, 1]), passage.jump
+        before = (passage.row * passage.field * state)[0]
+        behind = (passage.row * jump.inv() * following.field * jump * state)[0]
+        change = sp.expand(factor * behind - before)
+        if cancel(sp.expand(change.subs(_on_boundary(passage)))) != 0:
+            return False
+    return True
+
+
+def _on_boundary(passage: Passage) -> dict[sp.Symbol, sp.Expr]:
+    """A state by the others, where the boundary that ends a phase is reached."""
+    boundary = passage.value(sp.Matrix(passage.states))
+    fixed = next(s for s in passage.states if sp.diff(boundary, s) != 0)
+    return {fixed: sp.solve(boundary, fixed)[0]}
 
 
 def without_redundant(

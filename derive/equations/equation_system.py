@@ -91,6 +91,9 @@ class EquationSystem:
         Coordinates of the start that the closure makes zero.
     conservative : bool
         Whether energy is a first integral along the itinerary.
+    reciprocal_pair : bool
+        Whether the multipliers are 1, mu and 1/mu: energy and volume are kept, and the Poincare
+        map has three.
     known : mapping of symbol to number
         Parameters, spectrum and unknowns at the itinerary's reference, as far as it has them.
 
@@ -119,6 +122,7 @@ class EquationSystem:
     required: Mapping[sp.Symbol, sp.Expr]
     vanishing: tuple[sp.Symbol, ...]
     conservative: bool
+    reciprocal_pair: bool
     known: Mapping[sp.Symbol, sp.Expr]
 
     @property

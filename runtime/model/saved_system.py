@@ -45,7 +45,7 @@ __all__ = [
 ]
 
 # part of the version of each format whose files hold a system: raised when what it holds changes
-SAVED_VERSION = 1
+SAVED_VERSION = 2
 _EXACT = ("fields", "rows", "resets")
 _MODES = ("spectrum", "modes")
 _PRODUCT = re.compile(r"1|[^\W\d]\w*(\*\*\d{1,3})?(\*[^\W\d]\w*(\*\*\d{1,3})?)*")

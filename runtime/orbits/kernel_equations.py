@@ -15,7 +15,6 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
     equations_at,
@@ -56,7 +55,7 @@ class KernelEquations:
         ]
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
-        self._pair = has_reciprocal_pair(orbit)
+        self._pair = bool(table["reciprocal_pair"])
 
     @property
     def sizes(self) -> np.ndarray:

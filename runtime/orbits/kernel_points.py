@@ -16,7 +16,7 @@ from nonsmooth.runtime.orbits.kernel_equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_many import solve_from
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
-from nonsmooth.runtime.shooting.multipliers import ROUNDING, family_margins
+from nonsmooth.runtime.shooting.multipliers import ROUNDING, family_margins, pair_margins
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 __all__ = ["KernelPoints"]
@@ -127,7 +127,11 @@ def _margins(
     """Return 1 - the largest nontrivial |multiplier| of orbits (n,), as in `Orbit.stability`."""
     table = kernels.table
     if table["rank"] == 1:
-        return np.zeros_like(trace) if table["conservative"] else np.asarray(1 - np.abs(trace))
+        if table["conservative"]:  # the one is trivial, and any others are zero
+            return np.full_like(trace, float(len(table["section"]) > 1))
+        return np.asarray(1 - np.abs(trace))
+    if table["reciprocal_pair"]:
+        return pair_margins(trace)
     spectrum, _ = kernels.spectrum(points)
     matrices = kernels.evaluate("poincare_jacobian", at=(points, spectrum, unknowns))
     found = np.full(len(points), np.nan)

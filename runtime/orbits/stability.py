@@ -6,6 +6,7 @@ of the kernels keeps the digits of a reciprocal pair, in any precision, without 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
@@ -16,11 +17,16 @@ from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, Orbit
 from nonsmooth.runtime.orbits.refine import refine_kernels
 from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
-from nonsmooth.runtime.shooting.newton import LEAST
-from nonsmooth.runtime.shooting.section_map import family_multipliers, reciprocal
+from nonsmooth.runtime.shooting.multipliers import (
+    Multiplier,
+    Stability,
+    family_verdict,
+    reciprocal_pair,
+    verdict_of,
+    with_trivial,
+)
 
-__all__ = ["assess_stability", "has_reciprocal_pair"]
+__all__ = ["assess_stability"]
 
 _WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
 
@@ -57,10 +63,12 @@ def _assessed(orbit: Orbit) -> Stability:
     rank, dimension = table["rank"], len(table["section"])
     if rank == 1:
         nonzero = [Multiplier(trace, zero, trivial=table["conservative"])]
+    elif table["reciprocal_pair"]:
+        nonzero = reciprocal_pair(trace, orbit.arithmetic.mp.sqrt if orbit.precise else math.sqrt)
     else:
         nonzero = _eigenvalues(orbit)[:rank] if rank else []
         if table["conservative"] and nonzero:
-            nonzero = family_multipliers(_map(orbit), nonzero, trace, _library(orbit))
+            nonzero = with_trivial(nonzero)
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
     # a rounding leaves the pair on the unit circle in front of the trivial 1
     found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))
@@ -70,17 +78,16 @@ def _assessed(orbit: Orbit) -> Stability:
     # what is carried beyond the digits asked for decides too
     ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
     error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
-    # of a reciprocal pair it is s = mu + 1/mu, not |mu|, that is known to this error
-    pair = has_reciprocal_pair(orbit)
-    distance = 2 - abs(trace - 1) if pair else margin
-    if table["conservative"] and not pair and abs(margin) <= np.sqrt(LEAST):
-        distance = 1  # a neutral one may be a defective one
-    if abs(distance) <= error or _grazes(orbit, error):
-        verdict = "undecided"
-    elif distance < 0:
-        verdict = "unstable"
+    family, pair = table["conservative"], table["reciprocal_pair"]
+    if pair:
+        # it is s = mu + 1/mu, not |mu|, that is known to this error
+        verdict = verdict_of(2 - abs(trace - 1), error, paired=True)
+    elif family:
+        verdict = family_verdict(found, margin)
     else:
-        verdict = "neutral" if table["conservative"] else "stable"
+        verdict = verdict_of(margin, error)
+    if _grazes(orbit, error):
+        verdict = "undecided"
     if verdict == "neutral":
         margin = zero
     sides = " and ".join(f"{name} > 0" for name in table["vanishing"])
@@ -125,21 +132,6 @@ def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
         if boundary.name == kernels.table["phases"][phase][1]:
             terms = row[:-1, None] * fields[phase] * np.append(ends[phase], 1)
             yield terms.sum(), abs(terms).sum()
-
-
-def has_reciprocal_pair(orbit: Orbit) -> bool:
-    """Return whether an orbit with kernels has multipliers 1, mu and 1/mu.
-
-    Transitions that keep energy need not keep volume; the determinant of the map tells it.
-    """
-    table = orbit.kernels.table
-    if not table["conservative"] or len(table["section"]) != 3:
-        return False
-    return reciprocal(_map(orbit), table["rank"], _library(orbit))
-
-
-def _library(orbit: Orbit) -> Any:
-    return orbit.arithmetic.mp if orbit.precise else np
 
 
 def _map(orbit: Orbit) -> np.ndarray:

@@ -24,7 +24,6 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace
-from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
 from nonsmooth.runtime.present.files.named_entries import saved_listing
 from nonsmooth.runtime.shooting.multipliers import Stability
 
@@ -113,8 +112,8 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
 
     `trace` is its enclosure, ``{"mid", "rad"}``, over a box around the orbit that holds exactly
     one, or None. `statement` is the criterion of stability: |trace| < 1 if the map has rank one
-    and keeps no energy, |trace - 1| < 2 if the orbit is conservative and its multipliers
-    are 1, mu and 1/mu by their numbers (then it is neutral); of an orbit by tables that every
+    and keeps no energy, |trace - 1| < 2 if its multipliers are 1, mu and 1/mu by the
+    derivation (then it is neutral); of an orbit by tables that every
     nontrivial multiplier is inside the unit circle, or on it where the orbit is neutral.
     `verdict` says whether it is "proved", "refuted" or "undecided"; both are None where
     there is no criterion. `one_sided` says whether all of it is about one side of a border
@@ -142,12 +141,7 @@ def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:
     statement, verdict, centre, radius = None, None, 0, 1
     if table["rank"] == 1 and not table["conservative"]:
         statement = "|trace| < 1"
-    elif (
-        table["conservative"]
-        and len(table["section"]) == 3
-        # where a boundary is touched the map has no numbers that tell, and nothing is decided
-        and (reason == TANGENTIAL or has_reciprocal_pair(orbit))
-    ):
+    elif table["reciprocal_pair"]:
         statement, centre, radius = "|trace - 1| < 2", 1, 2
     if statement is not None:
         verdict = "undecided"

@@ -1,6 +1,7 @@
 """Multipliers: the eigenvalues of a Poincare map's Jacobian."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +10,17 @@ import numpy as np
 from nonsmooth.runtime.core.matrices import sorted_by_size
 from nonsmooth.runtime.shooting.newton import LEAST
 
-__all__ = ["ROUNDING", "Multiplier", "Stability", "family_margins", "reciprocal_pair"]
+__all__ = [
+    "ROUNDING",
+    "Multiplier",
+    "Stability",
+    "family_margins",
+    "family_verdict",
+    "pair_margins",
+    "reciprocal_pair",
+    "verdict_of",
+    "with_trivial",
+]
 
 ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 
@@ -45,8 +56,9 @@ class Stability:
         one; 0 where the verdict is "neutral".
     verdict : {"stable", "neutral", "unstable", "undecided"}
         "stable" is the paper's "conditionally stable": with respect to perturbations that
-        keep the sequence of switches. "neutral": a conservative orbit whose nontrivial
-        multipliers lie on the unit circle. Undecided if the margin is within its own error,
+        keep the sequence of switches; of a family of orbits, that keep the first integral too.
+        "neutral": the nontrivial multipliers lie on the unit circle, or there are none.
+        Undecided if the margin is within its own error,
         or if a phase reaches the boundary that ends it with no speed beyond its error.
     one_sided : str
         On which side derivatives are taken, as "ta > 0", where the orbit is a border
@@ -83,7 +95,37 @@ def reciprocal_pair(trace: Any, root: Callable[[Any], Any]) -> list[Multiplier]:
     return [*pair, Multiplier(one, zero, trivial=True)]
 
 
-def _pair_margins(trace: np.ndarray) -> np.ndarray:
+def with_trivial(found: list[Multiplier]) -> list[Multiplier]:
+    """The multipliers with the one nearest to 1 made the trivial 1 of a family, at the end."""
+    nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
+    rest = [m for m in found if m is not nearest]
+    zero = 0 * abs(nearest.real)
+    return [*rest, Multiplier(zero + 1, zero, trivial=True)]
+
+
+def verdict_of(distance: Any, error: float, paired: bool = False) -> str:
+    """Verdict from the distance to the boundary of stability, which is known to an error.
+
+    `paired` multipliers are reciprocal: inside that boundary they lie on the unit circle.
+    """
+    if abs(distance) <= error:
+        return "undecided"
+    if distance < 0:
+        return "unstable"
+    return "neutral" if paired else "stable"
+
+
+def family_verdict(multipliers: Sequence[Multiplier], margin: Any) -> str:
+    """Verdict on a family whose multipliers are no reciprocal pair, from their margin.
+
+    The others than the trivial 1 may be defective on the unit circle: half the digits decide.
+    """
+    if all(m.trivial for m in multipliers) or abs(margin) <= math.sqrt(LEAST):
+        return "neutral"
+    return "stable" if margin > 0 else "unstable"
+
+
+def pair_margins(trace: np.ndarray) -> np.ndarray:
     """1 - |mu| (n,) of the larger one of each reciprocal pair beside a 1; 0 on the unit circle."""
     half = np.abs(trace - 1) / 2
     root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
@@ -102,4 +144,4 @@ def family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarr
         return np.asarray(margin)
     # of a reciprocal pair beside the 1 the sum keeps the digits
     pair = np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST)
-    return np.where(pair, _pair_margins(trace), margin)
+    return np.where(pair, pair_margins(trace), margin)

@@ -13,7 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability, reciprocal_pair
+from nonsmooth.runtime.shooting.multipliers import (
+    Multiplier,
+    Stability,
+    family_verdict,
+    reciprocal_pair,
+    verdict_of,
+    with_trivial,
+)
 from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.table_newton import sizes
@@ -22,10 +29,8 @@ from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 
 __all__ = [
     "assess",
-    "family_multipliers",
     "local_maps",
     "mechanical_states",
-    "reciprocal",
     "saltations",
     "section_dimension",
     "smallest_section",
@@ -231,29 +236,25 @@ def assess(
     zero, shifts = lib.zero if precise else 0.0, len(translations)
     trace = sum((matrix[k, k] for k in range(rank)), zero)
     trace = trace if precise else float(trace)
-    found = _eigenvalues(matrix, trace, lib)
-    if family and found:
-        found = family_multipliers(matrix, found, trace, lib)
+    pair = family and _reciprocal(matrix, rank, lib)
+    if pair:  # from the trace, whose digits it keeps
+        found = reciprocal_pair(trace, lib.sqrt if precise else math.sqrt)
+    else:
+        found = _eigenvalues(matrix, trace, lib)
+        found = with_trivial(found) if family and found else found
     found += [Multiplier(zero, zero)] * (dimension - rank)
     found += [Multiplier(zero + 1, zero, trivial=True)] * shifts
     found.sort(key=lambda m: -round(float(_modulus(m, lib)), 12))
     largest = max((_modulus(m, lib) for m in found if not m.trivial), default=zero)
     margin = 1 - largest if precise else float(1 - largest)
-    pair = reciprocal(matrix, rank, lib) if family else False
     area = not (family or shifts) and dimension == 2 and _keeps_area(cycle, numbers)
     entries, multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
     if pair or area:
-        distance, margin_error = 2 - abs(trace - int(pair)), entries
+        verdict = verdict_of(2 - abs(trace - int(pair)), entries, paired=True)
     elif family:
-        distance, margin_error = margin, math.sqrt(LEAST)  # a neutral one may be defective
+        verdict = family_verdict(found, margin)
     else:
-        distance, margin_error = margin, multiplied
-    if abs(distance) <= margin_error:
-        verdict = "neutral" if family and not pair else "undecided"
-    elif distance < 0:
-        verdict = "unstable"
-    else:
-        verdict = "neutral" if family or area else "stable"
+        verdict = verdict_of(margin, multiplied)
     if _grazes(cycle, numbers, now, error):
         verdict = "undecided"
     margin = zero if verdict == "neutral" else margin
@@ -333,29 +334,13 @@ def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
     return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
 
 
-def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
+def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     """Whether a map with three multipliers, one of them 1, keeps the area of the two others."""
     if rank != 3:
         return False
     values = matrix.tolist()
     determinant = lib.det(lib.matrix(values)) if matrix.dtype == object else np.linalg.det(matrix)
     return bool(abs(determinant - 1) < math.sqrt(LEAST))
-
-
-def family_multipliers(
-    matrix: Any, found: list[Multiplier], trace: Any, lib: Any
-) -> list[Multiplier]:
-    """Mark the multiplier that is 1; compute a reciprocal pair beside it from the trace.
-
-    So the pair keeps the trace's digits.
-    """
-    if reciprocal(matrix, len(found), lib):
-        if matrix.dtype != object:
-            return reciprocal_pair(float(trace), math.sqrt)
-        return reciprocal_pair(trace, lib.sqrt)
-    nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
-    rest = [m for m in found if m is not nearest]
-    return [*rest, Multiplier(0 * trace + 1, 0 * trace, trivial=True)]
 
 
 def _modulus(multiplier: Multiplier, lib: Any) -> Any:

@@ -562,7 +562,7 @@ def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
     [
         (lambda text: text[:-20], "cut, or not JSON"),
         (lambda text: "[]", "not a (certificate|saved result)"),
-        (lambda text: text.replace('"version": 4', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 5', '"version": 9', 1), "version 9"),
         (lambda text: text.replace('"margins"', '"margin"', 1), "missing|unknown"),
         (
             lambda text: text.replace('"bits": 128', '"bits": "128"', 1),

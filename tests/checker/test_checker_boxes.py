@@ -458,7 +458,7 @@ def test_the_command_checks_maps(tmp_path: Path) -> None:
     ("change", "match"),
     [
         (lambda text: text[:-9], "cut, or not JSON"),
-        (lambda text: text.replace('"version": 6', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 7', '"version": 9', 1), "version 9"),
         (lambda text: text.replace('"tiles"', '"tile"', 1), "missing|unknown"),
         (lambda text: text.replace("nonsmooth box certificate", "map"), "not a certificate"),
     ],

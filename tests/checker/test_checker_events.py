@@ -402,7 +402,7 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     [
         (lambda text: text[:-20], "cut, or not JSON"),
         (lambda text: "[]", "not "),
-        (lambda text: text.replace('"version": 4', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 5', '"version": 9', 1), "version 9"),
         (
             lambda text: text.replace('"instant"', '"moment"', 1),
             "'events/1/(instant|moment)' is",

@@ -380,7 +380,7 @@ def test_a_chart_of_another_release_is_refused(store: Path) -> None:
     record = json.loads((store / "zarr.json").read_text())
     record["attributes"]["nonsmooth"]["format"] = "nonsmooth chart 1"
     (store / "zarr.json").write_text(json.dumps(record))
-    with pytest.raises(InputError, match="'nonsmooth chart 1', where 'nonsmooth chart 4' is known"):
+    with pytest.raises(InputError, match="'nonsmooth chart 1', where 'nonsmooth chart 5' is known"):
         ns.load(store)
 
 

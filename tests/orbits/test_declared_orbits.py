@@ -260,7 +260,7 @@ def test_cut_and_edited_files_are_refused(path: Path) -> None:
         (text[:-40], "cut"),
         (text.replace('"1.7"', '"1.8"'), "checksum"),
         (text.replace("nonsmooth composed orbit", "orbit"), "not a saved result"),
-        (text.replace('"version": 3', '"version": 2'), "version 2"),
+        (text.replace('"version": 4', '"version": 3'), "version 3"),
     ):
         path.write_text(wrong)
         with pytest.raises(InputError, match=match) as caught:

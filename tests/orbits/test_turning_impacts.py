@@ -28,8 +28,11 @@ GIVEN = {"p": "1", "T": "6.26574158"}
 
 
 @cache
-def turned() -> Orbit:
-    """Two masses, one with a stop that is a spring; behind it the velocities are turned."""
+def turned(reverse: bool = False) -> Orbit:
+    """Two masses, one with a stop that is a spring; behind it the velocities are turned.
+
+    The same motion run backwards is one of the system that turns them back in front of the stop.
+    """
     load, period = Parameter("p", "load"), Parameter("T", "period")
     quarter, fifth = sp.Rational(1, 4), sp.Rational(1, 5)
 
@@ -40,12 +43,15 @@ def turned() -> Orbit:
     free = Configuration("free", masses(0), (Boundary("reaches", -X),))
     contact = Configuration("contact", masses(1), (Boundary("leaves", X),))
     turn = {V: fifth * (4 * V + 3 * W), W: fifth * (4 * W - 3 * V)}
+    back = {V: fifth * (4 * V - 3 * W), W: fifth * (4 * W + 3 * V)}
     transitions = (
-        Transition("free", {"reaches"}, "contact"),
-        Transition("contact", {"leaves"}, "free", (), turn),
+        Transition("free", {"reaches"}, "contact", (), back if reverse else {}),
+        Transition("contact", {"leaves"}, "free", (), {} if reverse else turn),
     )
     system = System("turned", "", (X, Y, V, W), (load,), (free, contact), transitions)
     guess = {"y0": "0.392878", "v0": "0.451699", "w0": "0.481649", "ta": "2.466291"}
+    if reverse:
+        guess |= {"y0": "0.187998", "v0": "0.587674", "w0": "0.443265"}
     phases = (Phase("free", "reaches", "ta"), Phase("contact", "leaves", "tb"))
     reference = Reference(GIVEN, guess)
     return ns.solve(Itinerary("loop", system, phases, period=period, reference=reference))
@@ -55,6 +61,7 @@ def test_an_orbit_is_unstable_though_its_trace_is_small() -> None:
     orbit = turned()
     assert orbit.admissibility.verdict is True
     assert orbit.kernels.table["conservative"] is True
+    assert orbit.kernels.table["reciprocal_pair"] is False
     assert abs(orbit.trace - 1) < 2
     values = np.linalg.eigvals(orbit.poincare_jacobian)
     largest = abs(values).max()
@@ -66,13 +73,34 @@ def test_an_orbit_is_unstable_though_its_trace_is_small() -> None:
         assert float(found.stability.margin) == pytest.approx(1 - largest)
 
 
-def test_a_chart_has_the_margin_of_the_orbit(tmp_path: Path) -> None:
-    orbit = turned()
+def test_backwards_it_is_stable_on_its_level_of_energy() -> None:
+    orbit, forward = turned(reverse=True), turned()
+    assert orbit.admissibility.verdict is True
+    assert orbit.kernels.table["reciprocal_pair"] is False
+    largest = 1 / (1 - forward.stability.margin)
+    for found in (orbit, ns.refine(orbit, 30), orbit.problem.by_tables(orbit)):
+        assert found.stability.verdict == "stable"
+        assert [m.trivial for m in found.stability.multipliers] == [True, False, False]
+        assert float(found.stability.margin) == pytest.approx(1 - largest)
+    branch = ns.continue_orbit(orbit, "p", (0.99, 1.01), points=5)
+    assert set(branch.stability) == {"stable"}
+
+
+@pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
+def test_a_pair_that_the_derivation_tells_is_reciprocal_by_its_numbers(name: str) -> None:
+    orbit = ns.solve(name)
+    assert orbit.kernels.table["reciprocal_pair"] is True
+    assert np.linalg.det(orbit.poincare_jacobian) == pytest.approx(1)
+
+
+@pytest.mark.parametrize("reverse", [False, True])
+def test_a_chart_has_the_margin_of_the_orbit(reverse: bool, tmp_path: Path) -> None:
+    orbit = turned(reverse)
     file = tmp_path / "turned.json"
     orbit.save(file)
     found = ns.chart(str(file), p=(1.0, 1.001), T=float(GIVEN["T"]))
     assert float(found["margin"][0]) == pytest.approx(orbit.stability.margin)
-    assert orbit.stability.margin < -1
+    assert orbit.stability.margin < -1 or reverse
 
 
 def test_a_branch_has_the_multipliers_of_the_orbit() -> None:

@@ -20,26 +20,26 @@ from nonsmooth.runtime.present.files.loading import READERS
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system
 KNOWN = {
-    "nonsmooth basin certificate": (4, "94d2816c0887"),
-    "nonsmooth box certificate": (6, "9a29ce8ea32e"),
+    "nonsmooth basin certificate": (5, "94d2816c0887"),
+    "nonsmooth box certificate": (7, "9a29ce8ea32e"),
     "nonsmooth branch": (3, "0ecfb9e49f1a"),
-    "nonsmooth census": (4, "e7dc97ad2fd4"),
-    "nonsmooth certificate": (4, "e8f68e264464"),
-    "nonsmooth certified branch": (4, "e710bf3ffbf5"),
-    "nonsmooth certified cascade": (2, "c4d7a533e3f1"),
-    "nonsmooth chaos certificate": (4, "da5ba7744476"),
-    "nonsmooth composed orbit": (3, "596388c9b299"),
+    "nonsmooth census": (5, "e7dc97ad2fd4"),
+    "nonsmooth certificate": (5, "e8f68e264464"),
+    "nonsmooth certified branch": (5, "e710bf3ffbf5"),
+    "nonsmooth certified cascade": (3, "c4d7a533e3f1"),
+    "nonsmooth chaos certificate": (5, "da5ba7744476"),
+    "nonsmooth composed orbit": (4, "596388c9b299"),
     "nonsmooth design": (1, "21fd4ff587b1"),
-    "nonsmooth event certificate": (4, "17039143ba04"),
-    "nonsmooth fit": (2, "618a46e431b0"),
-    "nonsmooth found orbits": (5, "6de3d0acac4a"),
-    "nonsmooth graph certificate": (4, "38c80f667b84"),
+    "nonsmooth event certificate": (5, "17039143ba04"),
+    "nonsmooth fit": (3, "618a46e431b0"),
+    "nonsmooth found orbits": (6, "6de3d0acac4a"),
+    "nonsmooth graph certificate": (5, "38c80f667b84"),
     "nonsmooth locus": (2, "bbf34a2ff48e"),
-    "nonsmooth orbit": (3, "caf34d3f2b34"),
-    "nonsmooth sweep": (3, "4377ef58bf3b"),
-    "nonsmooth trajectory": (4, "66b47a0db14b"),
+    "nonsmooth orbit": (4, "caf34d3f2b34"),
+    "nonsmooth sweep": (4, "4377ef58bf3b"),
+    "nonsmooth trajectory": (5, "66b47a0db14b"),
 }
-CHART = ("nonsmooth chart 4", "2815ae59b2b9")
+CHART = ("nonsmooth chart 5", "2815ae59b2b9")
 
 
 def entries_of(kind: Any) -> str:

@@ -194,7 +194,7 @@ def test_a_long_exact_value(path: Path) -> None:
 
 def test_the_file_tells_where_it_is_from(content: dict[str, Any]) -> None:
     assert content["format"] == "nonsmooth orbit"
-    assert content["version"] == 3
+    assert content["version"] == 4
     assert content["package"] == nonsmooth.__version__
     assert content["derivation"] == orbit().kernels.system.module.DERIVATION
     assert content["given"]["eta"] == "0.98"
@@ -245,7 +245,7 @@ def test_a_changed_character_is_refused(path: Path, content: dict[str, Any]) -> 
         (b"{}", "not a saved result"),
         (b'{"format": "nonsmooth chart", "version": 1}', "not a saved result"),
         (b'{"format": "nonsmooth orbit"}', "version None"),
-        (b'{"format": "nonsmooth orbit", "version": 3}', "is missing"),
+        (b'{"format": "nonsmooth orbit", "version": 4}', "is missing"),
     ],
 )
 def test_foreign_files_are_refused(text: bytes, part: str, path: Path) -> None:
@@ -284,7 +284,7 @@ def drop(where: str) -> Callable[[dict[str, Any]], None]:
 @pytest.mark.parametrize(
     ("change", "part"),
     [
-        (put("version", 2), "version 2 of the format, where 3 is known"),
+        (put("version", 2), "version 2 of the format, where 4 is known"),
         (put("version", "1"), "version '1' of the format"),
         (put("more", 1), "'more' is unknown"),
         (drop("derivation"), "'derivation' is missing"),

@@ -16,7 +16,7 @@ from nonsmooth.derive.document.notation.wording import (
     number,
 )
 from nonsmooth.derive.document.sections.template import compose, summed, zeros
-from nonsmooth.derive.document.views.monodromy import FACTOR, keeps_volume, monodromy_trace
+from nonsmooth.derive.document.views.monodromy import FACTOR, monodromy_trace
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
@@ -201,19 +201,19 @@ def _sum(view: View) -> list[Block]:
 
 def _conservative(view: View) -> list[Block]:
     """Blocks on the trivial multiplier, and on the pair that the monodromy's trace gives."""
-    found = monodromy_trace(view)
-    if len(view.naming.system.states) != 4 or not keeps_volume(view):
+    if not view.equations.reciprocal_pair:
         return compose(
             view,
             """
             @sum
 
-            One multiplier is the trivial 1 of the energy. The orbit is neutral where all others lie
-            on the unit circle, and unstable where one lies outside.
+            One multiplier is the trivial 1 of the energy. The orbit is stable where all others lie
+            inside the unit circle, neutral where they lie on it, and unstable where one lies
+            outside.
             """,
             sum=_sum(view),
         )
-    notation = view.naming.notation
+    notation, found = view.naming.notation, monodromy_trace(view)
     names = found.names if found else {}
     factors = [
         Line(

@@ -16,7 +16,6 @@ from nonsmooth.derive.symbols import Symbol, meaning_of
 __all__ = [
     "FACTOR",
     "MonodromyTrace",
-    "keeps_volume",
     "monodromy_trace",
     "saltations",
     "where_zero",
@@ -58,11 +57,6 @@ def saltations(view: View) -> tuple[sp.Matrix, ...]:
         states = sorted(filter(view.naming.notation.is_state, condition.free_symbols), key=str)
         found.append(where_zero(sp.expand(condition), states, matrix))
     return tuple(found)
-
-
-def keeps_volume(view: View) -> bool:
-    """Whether no transition changes volumes of the state space; the flows never do."""
-    return all(cancel(matrix.det()) == 1 for matrix in saltations(view))
 
 
 def monodromy_trace(view: View) -> MonodromyTrace | None:

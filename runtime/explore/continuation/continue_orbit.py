@@ -237,6 +237,8 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
     if conservative:
         if largest - 1 > math.sqrt(_NEUTRAL):
             return "unstable"
+        if len(multipliers) and largest < 1 - math.sqrt(_NEUTRAL):
+            return "stable"
         real = (abs(multipliers.imag) < math.sqrt(_NEUTRAL)).any()
         return "undecided" if real and len(multipliers) else "neutral"
     if abs(largest - 1) < _NEUTRAL:
