@@ -85,7 +85,8 @@ class Symbol(sp.Symbol):
         symbol.meaning, symbol.parts = meaning, parts
         # ordered by name as all symbols are, and behind one of a declaration that has this name
         content = sp.Symbol._hashable_content(symbol)
-        symbol.content = (f"{name}\0{meaning}\0{parts}", *content[1:])
+        from_what = [part.content[0] if isinstance(part, Symbol) else part for part in parts]
+        symbol.content = (f"{name}\0{meaning}\0{from_what}", *content[1:])
         return symbol
 
     def _hashable_content(self) -> tuple[Any, ...]:

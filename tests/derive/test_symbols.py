@@ -112,8 +112,14 @@ def test_a_symbol_is_what_it_means() -> None:
 
 
 def test_symbols_of_one_name_add_and_multiply_as_others_do() -> None:
-    made = Symbol("state", sp.Symbol("x", real=True), 1)
-    for other in (sp.Symbol("x_1", real=True), Symbol("written", "x_1", "y")):
+    state, declared = Symbol("state", sp.Symbol("x", real=True), 1), sp.Symbol("x_1", real=True)
+    pairs = (
+        (state, declared),
+        (state, Symbol("written", "x_1", "y")),
+        (derivative(state, X), derivative(declared, X)),
+        (derivative(X, state), derivative(X, declared)),
+    )
+    for made, other in pairs:
         assert made.compare(other) == -other.compare(made) != 0
         assert made + other == other + made
         assert made * other - other * made == 0
