@@ -6,6 +6,7 @@ simulate.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import warnings
@@ -77,6 +78,9 @@ def main(command: str | None = None) -> None:
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # overflows and the like: answers say what they are
     os.environ["MPLBACKEND"] = "agg"  # pictures are files: what the user names is for windows
+    # derivations make millions of small objects without cycles, and the same ones again
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "50000")
+    gc.set_threshold(50_000, 20, 20)
     _open_streams()
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
