@@ -26,7 +26,7 @@ KNOWN = {
     "nonsmooth census": (4, "e7dc97ad2fd4"),
     "nonsmooth certificate": (4, "e8f68e264464"),
     "nonsmooth certified branch": (4, "e710bf3ffbf5"),
-    "nonsmooth certified cascade": (2, "c4d7a533e3f1"),
+    "nonsmooth certified doubling": (1, "14b7c3e7c0aa"),
     "nonsmooth chaos certificate": (4, "da5ba7744476"),
     "nonsmooth composed orbit": (3, "596388c9b299"),
     "nonsmooth design": (1, "21fd4ff587b1"),
