@@ -26,7 +26,7 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_branch", "prove_cascade",
+__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_branch", "prove_doubling",
            "prove_graph", "rooted", "struck", "struck_together", "unhashed"]  # fmt: skip
 
 x, v = sp.symbols("x v", real=True)
@@ -164,10 +164,10 @@ def prove_branch() -> ns.CertifiedBranch:
     return ns.certify_branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
 
 
-def prove_cascade() -> ns.CertifiedCascade:
+def prove_doubling() -> ns.CertifiedDoubling:
     """What branches off at that flip, in one tile."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
-    return ns.certify_cascade(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
+    return ns.certify_doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
 def prove_graph() -> ns.GraphCertificate:

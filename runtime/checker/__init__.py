@@ -4,7 +4,7 @@ A file states a declaration of the system and what is claimed. Each kind of file
 
 - `check`: one orbit, in a box of unknowns, with its derivatives by parameters;
 - `check_tiles`: a map over a box of parameters, `check_branch`: a branch, also beyond its borders;
-- `check_events`: single events of orbits, `check_cascade`: doublings between branches;
+- `check_events`: single events of orbits, `check_doubling`: what is beyond a flip;
 - `check_census`: the orbits of a list, that each exists and no two are one, not that there are
   no others;
 - `check_chaos`: coverings and cone conditions of sets, `check_basin`: a contracted core and what
@@ -24,7 +24,7 @@ from nonsmooth.runtime.checker.basin import check_basin
 from nonsmooth.runtime.checker.beyond import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.chaos import check_chaos
-from nonsmooth.runtime.checker.doubling import check_cascade
+from nonsmooth.runtime.checker.doubling import check_doubling
 from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.graph import check_graph
@@ -38,9 +38,9 @@ __all__ = [
     "check",
     "check_basin",
     "check_branch",
-    "check_cascade",
     "check_census",
     "check_chaos",
+    "check_doubling",
     "check_events",
     "check_graph",
     "check_tiles",

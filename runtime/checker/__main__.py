@@ -7,9 +7,9 @@ from nonsmooth.runtime.checker import (
     check,
     check_basin,
     check_branch,
-    check_cascade,
     check_census,
     check_chaos,
+    check_doubling,
     check_events,
     check_graph,
     check_tiles,
@@ -21,8 +21,8 @@ if "edges" in content:
     check_graph(content)
 elif "ranks" in content:
     check_basin(content)
-elif "doublings" in content:
-    check_cascade(content)
+elif "doubled" in content:
+    check_doubling(content)
 elif "unknown_names" in content:
     check_branch(content)
 elif "tiles" in content:

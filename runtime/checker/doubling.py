@@ -1,4 +1,4 @@
-"""The check of doublings: orbits of twice the period that begin at a flip of a branch.
+"""The check of a doubling: orbits of twice the period that begin at a flip of a branch.
 
 Both halves of such an orbit satisfy the equations F of the orbit of which the flip is, but for
 the closure: each ends where the other begins. Half of their sum is m, half of their difference
@@ -23,7 +23,7 @@ from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, i
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at
-from nonsmooth.runtime.checker.shape import CASCADE, check_shape
+from nonsmooth.runtime.checker.shape import DOUBLING, check_shape
 from nonsmooth.runtime.checker.stability import characteristic, passing, stability
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_averages import (
@@ -35,7 +35,7 @@ from nonsmooth.runtime.core.taylor_averages import (
 )
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
 
-__all__ = ["check_cascade", "check_doubling"]
+__all__ = ["check_doubled", "check_doubling"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -44,50 +44,43 @@ _DEEPEST = 5  # halvings of a tube whose claims take smaller ones
 _ALIKE = ("parameters", "parameter", "stability")
 
 
-def check_cascade(content: dict[str, Any]) -> None:
-    """Prove every claim of a cascade again; `Failure` names a claim that is not proved.
+def check_doubling(content: dict[str, Any]) -> None:
+    """Prove every claim of a doubling again; `Failure` names a claim that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, CASCADE)
+    check_shape(content, DOUBLING)
     check_sum(content)
-    doublings, branches = content["doublings"], content["branches"]
-    demand(len(branches) == len(doublings) + 1, "a doubling has a branch in front and behind")
-    demand(0 < content["asked"] >= len(doublings), "more doublings than were asked for")
-    decided = all(doubling["verdict"] != "undecided" for doubling in doublings)
-    whole = len(doublings) == content["asked"] and decided
-    demand((content["claims"]["doublings"] == "proved") == whole, "the claim is another one")
-    complete = content["ended"] == "complete"
-    demand(
-        not complete or len(doublings) == content["asked"], "fewer doublings than were asked for"
-    )
-    demand(not (complete and content["end"]), "a reason why it goes no further, though it is whole")
-    tiles = []
-    for number, branch in enumerate(branches, 1):
+    doubled = content["doubled"]
+    decided = doubled is not None and doubled["verdict"] != "undecided"
+    demand((content["claims"]["doubling"] == "proved") == decided, "the claim is another one")
+    if content["ended"] == "complete":
+        demand(doubled is not None, "it is called complete without doubled orbits")
+        demand(not content["end"], "a reason why it goes no further, though it is whole")
+    branches, tiles = [content["branch"]], []
+    if doubled is not None:
+        branches.append(doubled["branch"])
+    for name, branch in zip(("the branch", "the doubled branch"), branches, strict=False):
         try:
             tiles.append(checked_tiles(branch))
         except Failure as failure:
-            raise Failure(f"branch {number}: {failure}") from None
-    for number, doubling in enumerate(doublings, 1):
-        pair = slice(number - 1, number + 1)
-        try:
-            check_doubling(doubling, branches[pair], tiles[pair])
-        except Failure as failure:
-            raise Failure(f"doubling {number}: {failure}") from None
+            raise Failure(f"{name}: {failure}") from None
+    if doubled is not None:
+        check_doubled(doubled, branches, tiles)
 
 
-def check_doubling(
-    doubling: dict[str, Any],
+def check_doubled(
+    doubled: dict[str, Any],
     branches: Sequence[dict[str, Any]],
     tiles: Sequence[Sequence[CheckedTile]],
 ) -> None:
-    """Prove one doubling between two branches that are already proved.
+    """Prove the doubled orbits between two branches that are already proved.
 
     `branches` and `tiles` are those of the branch with the flip and of the one that begins there.
     """
     _same_system(*branches)
     with ctx.workprec(_BITS):
-        _CheckedDoubling(doubling, branches[1], *tiles).check()
+        _CheckedDoubling(doubled, branches[1], *tiles).check()
 
 
 def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:

@@ -13,10 +13,10 @@ from nonsmooth.runtime.checker.exact import NUMBER, Failure
 __all__ = [
     "BASIN",
     "BRANCH",
-    "CASCADE",
     "CENSUS",
     "CERTIFICATE",
     "CHAOS",
+    "DOUBLING",
     "EVENTS",
     "GRAPH",
     "MAP",
@@ -299,27 +299,26 @@ _BEYOND = {
     "branch": _branch(_EVENT),
 }
 BRANCH = {**_FILE, **_branch({**_EVENT, "beyond": Maybe([_BEYOND])})}
-CASCADE = {
+_DOUBLED = {
+    "tile": int,
+    "scaled": str,
+    "amplitude": NUMBER,
+    "side": re.compile("above|below"),
+    "verdict": re.compile("stable|unstable|undecided"),
+    "reason": str,
+    "rate": _BALL,
+    "centre": [[float]],
+    "radii": [float],
+    "branch": _branch(_EVENT),
+}
+DOUBLING = {
     **_FILE,
     "orbit": str,
-    "claims": {"doublings": re.compile("proved|undecided")},
-    "asked": int,
+    "claims": {"doubling": re.compile("proved|undecided")},
     "ended": re.compile("complete|unfinished|no flip|not covered|not proved"),
     "end": str,
-    "doublings": [
-        {
-            "tile": int,
-            "scaled": str,
-            "amplitude": NUMBER,
-            "side": re.compile("above|below"),
-            "verdict": re.compile("stable|unstable|undecided"),
-            "reason": str,
-            "rate": _BALL,
-            "centre": [[float]],
-            "radii": [float],
-        }
-    ],
-    "branches": [_branch(_EVENT)],
+    "branch": _branch(_EVENT),
+    "doubled": Either((type(None), _DOUBLED)),
 }
 CHAOS = {
     **_FILE,

@@ -21,7 +21,7 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.certifying_boxes import certify_over
-from nonsmooth.runtime.cli.certifying_branches import certify_flips, certify_whole_branch
+from nonsmooth.runtime.cli.certifying_branches import certify_flip, certify_whole_branch
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
@@ -59,14 +59,14 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50 --save events.json\n\n"
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --branch --save branch.json"
     " --plot branch.png\n\n"
-    "nonsmooth certify dry-friction/symmetric V=1:1.2 --doublings 1 --save cascade.json"
-    " --plot cascade.png\n\n"
+    "nonsmooth certify dry-friction/symmetric V=1:1.2 --doubling --save doubling.json"
+    " --plot doubling.png\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
 @resumable(
-    "orbit parameters guess digits bits derivatives every events branch",
-    anew="tiles beyond doublings",
+    "orbit parameters guess digits bits derivatives every events branch doubling",
+    anew="tiles beyond",
 )
 def certify(
     orbit: Annotated[
@@ -149,21 +149,20 @@ def certify(
             " and on which side.",
         ),
     ] = False,
-    doublings: Annotated[
-        int | None,
+    doubling: Annotated[
+        bool,
         typer.Option(
-            "--doublings",
-            metavar="N",
+            "--doubling",
             help="Prove the orbits of twice the period beside the first flip over one range,"
-            " V=1:1.2, their side and stability; then beside the flip of these: N times.",
+            " V=1:1.2, their side and stability, and how they go on.",
         ),
-    ] = None,
+    ] = False,
     seconds: Annotated[
         float | None,
         typer.Option(
             "--seconds",
             min=0,
-            help="With --branch or --doublings: after so long nothing more is begun;"
+            help="With --branch or --doubling: after so long nothing more is begun;"
             " --resume goes on.",
         ),
     ] = None,
@@ -185,14 +184,13 @@ def certify(
     The exit code is then 1 while more than 1 % of the box is undecided.
 
     With --all ranges are of dwell times, and orbits are counted; with --events: what happens;
-    with --branch: that nothing else happens; with --doublings: what is beyond a flip.
+    with --branch: that nothing else happens; with --doubling: what is beyond a flip.
     """
     if check is not None:
         options = (
-            parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, doublings,
-            seconds,
+            parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, seconds,
         )  # fmt: skip
-        chosen = (every, events, branch, beyond, overwrite, yes)
+        chosen = (every, events, branch, doubling, beyond, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
         return _check(check, orbit, require, workers, as_json=as_json)
@@ -200,12 +198,12 @@ def certify(
         raise InputError("--workers goes with --check")
     if orbit is None:
         raise InputError("an orbit is missing, --resume FILE or --check FILE")
-    if every + events + branch + (doublings is not None) > 1:
+    if every + events + branch + doubling > 1:
         raise InputError(
-            "--all, --events, --branch and --doublings are questions of their own: ask one of them"
+            "--all, --events, --branch and --doubling are questions of their own: ask one of them"
         )
-    if seconds is not None and doublings is None and not branch:
-        raise InputError("--seconds is for --branch and --doublings")
+    if seconds is not None and not (branch or doubling):
+        raise InputError("--seconds is for --branch and --doubling")
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     if beyond and not branch:
@@ -223,12 +221,12 @@ def certify(
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
         told, code = certify_whole_branch(proof, looked_at, seconds, beyond=beyond)
         return _judged(told, require, code)
-    if doublings is not None:
+    if doubling:
         if digits is not None or bits is not None:
-            raise InputError("--digits and --bits are not for --doublings")
+            raise InputError("--digits and --bits are not for --doubling")
         looked_at = _BRANCH_TILES if tiles is None else tiles
-        check_hours(f"{doublings} doublings", doublings * looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_flips(proof, doublings, looked_at, seconds)
+        check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
+        told, code = certify_flip(proof, looked_at, seconds)
         return _judged(told, require, code)
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:

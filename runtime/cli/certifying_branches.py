@@ -1,4 +1,4 @@
-"""Certifying a whole branch, and what is beyond its flips, from the command line."""
+"""Certifying a whole branch, and what is beyond its flip, from the command line."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nonsmooth.runtime.cli.keeping import worked
 from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.ranges import followed_over
 
-__all__ = ["certify_flips", "certify_whole_branch"]
+__all__ = ["certify_flip", "certify_whole_branch"]
 
 
 def certify_whole_branch(
@@ -47,30 +47,28 @@ def certify_whole_branch(
     return proof.answer(found, stopped, told_json, show_branch, enough=found.complete, done=done)
 
 
-def certify_flips(
-    proof: LongProof, doublings: int, tiles: int, seconds: float | None
+def certify_flip(
+    proof: LongProof, tiles: int, seconds: float | None
 ) -> tuple[Mapping[str, str], int]:
     """Prove, keep and show the doubled orbits beyond the first flip of an orbit's branch.
 
-    It gives the verdict on "doublings" and the exit code. `doublings` counts the flips that
-    are passed one after the other, `tiles` bounds the tiles of each doubled branch, and
-    after so many seconds nothing more is begun (None for no limit). InputError refuses
-    anything but exactly one range.
+    It gives the verdict on "doubling" and the exit code. `tiles` bounds the tiles of the
+    doubled branch, and after so many seconds nothing more is begun (None for no limit).
+    InputError refuses anything but exactly one range.
     """
     from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.cli.display_certificates import show_cascade
-    from nonsmooth.runtime.present.files.certified_cascades import load_certified_cascade
-    from nonsmooth.runtime.proof.doubling.certified_cascade import told_cascade_json
-    from nonsmooth.runtime.proof.doubling.certify_cascade import certify_cascade
+    from nonsmooth.runtime.cli.display_certificates import show_doubling
+    from nonsmooth.runtime.present.files.certified_doublings import load_certified_doubling
+    from nonsmooth.runtime.proof.doubling.certified_doubling import told_doubling_json
+    from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling
 
-    known = proof.known(load_certified_cascade)
-    example = "--doublings V=1:1.2"
+    known = proof.known(load_certified_doubling)
+    example = "--doubling V=1:1.2"
     branch, interval = followed_over(proof.name, proof.parameters, proof.near, example)
-    with shared(f"proving {proof.name}", f"of {doublings} doublings") as progress:
+    with shared(f"proving {proof.name}") as progress:
         found, stopped = worked(
-            lambda: certify_cascade(
+            lambda: certify_doubling(
                 branch,
-                doublings=doublings,
                 interval=interval,
                 tiles=tiles,
                 seconds=math.inf if seconds is None else seconds,
@@ -79,6 +77,7 @@ def certify_flips(
                 keep=proof.keep,
             )
         )
-    done = f"{len(found.doublings)} doublings are proved"
-    whole = found.claims["doublings"] == "proved"
-    return proof.answer(found, stopped, told_cascade_json, show_cascade, enough=whole, done=done)
+    branch_tiles = 0 if found.doubled is None else len(found.doubled.branch.tiles)
+    done = f"{branch_tiles} tiles of the doubled branch are proved"
+    whole = found.claims["doubling"] == "proved"
+    return proof.answer(found, stopped, told_doubling_json, show_doubling, enough=whole, done=done)

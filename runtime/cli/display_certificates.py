@@ -18,7 +18,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedB
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 if TYPE_CHECKING:
@@ -28,22 +28,22 @@ __all__ = [
     "STYLES",
     "UNIFORM",
     "branch_table",
-    "cascade_table",
     "chaos_lines",
+    "doubling_table",
     "enclosure_table",
     "share_table",
     "show_box",
     "show_branch",
-    "show_cascade",
     "show_certificate",
     "show_chaos",
     "show_derivatives",
+    "show_doubling",
     "show_events",
 ]
 
 _ENDS = {
     "unfinished": "the work was stopped, and --resume goes on with it",
-    "no flip": "no further flip is proved",
+    "no flip": "the branch has no flip that is proved",
     "not covered": "such orbits are not covered",
     "not proved": "a step is not proved",
 }
@@ -238,43 +238,33 @@ def branch_table(found: CertifiedBranch) -> Table:
     return table
 
 
-def show_cascade(found: CertifiedCascade) -> None:
-    """Show the flips, and what is proved of the orbits of twice the period beside them."""
+def show_doubling(found: CertifiedDoubling) -> None:
+    """Show the flip, and what is proved of the orbits of twice the period beside it."""
     out = console_as_wide()
     out.print(Text(f"{shown_name(found.orbit)}, along {found.parameter}", style="bold"))
-    show_table(cascade_table(found), out)
-    for ratio in found.ratios:
-        out.print(f"ratio of distances between flips: {ratio}")
+    show_table(doubling_table(found), out)
     values = found.parameters
     out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
-    far = f"{len(found.doublings)} of {found.asked} doublings are proved"
-    if found.ended == "complete":
-        out.print(Text(far))
-        return
-    told = f"{far}; ended because {_ENDS[found.ended]}"
-    out.print(Text(f"{told}: {found.end}" if found.end else told, style="yellow"))
+    if found.ended != "complete":
+        told = f"ended because {_ENDS[found.ended]}"
+        out.print(Text(f"{told}: {found.end}" if found.end else told, style="yellow"))
 
 
-def cascade_table(found: CertifiedCascade) -> Table:
-    """Flips and doubled orbits in their order.
-
-    Each doubling has a row for the flip, one for the doubled orbits, and one for each
-    interval of their branch.
-    """
+def doubling_table(found: CertifiedDoubling) -> Table:
+    """A row for the flip, one for the doubled orbits, and one for each part of their branch."""
     table = listing("", found.parameter, "", "phases")
-    for number, (event, doubling) in enumerate(zip(found.flips, found.doublings, strict=True)):
-        value = str(event.enclosures[found.parameter])
-        kind = found.kind(number)
-        phases = len(found.branches[number].itinerary)
-        table.add_row(Text("flip", style="bold"), value, kind, str(phases))
-        branch = found.branches[number + 1]
-        low, high = map(float, branch.interval)
-        near = f"{doubling.side} the flip: {doubling.verdict}"
-        told = [near, doubling.reason] if doubling.reason else [near]
-        table.add_row("doubled orbits", f"{low:.10g} ... {high:.10g}", ": ".join(told),
-                      str(2 * phases))  # fmt: skip
-        for part in branch.intervals:
-            table.add_row("", f"{part.begin:.10g} ... {part.end:.10g}", part.verdict, "")
+    doubled, flip = found.doubled, found.flip
+    if doubled is None or flip is None:
+        return table
+    phases = len(found.branch.itinerary)
+    value = str(flip.enclosures[found.parameter])
+    table.add_row(Text("flip", style="bold"), value, found.kind, str(phases))
+    low, high = map(float, doubled.branch.interval)
+    near = f"{doubled.side} the flip: {doubled.verdict}"
+    told = f"{near}: {doubled.reason}" if doubled.reason else near
+    table.add_row("doubled orbits", f"{low:.10g} ... {high:.10g}", told, str(2 * phases))
+    for part in doubled.branch.intervals:
+        table.add_row("", f"{part.begin:.10g} ... {part.end:.10g}", part.verdict, "")
     return table
 
 

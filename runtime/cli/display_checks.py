@@ -14,8 +14,8 @@ from nonsmooth.runtime.cli.display_certificates import (
     STYLES,
     UNIFORM,
     branch_table,
-    cascade_table,
     chaos_lines,
+    doubling_table,
     enclosure_table,
     share_table,
     show_derivatives,
@@ -32,7 +32,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
-from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
@@ -61,8 +61,8 @@ def show_check(found: Check) -> None:
             _show_map(out, certificate, compared=found.compared)
         case CertifiedBranch() as branch:
             _show_branch(out, branch, compared=found.compared)
-        case CertifiedCascade() as cascade:
-            _show_cascade(out, cascade, compared=found.compared)
+        case CertifiedDoubling() as doubling:
+            _show_doubling(out, doubling, compared=found.compared)
         case Census() as census:
             _show_census(out, census, found.claims["listed"], compared=found.compared)
         case BasinCertificate() as basin:
@@ -122,14 +122,14 @@ def _show_branch(out: Console, found: CertifiedBranch, *, compared: bool) -> Non
     _show_claims(out, found.claims, meaning, _VERDICTS)
 
 
-def _show_cascade(out: Console, found: CertifiedCascade, *, compared: bool) -> None:
+def _show_doubling(out: Console, found: CertifiedDoubling, *, compared: bool) -> None:
     out.print(
         Text(f"{_called(found.orbit, compared=compared)}, along {found.parameter}", style="bold")
     )
-    _show_cycle(out, found.branches[0].itinerary)
+    _show_cycle(out, found.branch.itinerary)
     _show_values(out, found.parameters)
-    show_table(cascade_table(found), out)
-    meaning = {"doublings": "the flips, and the orbits of twice the period beside them"}
+    show_table(doubling_table(found), out)
+    meaning = {"doubling": "the flip, and the orbits of twice the period beside it"}
     _show_claims(out, found.claims, meaning, _VERDICTS)
 
 

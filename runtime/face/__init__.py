@@ -52,8 +52,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
     from nonsmooth.runtime.proof.counting.certify_all import certify_all
-    from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
-    from nonsmooth.runtime.proof.doubling.certify_cascade import certify_cascade
+    from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
+    from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling
     from nonsmooth.runtime.proof.events.certify_event import certify_event
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
@@ -77,7 +77,7 @@ __all__ = [
     "Census",
     "Certificate",
     "CertifiedBranch",
-    "CertifiedCascade",
+    "CertifiedDoubling",
     "ChaosCertificate",
     "Check",
     "Design",
@@ -109,8 +109,8 @@ __all__ = [
     "certify_basin",
     "certify_box",
     "certify_branch",
-    "certify_cascade",
     "certify_chaos",
+    "certify_doubling",
     "certify_event",
     "certify_graph",
     "chart",
@@ -142,7 +142,7 @@ _HOMES = {
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
     "CertifiedBranch": "proof.branch.certified_branch",
-    "CertifiedCascade": "proof.doubling.certified_cascade",
+    "CertifiedDoubling": "proof.doubling.certified_doubling",
     "BasinCertificate": "proof.basin.basin_certificate",
     "ChaosCertificate": "proof.chaos.chaos_certificate",
     "DifferentiableFunction": "core.differentiable",
@@ -172,9 +172,9 @@ _HOMES = {
     "certify": "proof.certify_orbit",
     "certify_box": "proof.boxes.certify_box",
     "certify_branch": "proof.branch.certify_branch",
-    "certify_cascade": "proof.doubling.certify_cascade",
     "certify_basin": "proof.basin.certify_basin",
     "certify_chaos": "proof.chaos.certify_chaos",
+    "certify_doubling": "proof.doubling.certify_doubling",
     "certify_event": "proof.events.certify_event",
     "certify_graph": "proof.graphs.certify_graph",
     "certify_all": "proof.counting.certify_all",
@@ -212,7 +212,7 @@ register(
         "draw_graph": "present.pictures.box_graphs",
         "draw_branch": "present.pictures.branches",
         "draw_certified_branch": "present.pictures.certified_branches",
-        "draw_cascade": "present.pictures.certified_cascades",
+        "draw_doubling": "present.pictures.certified_doublings",
         "draw_design": "present.pictures.designs",
         "draw_locus": "present.pictures.branches",
         "fit_json": "present.files.fits",
@@ -233,7 +233,7 @@ register(
         "save_branch": "present.files.branches",
         "save_chaos": "present.files.chaos_certificates",
         "save_census": "present.files.censuses",
-        "save_cascade": "present.files.certified_cascades",
+        "save_doubling": "present.files.certified_doublings",
         "save_certificate": "present.files.certificates",
         "save_certified_branch": "present.files.certified_branches",
         "save_design": "present.files.designs",

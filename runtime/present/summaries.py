@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
-    from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+    from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
@@ -367,19 +367,15 @@ def _certified_branch(proof: CertifiedBranch) -> Summary:
     )
 
 
-def _certified_cascade(proof: CertifiedCascade) -> Summary:
-    flips = [
-        f"{event.enclosures[proof.parameter]} {proof.kind(number)}".rstrip()
-        for number, event in enumerate(proof.flips)
-    ]
-    doubled = [f"{each.verdict} {each.side} the flip" for each in proof.doublings]
+def _certified_doubling(proof: CertifiedDoubling) -> Summary:
+    flip, doubled = proof.flip, proof.doubled
+    value = "" if flip is None else f"{flip.enclosures[proof.parameter]} {proof.kind}".rstrip()
     return (
-        f"certified cascade of {shown_name(proof.orbit)} along {proof.parameter}",
+        f"certified doubling of {shown_name(proof.orbit)} along {proof.parameter}",
         [
             ("claims", _claims(proof.claims, {})),
-            ("flips", flips),
-            ("doubled", doubled),
-            ("ratios", [str(ratio) for ratio in proof.ratios]),
+            ("flip", [value] if value else []),
+            ("doubled", [] if doubled is None else [f"{doubled.verdict} {doubled.side} the flip"]),
             ("end", [proof.end] if proof.end else []),
             ("given", _given(proof.parameters)),
         ],
@@ -472,7 +468,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Census": _census,
     "Certificate": _certificate,
     "CertifiedBranch": _certified_branch,
-    "CertifiedCascade": _certified_cascade,
+    "CertifiedDoubling": _certified_doubling,
     "Check": _check,
     "Design": _design,
     "BasinCertificate": _basin,

@@ -141,7 +141,7 @@ def engine_needed(example: str) -> bool:
 
 
 # examples of these take many seconds in C too
-LONG = "nonsmooth chaos", "nonsmooth basin dry-friction", "--doublings", "--worst-over"
+LONG = "nonsmooth chaos", "nonsmooth basin dry-friction", "--doubling", "--worst-over"
 LONG = *LONG, "--responses", "--basins", "--compile", "--starts 800", "nonsmooth find", "map.json"
 LONG = *LONG, "nonsmooth basin", "nonsmooth graph", "--over energy", "--simulate", "--branch"
 LONG = *LONG, "--format", "--phase", "--subject", "--switch", "found.json"

@@ -20,7 +20,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import LOOP, kicked, loop, prove_basin, prove_cascade, prove_graph
+from tests.certified import LOOP, kicked, loop, prove_basin, prove_doubling, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -107,7 +107,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth box certificate": proven_map,
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
-    "nonsmooth certified cascade": prove_cascade,
+    "nonsmooth certified doubling": prove_doubling,
     "nonsmooth basin certificate": prove_basin,
     "nonsmooth chaos certificate": folded_horseshoe,
     "nonsmooth graph certificate": prove_graph,

@@ -14,11 +14,11 @@ from nonsmooth.runtime.model.kernels import compiled_engine
 COMPILED = {
     *("basins", "find_orbits", "load_found", "load_sweep"),
     *("lyapunov", "simulate_many", "sweep"),
-    "certify_cascade",
+    "certify_doubling",
     "certify_chaos",
 }
 # proofs that take seconds
-SLOW = {"certify_basin", "certify_branch", "certify_cascade", "certify_graph"}
+SLOW = {"certify_basin", "certify_branch", "certify_doubling", "certify_graph"}
 
 
 def with_examples() -> list[str]:

@@ -26,7 +26,7 @@ KNOWN = {
     "nonsmooth census": (5, "e7dc97ad2fd4"),
     "nonsmooth certificate": (5, "e8f68e264464"),
     "nonsmooth certified branch": (5, "e710bf3ffbf5"),
-    "nonsmooth certified cascade": (3, "c4d7a533e3f1"),
+    "nonsmooth certified doubling": (2, "14b7c3e7c0aa"),
     "nonsmooth chaos certificate": (5, "da5ba7744476"),
     "nonsmooth composed orbit": (4, "596388c9b299"),
     "nonsmooth design": (1, "21fd4ff587b1"),

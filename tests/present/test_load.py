@@ -31,7 +31,7 @@ TYPES: dict[str, type] = {
     "nonsmooth box certificate": ns.BoxCertificate,
     "nonsmooth event certificate": tuple,
     "nonsmooth certified branch": ns.CertifiedBranch,
-    "nonsmooth certified cascade": ns.CertifiedCascade,
+    "nonsmooth certified doubling": ns.CertifiedDoubling,
     "nonsmooth basin certificate": ns.BasinCertificate,
     "nonsmooth chaos certificate": ns.ChaosCertificate,
     "nonsmooth graph certificate": ns.GraphCertificate,

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from tests.certified import kicked, prove_basin, prove_branch, prove_cascade, prove_graph
+from tests.certified import kicked, prove_basin, prove_branch, prove_doubling, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -84,8 +84,8 @@ def result(kind: str) -> Any:
             return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
         case "CertifiedBranch":
             return ns.load(shared_file("branch of friction", prove_branch))
-        case "CertifiedCascade":
-            return ns.load(shared_file("nonsmooth certified cascade", prove_cascade))
+        case "CertifiedDoubling":
+            return ns.load(shared_file("nonsmooth certified doubling", prove_doubling))
         case "BasinCertificate":
             return ns.load(shared_file("nonsmooth basin certificate", prove_basin))
         case "ChaosCertificate":

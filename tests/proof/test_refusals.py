@@ -20,7 +20,7 @@ from nonsmooth.runtime.proof.chaos import certify_chaos
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.coverings import Coverings
 from nonsmooth.runtime.proof.counting import certify_all
-from nonsmooth.runtime.proof.doubling import cascade_steps
+from nonsmooth.runtime.proof.doubling import certify_doubling
 from nonsmooth.runtime.proof.events import certify_event
 from nonsmooth.runtime.proof.refusals import refusal
 from tests.horseshoes import folded_horseshoe
@@ -189,16 +189,16 @@ def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
         return what == "doubling" or doubling["verdict"] != "undecided"
 
     with monkeypatch.context() as planted:
-        checked = refusing(cascade_steps.check_doubling, claimed)
-        planted.setattr(cascade_steps, "check_doubling", checked)
-        found = ns.certify_cascade(branch(), tiles=1)
+        checked = refusing(certify_doubling.check_doubled, claimed)
+        planted.setattr(certify_doubling, "check_doubled", checked)
+        found = ns.certify_doubling(branch(), tiles=1)
     if what == "verdict":
-        (doubling,) = found.doublings
-        assert (doubling.verdict, doubling.reason) == ("undecided", PLANTED)
+        assert found.doubled is not None
+        assert (found.doubled.verdict, found.doubled.reason) == ("undecided", PLANTED)
     else:
-        assert (found.ended, found.end) == ("not proved", f"doubling 1: {PLANTED}")
-        assert not found.doublings
-    assert passes(found, tmp_path).claims == {"doublings": "undecided"}
+        assert (found.ended, found.end) == ("not proved", PLANTED)
+        assert found.doubled is None
+    assert passes(found, tmp_path).claims == {"doubling": "undecided"}
 
 
 def test_chaos(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -20,9 +20,9 @@ from nonsmooth.runtime.checker import (
     check,
     check_basin,
     check_branch,
-    check_cascade,
     check_census,
     check_chaos,
+    check_doubling,
     check_events,
     check_graph,
     check_tiles,
@@ -50,10 +50,10 @@ from nonsmooth.runtime.present.files.certified_branches import (
     branch_file_entries,
     certified_branch_of,
 )
-from nonsmooth.runtime.present.files.certified_cascades import (
-    CASCADE,
-    certified_cascade_entries,
-    certified_cascade_of,
+from nonsmooth.runtime.present.files.certified_doublings import (
+    DOUBLING,
+    certified_doubling_of,
+    doubling_entries,
 )
 from nonsmooth.runtime.present.files.chaos_certificates import CHAOS, chaos_entries, chaos_of
 from nonsmooth.runtime.present.files.event_certificates import (
@@ -68,7 +68,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
-from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
@@ -78,7 +78,7 @@ Proven = (
     Certificate
     | BoxCertificate
     | CertifiedBranch
-    | CertifiedCascade
+    | CertifiedDoubling
     | Census
     | ChaosCertificate
     | BasinCertificate
@@ -104,7 +104,7 @@ class Check(Shown):
         What is wrong with it; None if every claim was proved again.
     note : str or None
         What is not compared, or not proved again.
-    certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedCascade, Census,
+    certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedDoubling, Census,
         ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Its reasons why something is undecided are left out: nothing proves them. Which
@@ -153,7 +153,7 @@ _KINDS = {
         _Kind(CERTIFICATE, check, certificate_of, certificate_entries, _own),
         _Kind(BOX, check_tiles, box_of, box_entries, _own),
         _Kind(BRANCH, check_branch, certified_branch_of, branch_file_entries, _own),
-        _Kind(CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries, _own),
+        _Kind(DOUBLING, check_doubling, certified_doubling_of, doubling_entries, _own),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed),
         _Kind(BASIN, check_basin, basin_of, basin_entries, _own, divides=True),
@@ -178,7 +178,7 @@ def check_certificate(
     Parameters
     ----------
     path : str or path
-        What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedCascade`,
+        What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedDoubling`,
         `EventCertificate`, `ChaosCertificate`, `BasinCertificate`, `GraphCertificate` or `Census`
         wrote.
     declared : str, optional
@@ -293,7 +293,9 @@ def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
 
 def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     """The parts of a file that name a system: its events, its branches, or the whole."""
-    found: list[Mapping[str, Any]] = content.get("events", content.get("branches", [content]))
+    if "doubled" in content:
+        return [part["branch"] for part in (content, content["doubled"]) if part is not None]
+    found: list[Mapping[str, Any]] = content.get("events", [content])
     return found
 
 

@@ -100,10 +100,10 @@ def _branch(content: Content) -> bool:
     return all([_box(own), *map(_branch, beyond)])
 
 
-def _cascade(content: Content) -> bool:
-    """Compare all branches of a certified cascade."""
-    compared = all([_branch(branch) for branch in content["branches"]])
-    first = content["branches"][0]
+def _doubling(content: Content) -> bool:
+    """Compare both branches of a certified doubling."""
+    first, doubled = content["branch"], content["doubled"]
+    compared = all([_branch(first), doubled is None or _branch(doubled["branch"])])
     if content["orbit"] == first["orbit"]:
         return compared
     if first["tables"] is not None:
@@ -302,7 +302,7 @@ _COMPARISONS: Mapping[str, Callable[[Content], bool]] = {
     "nonsmooth box certificate": _box,
     "nonsmooth event certificate": _events,
     "nonsmooth certified branch": _branch,
-    "nonsmooth certified cascade": _cascade,
+    "nonsmooth certified doubling": _doubling,
     "nonsmooth census": _census,
     "nonsmooth basin certificate": _basin,
     "nonsmooth chaos certificate": _chaos,

@@ -31,7 +31,7 @@ READERS: Mapping[str, str] = MappingProxyType(
         "nonsmooth box certificate": "box_certificates:load_box_certificate",
         "nonsmooth event certificate": "event_certificates:load_event_certificates",
         "nonsmooth certified branch": "certified_branches:load_certified_branch",
-        "nonsmooth certified cascade": "certified_cascades:load_certified_cascade",
+        "nonsmooth certified doubling": "certified_doublings:load_certified_doubling",
         "nonsmooth census": "censuses:load_census",
         "nonsmooth basin certificate": "basin_certificates:load_basin_certificate",
         "nonsmooth chaos certificate": "chaos_certificates:load_chaos_certificate",
@@ -51,14 +51,14 @@ def load(path: str | os.PathLike[str]) -> Any:
     ----------
     path : str or path
         JSON of an orbit, found orbits, a branch, a curve of events, a design, a sweep, a fit, a
-        certificate, a proven map, a proven branch or cascade, certificates of events, a
+        certificate, a proven map, a proven branch or doubling, certificates of events, a
         certificate of chaos, a basin or a graph of boxes, or a census; .npz or .csv of a motion;
         the folder of a chart.
 
     Returns
     -------
     Orbit, Found, Branch, Locus, Design, Sweep, Fit, Certificate, BoxCertificate, \
-BasinCertificate, CertifiedBranch, CertifiedCascade, ChaosCertificate, GraphCertificate, Census, \
+BasinCertificate, CertifiedBranch, CertifiedDoubling, ChaosCertificate, GraphCertificate, Census, \
 Trajectory, tuple of EventCertificate or xarray.Dataset
         The result that was saved. A chart may be incomplete, `status` being -128 where nothing
         is computed yet, and its numbers are read when they are used.

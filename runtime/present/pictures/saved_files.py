@@ -134,10 +134,10 @@ def _certified_branch(path: Path) -> Drawn:
     return _of_orbit(load_certified_branch(path))
 
 
-def _certified_cascade(path: Path) -> Drawn:
-    from nonsmooth.runtime.present.files.certified_cascades import load_certified_cascade
+def _certified_doubling(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.certified_doublings import load_certified_doubling
 
-    return _of_orbit(load_certified_cascade(path))
+    return _of_orbit(load_certified_doubling(path))
 
 
 def _basin(path: Path) -> Drawn:
@@ -191,7 +191,7 @@ _IN_ONE_WAY: dict[str, tuple[str, Callable[[Path], Drawn]]] = {
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth certified branch": ("a certified branch", _certified_branch),
-    "nonsmooth certified cascade": ("a certified cascade", _certified_cascade),
+    "nonsmooth certified doubling": ("a certified doubling", _certified_doubling),
     "nonsmooth basin certificate": ("a certificate of a basin", _basin),
     "nonsmooth chaos certificate": ("a certificate of chaos", _chaos),
     "nonsmooth graph certificate": ("a graph of boxes", _graph),

@@ -193,8 +193,8 @@ class DrawnOverParameter(Kept):
         Parameters
         ----------
         quantity : str, optional
-            By default the last dwell time of a branch; of a cascade the unknown whose halves are
-            told apart at the first flip.
+            By default the last dwell time of a branch; of a doubling the unknown by which the
+            halves of the doubled orbits are told apart.
         axes : matplotlib Axes, optional
             Where to draw; a figure of its own by default.
 

@@ -1,1 +1,1 @@
-"""Proofs beyond a flip: the orbits of twice the period, and cascades of them."""
+"""Proofs beyond a flip: the orbits of twice the period."""

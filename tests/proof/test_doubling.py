@@ -1,4 +1,4 @@
-"""Beyond flips: the side and verdict of doubled orbits, against differences and the integrator."""
+"""Beyond a flip: the side and verdict of doubled orbits, against differences and the integrator."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -10,7 +10,7 @@ import pytest
 from flint import arb
 
 import nonsmooth as ns
-from nonsmooth import CertifiedCascade, InputError, Interrupted
+from nonsmooth import CertifiedDoubling, InputError, Interrupted
 from nonsmooth.runtime.core.taylor_averages import AT_BOTH_ENDS, BENT_MEAN, MEAN, averaged, lifted
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
@@ -30,41 +30,42 @@ def branch() -> Any:
 
 
 @pytest.fixture(scope="module")
-def found(branch: Any) -> CertifiedCascade:
-    return ns.certify_cascade(branch, tiles=3)
+def found(branch: Any) -> CertifiedDoubling:
+    return ns.certify_doubling(branch, tiles=3)
 
 
 @pytest.fixture(scope="module")
-def flip(found: CertifiedCascade) -> tuple[Any, int, list[Any]]:
+def flip(found: CertifiedDoubling) -> tuple[Any, int, list[Any]]:
     """The region of the orbit, the entry that is 1, and the flip with its direction."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
     region = region_of(orbit.problem.by_tables(orbit, {"us1": 1, "us2": 1}), {"V": ENDS})
-    told = flip_with_direction(region, [x.ball for x in found.flips[0].enclosures.values()])
+    told = flip_with_direction(region, [x.ball for x in found.flip.enclosures.values()])
     assert told is not None
     return region, *told
 
 
 @pytest.mark.slow
-def test_the_papers_flip_is_subcritical(found: CertifiedCascade) -> None:
-    (doubling,) = found.doublings
-    assert found.claims == {"doublings": "proved"}
-    assert (found.kind(0), doubling.side, doubling.verdict) == ("subcritical", "above", "unstable")
-    assert str(found.flips[0].enclosures["V"]).startswith("[1.0805880741771120197670640")
-    assert [len(part.itinerary) for part in found.branches] == [2, 4]
+def test_the_papers_flip_is_subcritical(found: CertifiedDoubling) -> None:
+    doubling = found.doubled
+    assert doubling is not None
+    assert found.claims == {"doubling": "proved"}
+    assert (found.kind, doubling.side, doubling.verdict) == ("subcritical", "above", "unstable")
+    assert str(found.flip.enclosures["V"]).startswith("[1.0805880741771120197670640")
+    assert [len(each.branch.itinerary) for each in (found, doubling)] == [2, 4]
     assert "subcritical" in found.statement
     left = replace(doubling, verdict="undecided", reason="not known")
-    assert replace(found, doublings=(left,)).claims == {"doublings": "undecided"}
+    assert replace(found, doubled=left).claims == {"doubling": "undecided"}
 
 
 @pytest.mark.slow
 def test_doubled_orbits_by_newton_are_where_the_rate_says(
-    branch: Any, found: CertifiedCascade
+    branch: Any, found: CertifiedDoubling
 ) -> None:
     """In floating point: V - V0 over a^2 tends to the rate, and the multiplier passes 1."""
-    doubling = found.doublings[0]
+    doubling = found.doubled
     event = next(event for event in branch.events if event.kind == "flip")
-    flip = float(found.flips[0].enclosures["V"])
-    place = found.branches[1].unknown_names.index(doubling.scaled)
+    flip = float(found.flip.enclosures["V"])
+    place = found.doubled.branch.unknown_names.index(doubling.scaled)
     doubled = ns.continue_orbit(branch.switch(event), "V", (flip, 1.085))
     rates = []
     for number in range(len(doubled)):
@@ -81,7 +82,7 @@ def test_doubled_orbits_by_newton_are_where_the_rate_says(
 
 
 def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
-    found: CertifiedCascade,
+    found: CertifiedDoubling,
 ) -> None:
     """Just above the flip the orbit is stable; inside the doubled ones motions return to it."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.083"})
@@ -164,62 +165,66 @@ def test_a_degenerate_flip_and_a_tube_too_wide_are_refused(flip: Any) -> None:
 
 
 @pytest.mark.slow
-def test_a_cascade_can_be_interrupted_and_resumed(
-    branch: Any, found: CertifiedCascade, tmp_path: Path
-) -> None:
+def test_a_proof_can_be_interrupted_and_resumed(branch: Any, found: Any, tmp_path: Path) -> None:
     found.save(tmp_path / "part.json")
     part = ns.load(tmp_path / "part.json")
-    again = ns.certify_cascade(branch, tiles=6, resume=part)  # of the doubled branch
-    assert again.doublings[0].side == found.doublings[0].side
-    assert len(again.branches[1].tiles) == 6
+    again = ns.certify_doubling(branch, tiles=6, resume=part)  # of the doubled branch
+    assert again.doubled is not None
+    assert again.doubled.side == found.doubled.side
+    assert len(again.doubled.branch.tiles) == 6
     assert again.ended == "complete"
-    more = ns.certify_cascade(branch, doublings=2, tiles=6, resume=part)
-    assert len(more.doublings) == 1
-    assert more.claims == {"doublings": "undecided"}
-    assert more.ended == "no flip"
-    assert "no flip is proved" in more.end
 
-    def stop(share: float, doublings: int) -> None:
+    def stop(share: float, tiles: int) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_cascade(branch, tiles=3, progress=stop)
+        ns.certify_doubling(branch, tiles=3, progress=stop)
     first: Any = stopped.value.partial
-    assert first.doublings == ()
+    assert first.doubled is None
     with pytest.raises(InputError):
-        ns.certify_cascade(branch, interval=("1", "1.1"), resume=part)
+        ns.certify_doubling(branch, interval=("1", "1.1"), resume=part)
 
 
 @pytest.mark.slow
 def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
-    branch: Any, found: CertifiedCascade, tmp_path: Path
+    branch: Any, found: Any, tmp_path: Path
 ) -> None:
-    short = ns.certify_cascade(branch, tiles=3, seconds=1e-6)
-    assert (short.ended, short.claims) == ("unfinished", {"doublings": "undecided"})
+    short = ns.certify_doubling(branch, tiles=3, seconds=1e-6)
+    assert (short.ended, short.claims) == ("unfinished", {"doubling": "undecided"})
     assert "s that were given are over" in short.end
-    assert len(short.branches[0].tiles) == 1
+    assert len(short.branch.tiles) == 1
     shares: list[float] = []
 
-    def stop(share: float, doublings: int) -> None:
+    def stop(share: float, tiles: int) -> None:
         shares.append(share)
         if share > 0.6:  # beyond the tube
             raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_cascade(branch, tiles=3, progress=stop, resume=short)
+        ns.certify_doubling(branch, tiles=3, progress=stop, resume=short)
     part: Any = stopped.value.partial
     assert shares == sorted(shares)
-    assert (len(part.doublings), part.ended) == (1, "unfinished")
-    assert 0 < len(part.branches[1].tiles) < 3
+    assert part.ended == "unfinished"
+    assert 0 < len(part.doubled.branch.tiles) < 3
     part.save(tmp_path / "part.json")
-    assert ns.check_certificate(tmp_path / "part.json").claims == {"doublings": "proved"}
-    whole = ns.certify_cascade(branch, tiles=3, resume=ns.load(tmp_path / "part.json"))
+    assert ns.check_certificate(tmp_path / "part.json").claims == {"doubling": "proved"}
+    whole: Any = ns.certify_doubling(branch, tiles=3, resume=ns.load(tmp_path / "part.json"))
     assert (whole.ended, whole.end) == ("complete", "")
-    assert whole.kind(0) == found.kind(0)
-    assert len(whole.branches[1].tiles) > len(part.branches[1].tiles)
+    assert whole.kind == found.kind
+    assert len(whole.doubled.branch.tiles) > len(part.doubled.branch.tiles)
 
 
-def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade) -> None:
+def test_an_interval_that_does_not_reach_the_flip_has_none(branch: Any) -> None:
+    event = next(event for event in branch.events if event.kind == "flip")
+    begun = float(branch.parameter_values[round(event.place)])
+    between = (begun + event.value) / 2
+    ends = (between, "1.09") if begun > event.value else ("1.07", between)
+    found = ns.certify_doubling(branch, interval=ends)
+    assert (found.ended, found.end) == ("no flip", "no flip is proved on the branch")
+    assert (found.flip, found.kind, found.claims) == (None, "", {"doubling": "undecided"})
+
+
+def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedDoubling) -> None:
     pytest.importorskip("matplotlib")
     (axes,) = found.plot().axes
     assert axes.get_title(loc="left") == "dry-friction/symmetric"
@@ -233,7 +238,6 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade
 @pytest.mark.parametrize(
     "words",
     [
-        {"doublings": 0},
         {"flip": 2},
         {"tiles": True},
         {"seconds": 0},
@@ -243,39 +247,34 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade
 )
 def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None:
     with pytest.raises(InputError):
-        ns.certify_cascade(branch, **words)
+        ns.certify_doubling(branch, **words)
     with pytest.raises(InputError):
-        ns.certify_cascade(branch.orbit, **words)
+        ns.certify_doubling(branch.orbit, **words)
 
 
-@pytest.fixture(scope="module")
-def struck() -> CertifiedCascade:
-    """An impact oscillator beyond two flips."""
+@pytest.mark.slow
+def test_each_of_two_doublings_of_impacts_is_asked_for_by_itself(tmp_path: Path) -> None:
+    """The first flip in closed form; the second on the branch to which the first one leads."""
     branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
-    return ns.certify_cascade(branch, doublings=2, tiles=60)
-
-
-@pytest.mark.slow
-def test_impacts_double_twice_from_the_flip_in_closed_form(
-    struck: CertifiedCascade, tmp_path: Path
-) -> None:
-    assert struck.claims == {"doublings": "proved"}, struck.end
-    assert [struck.kind(k) for k in range(2)] == ["supercritical"] * 2
-    assert [len(part.itinerary) for part in struck.branches] == [1, 2, 4]
-    closed = impacts.closed_forms()[1]
-    assert float(struck.flips[0].enclosures["sigma"]) == pytest.approx(closed, abs=1e-12)
-    struck.save(tmp_path / "struck.json")
-    assert ns.check_certificate(tmp_path / "struck.json").claims == {"doublings": "proved"}
-
-
-@pytest.mark.slow
-def test_motions_settle_on_the_doubled_impacts(struck: CertifiedCascade) -> None:
-    """The exact motion between the two flips strikes twice before it comes back."""
-    first, second = (float(event.enclosures["sigma"]) for event in struck.flips)
+    flips: list[float] = []
+    for impacted in (1, 2):
+        found: Any = ns.certify_doubling(branch, tiles=60)
+        assert (found.claims, found.kind) == ({"doubling": "proved"}, "supercritical"), found.end
+        assert [len(each.branch.itinerary) for each in (found, found.doubled)] == [
+            impacted,
+            2 * impacted,
+        ]
+        flips.append(float(found.flip.enclosures["sigma"]))
+        found.save(tmp_path / "struck.json")
+        assert ns.check_certificate(tmp_path / "struck.json").claims == {"doubling": "proved"}
+        event = next(event for event in branch.events if event.kind == "flip")
+        branch = ns.continue_orbit(branch.switch(event), "sigma", (flips[0] + 1e-4, -0.03))
+    assert flips[0] == pytest.approx(impacts.closed_forms()[1], abs=1e-12)
+    # the exact motion between the two flips strikes twice before it comes back
     orbit = impacts.orbit()
-    given = {**orbit.parameters, "sigma": str((first + second) / 2)}
-    start = [float(x) for x in orbit.states[0]]
-    start[0] = (first + second) / 2
+    sigma = sum(flips) / 2
+    start = [sigma, *(float(x) for x in orbit.states[0][1:])]
+    given = {**orbit.parameters, "sigma": str(sigma)}
     motion = ns.simulate(orbit.system, given, start, "free", transitions=600)
     itinerary, dwell, _ = ns.itinerary_of(motion)
     assert len(itinerary) == 2
