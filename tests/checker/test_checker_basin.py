@@ -14,6 +14,7 @@ from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.checking.compare_declarations import compare
 from tests.certified import prove_basin
+from tests.friction_sets import DATA
 from tests.places import GALLERY
 from tests.shared import shared_file
 
@@ -21,9 +22,8 @@ from tests.shared import shared_file
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
     """A basin of some tiles whose corner leads to the orbit; far from it motions slip long."""
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
     box = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
-    orbit = ns.solve("dry-friction/global-stick", data)
+    orbit = ns.solve("dry-friction/global-stick", DATA)
     found = ns.certify_basin(orbit, box=box, side=0.25, tiles=60)
     assert 0 < found.attracted.sum() < 60
     path = tmp_path_factory.mktemp("friction") / "basin.json"

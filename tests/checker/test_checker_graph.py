@@ -2,7 +2,6 @@
 
 import json
 from io import BytesIO
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,17 +10,8 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
-
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
+from tests.friction_sets import DATA
+from tests.places import GALLERY
 
 
 @pytest.fixture(scope="module")

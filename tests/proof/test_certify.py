@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from flint import arb, arb_mat, fmpq
+from flint import acb, arb, arb_mat, fmpq
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -29,8 +29,10 @@ from nonsmooth.runtime.proof.admissibility_conditions import (
     Watched,
 )
 from nonsmooth.runtime.proof.krawczyk import joined, krawczyk
+from nonsmooth.runtime.proof.multipliers import apart
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
+from tests.friction_sets import DATA
 
 STICK = "dry-friction/global-stick"
 CLAIMS = {
@@ -373,8 +375,7 @@ def test_wrong_input() -> None:
 
 
 def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    found: Any = ns.find_orbits("dry-friction", data, n=2, transitions=60)
+    found: Any = ns.find_orbits("dry-friction", DATA, n=2, transitions=60)
     ask: tuple[Callable[[Any], object], ...] = (
         ns.certify,
         lambda orbit: ns.refine(orbit, 20),
@@ -442,3 +443,18 @@ def test_what_follows_is_the_wanted_transition_refuted_or_undecided() -> None:
     ):
         with pytest.raises(error, match=said):
             phase._first(followers)
+
+
+def test_multipliers_that_lie_too_near_are_not_stated() -> None:
+    """To each other, to the trivial 1, or to zero, of which there are as many as are left."""
+    half = acb("0.5")
+    with flint_precision(192):
+        near = acb(arb(0.5) + arb(2) ** -80)
+        one = acb(1 - arb(2) ** -80)
+        tiny = acb(arb(2) ** -80)
+        assert len(apart([half, acb("-0.5")], 4, trivial=True)) == 2
+        assert apart([half, near, acb("-0.5")], 3, trivial=False) == (acb("-0.5"),)
+        assert apart([half, one], 3, trivial=True) == (half,)
+        assert apart([one], 1, trivial=False) == (one,)
+        assert apart([tiny], 2, trivial=False) == ()
+        assert apart([tiny], 1, trivial=False) == (tiny,)
