@@ -2,29 +2,28 @@
 
 import json
 from math import prod
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from flint import arb_mat
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.basin import _begin_tiles, _check_ranks, _motions
+from nonsmooth.runtime.checker.basin import _motions
 from nonsmooth.runtime.checker.grids import stated_grid
-from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.float_sets import ManySets, Rounded
+from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.checking.compare_declarations import compare
+from tests.certified import prove_basin
+from tests.friction_sets import DATA
 from tests.places import GALLERY
+from tests.shared import shared_file
 
 
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
     """A basin of some tiles whose corner leads to the orbit; far from it motions slip long."""
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
     box = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
-    orbit = ns.solve("dry-friction/global-stick", data)
+    orbit = ns.solve("dry-friction/global-stick", DATA)
     found = ns.certify_basin(orbit, box=box, side=0.25, tiles=60)
     assert 0 < found.attracted.sum() < 60
     path = tmp_path_factory.mktemp("friction") / "basin.json"
@@ -213,45 +212,26 @@ def test_another_declaration_is_refused(content, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("ranks", "moves", "told"),
+    ("change", "told"),
     [
-        ([0, 1, 2, 3], [0, -1, -1, -1], None),
-        ([0, 1, 1, 2], [0, -1, -2, -1], None),
-        ([0, 1, 2, 2], [0, -1, -1, -1], "rank 2"),  # to a box of the same rank
-        ([0, 1, 1, 1], [0, 0, -2, -3], "rank 1"),  # a box that leads to itself
-        ([0, 1, -1, 2], [0, -1, -1, -1], "rank 2"),  # to a box without a rank
-        ([0, -1, 1, 2], [0, -1, -1, -1], "rank 1"),
-        ([0, 2, 1, 3], [0, -1, -1, -1], "rank 1"),  # to a larger rank
+        (lambda rank, _: 2 * rank if rank > 0 else rank, None),  # ranks may be left out
+        (lambda rank, _: min(rank, 1), "rank 1"),  # to a box of the same rank
+        (lambda rank, most: most + 1 - rank if rank > 0 else rank, "rank 1"),  # to a larger one
+        (lambda rank, _: -1 if rank == 1 else rank, "rank 2"),  # to a box without a rank
+        (lambda rank, _: -1 if rank > 0 else rank, "a tile may lead elsewhere"),
     ],
 )
-def test_boxes_lead_to_boxes_of_smaller_ranks(ranks, moves, told):
-    """Of four boxes next to each other the first is the core, and each moves by so many."""
-    grid, moves = BoxGrid((0,), (0,), (4,)), np.array(moves)
-
-    def lead(starts, configuration, facts, known):
-        low, high = (x[:, :1] for x in starts.hull)
-        moved = moves[np.floor(low[:, 0] + 0.5).astype(int), None]
-        return known(np.arange(len(low)), low + moved + 0.25, high + moved - 0.25).all()
-
-    same = Rounded.of(arb_mat([[1, 0], [0, 1]]))
-    motions = SimpleNamespace(
-        system=SimpleNamespace(states=["x"]), section=SimpleNamespace(configuration="free"),
-        free=[0], facts=(), lift=lambda facts, timed: same, lead=lead,
-    )  # fmt: skip
-    core = Rounded.of(arb_mat([[1, -0.5]]))
-    arguments = {"coordinates": ["x"]}, motions, core, grid, np.array(ranks)
-    if told is None:
-        _check_ranks(*arguments)
-    else:
-        with pytest.raises(Failure, match=told):
-            _check_ranks(*arguments)
-
-
-def test_tiles_lead_to_boxes_that_have_a_rank(content):
-    attracted = np.flatnonzero(np.array(flat(content["verdicts"])) == 2)[:4]
-    assert _begin_tiles(content)(attracted)
-    core = runs([-1 if rank else 0 for rank in flat(content["ranks"])])
-    assert not _begin_tiles({**content, "ranks": core})(attracted)
+def test_boxes_and_tiles_lead_to_boxes_of_smaller_ranks(tmp_path, change, told):
+    kicked = json.loads(shared_file("nonsmooth basin certificate", prove_basin).read_text())
+    most = max(rank for rank, _ in kicked["ranks"])
+    assert most > 2
+    content = {**kicked, "ranks": [[change(rank, most), n] for rank, n in kicked["ranks"]]}
+    if told:
+        refused(content, tmp_path, told)
+        return
+    path = tmp_path / "same.json"
+    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    assert ns.check_certificate(path).difference is None
 
 
 def test_false_tiles_are_not_followed_for_ever(content):

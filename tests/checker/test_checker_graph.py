@@ -2,27 +2,16 @@
 
 import json
 from io import BytesIO
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, graph
-from nonsmooth.runtime.checker.graph import _StatedGraph
+from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
-
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
+from tests.friction_sets import DATA
+from tests.places import GALLERY
 
 
 @pytest.fixture(scope="module")
@@ -252,35 +241,10 @@ def test_the_check_follows_sets_at_corners(region, tmp_path):
     assert ns.check_certificate(tmp_path / "corner.json").difference is None
 
 
-@pytest.mark.parametrize(
-    ("edges", "ranks", "told"),
-    [
-        ([[1, 0, 1]], [0, 1], None),
-        ([[1, 0, 1]], [0, 0], "an edge ascends"),
-        ([[0, 1, 1], [1, 0, 1]], [0, 0], "an edge ascends"),
-        ([[0, 1, 1], [1, 0, 1]], [0, 1], "an edge ascends"),
-        ([[0, 0, 1]], [0, 0], "an edge ascends"),
-    ],
-)
-def test_an_edge_outside_of_components_descends(edges, ranks, told):
-    none = [[0, 2]]
-    content = {
-        "grid": {"exponents": [0], "first": [0], "counts": [2]},
-        "divided": [none], "edges": edges, "outside": none, "unknown": none, "trapping": none,
-        "components": [[-1, 2]], "ranks": runs(ranks), "claim": "undecided",
-    }  # fmt: skip
-    stated = _StatedGraph(content, 1)
-    if told is None:
-        stated.check_order(content)
-    else:
-        with pytest.raises(Failure, match=told):
-            stated.check_order(content)
-
-
 def test_values_outside_of_their_domains_are_refused_before_anything_is_followed(
     content, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr(graph, "ManyMotions", None)
+    monkeypatch.setattr(ManyMotions, "leaves", None)
     for name, value in (("V", "-1.0"), ("us1", "-1/2"), ("eta", "0")):
         other = {**content, "parameters": {**content["parameters"], name: value}}
         refused(other, tmp_path, "outside its domain")

@@ -16,41 +16,33 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.sets.branching import BranchingMap
-from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
+from nonsmooth.runtime.proof.sets.sections import forcing_section
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+from tests.friction_sets import (
+    DATA,
+    SCALES,
+    anywhere,
+    arrival,
+    branching,
+    corner,
+    inside,
+    missed,
+    sampled,
+)
 from tests.places import GALLERY
 
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
 FORCED = {"r": "0.65", "sigma": "0", "w": "2.8"}
 SECTION = StatedSection("slip-stick", source="stick-stick", boundary="first-breaks-forward")
-SCALES = np.ones(4)
 KINDS = (("slip-slip", (-1, -1)), ("overshoot-slip", (1, -1)))
 
 
-def anywhere(low, high):
-    """Boxes of states at the time 0."""
-    boxes = ManySets.of_boxes(np.atleast_2d(low), np.atleast_2d(high))
-
-    def timed(x):
-        return np.insert(x, -1, 0.0, axis=1)
-
-    return ManySets(timed(boxes.centre), timed(boxes.sides), timed(boxes.box))
+def boxes_of(name):
+    return sampled(np.random.default_rng(len(name)), dict(KINDS)[name], 30)
 
 
-def boxes_of(name, sign, count=30):
-    random = np.random.default_rng(len(name))
-    middles = random.uniform((-4, -8, 0.2, 0.2), (4, 8, 2, 2), (count, 4))
-    middles[:, 2:] = 1 + middles[:, 2:] * sign
-    half = random.choice([0.03, 0.06, 0.12], count)[:, None]
-    return middles, half
+def starts_of(name):
+    middles, half = boxes_of(name)
+    return anywhere(middles - half, middles + half)
 
 
 @pytest.fixture(scope="module")
@@ -59,17 +51,13 @@ def proved():
     kernels = load_system("dry-friction")
     with flint_precision(64):
         system = enclosed_system(kernels, DATA)(64)
-        structure = system.structure
-        source, target = map(structure.configuration, ("stick-stick", "slip-stick"))
-        boundary = structure.boundary(source, "first-breaks-forward")
-        section = transition_section(system, source, frozenset({boundary}), target)
-        mapped = BranchingMap(system, section, SCALES, 0.25, 400, longest=16)
-        leaves = {}
-        for name, sign in KINDS:
-            middles, half = boxes_of(name, sign)
-            starts = anywhere(middles - half, middles + half)
-            number = structure.configuration(name)
-            leaves[name] = mapped.leaves_of(starts, number, Invariants((), ()))
+        mapped = branching(system)
+        leaves = {
+            name: mapped.leaves_of(
+                starts_of(name), system.structure.configuration(name), Invariants((), ())
+            )
+            for name, _ in KINDS
+        }
         mapped.leaves(ManySets.of_boxes(np.array([[4.3]]), np.array([[4.31]])))
         declared = visited_declaration(kernels, system, sorted(mapped.passages))
     return declared, leaves
@@ -82,55 +70,13 @@ def motions(declared, widest=0.25):
 @pytest.fixture(scope="module")
 def found(proved):
     own = motions(proved[0])
-    found = {}
-    for name, sign in KINDS:
-        middles, half = boxes_of(name, sign)
-        found[name] = own.leaves(anywhere(middles - half, middles + half), name, [])
-    return found
-
-
-def arrival(start, configuration):
-    """x2 where the motion from a state first comes to the section."""
-    motion = ns.simulate("dry-friction", DATA, list(start), configuration, transitions=60)
-    names = motion.configurations
-    for k in range(1, len(names)):
-        if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"):
-            return motion.states[k][1]
-    return None
-
-
-def corner(random, size):
-    """Where in a box: corners and faces are where states first go another way."""
-    share = random.uniform(-1, 1, size)
-    return np.where(random.random(size) < 0.4, np.sign(share) * (1 - 1e-9), share)
-
-
-def inside(leaves, number, point):
-    own = leaves.origin == number
-    return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
-
-
-def missed(leaves, name, each):
-    """Of motions from states of boxes, how many end in no leaf; how many ran, and divided sets."""
-    random = np.random.default_rng(7)
-    middles, half = boxes_of(name, dict(KINDS)[name])
-    away = ran = several = 0
-    for k in np.flatnonzero(~leaves.lost):
-        ways = set()
-        for _ in range(each):
-            state = middles[k] + half[k] * corner(random, 4)
-            away += not inside(leaves, k, arrival(state, name)).any()
-            motion = ns.simulate("dry-friction", DATA, state, name, transitions=12)
-            ways.add(motion.configurations)
-            ran += 1
-        several += len(ways) > 1
-    return away, ran, several
+    return {name: own.leaves(starts_of(name), name, []) for name, _ in KINDS}
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name, _ in KINDS])
 def test_every_state_comes_to_a_box(found, name):
-    away, ran, several = missed(found[name], name, 6)
+    away, ran, several = missed(found[name], boxes_of(name), name, 6)
     assert not away
     assert ran >= 120
     assert several >= 2
@@ -175,7 +121,7 @@ def test_a_set_on_the_section_comes_back(proved):
     for k in range(3):
         for x2 in np.linspace(places[k, 0] - 2**-10, places[k, 0] + 2**-10, 5):
             state = (matrix @ [x2, 1.0])[:4]
-            assert inside(leaves, k, arrival(state, "slip-stick")).any()
+            assert inside(leaves, k, arrival(state)).any()
 
 
 def changed(declared, change):
@@ -192,9 +138,7 @@ def test_sets_are_lost_where_nothing_is_stated(proved, found):
             t for t in declared["transitions"] if t["boundaries"] != ["first-reaches-belt"]
         ]
 
-    middles, half = boxes_of(name, KINDS[0][1])
-    starts = anywhere(middles - half, middles + half)
-    leaves = motions(changed(proved[0], drop)).leaves(starts, name, [])
+    leaves = motions(changed(proved[0], drop)).leaves(starts_of(name), name, [])
     assert leaves.lost.sum() > found[name].lost.sum() + 10
 
 
@@ -205,10 +149,8 @@ def test_a_boundary_that_is_dropped_leads_elsewhere(proved):
     def drop(declared):
         del declared["configurations"]["slip-slip"]["boundaries"]["second-reaches-belt"]
 
-    middles, half = boxes_of(name, KINDS[0][1])
-    starts = anywhere(middles - half, middles + half)
-    leaves = motions(changed(proved[0], drop)).leaves(starts, name, [])
-    assert missed(leaves, name, 2)[0] >= 3
+    leaves = motions(changed(proved[0], drop)).leaves(starts_of(name), name, [])
+    assert missed(leaves, boxes_of(name), name, 2)[0] >= 3
 
 
 @pytest.mark.slow
@@ -220,10 +162,8 @@ def test_a_condition_that_is_flipped_leads_elsewhere(proved, found):
             if own["source"] == "stick-slip" and own["boundaries"] == ["second-reaches-belt"]:
                 own["conditions"] = [[row, along, not h] for row, along, h in own["conditions"]]
 
-    middles, half = boxes_of(name, KINDS[1][1])
-    starts = anywhere(middles - half, middles + half)
-    leaves = motions(changed(proved[0], flip)).leaves(starts, name, [])
-    away = missed(leaves, name, 2)[0]
+    leaves = motions(changed(proved[0], flip)).leaves(starts_of(name), name, [])
+    away = missed(leaves, boxes_of(name), name, 2)[0]
     assert away + (leaves.lost & ~found[name].lost).sum() >= 5
 
 

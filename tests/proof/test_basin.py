@@ -1,7 +1,6 @@
 """Basins that are proved: exact motions go where the proof says, and nothing false is said."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,21 +13,12 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.basin import certify_basin as certifying
 from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
-from nonsmooth.runtime.proof.basin.basin_section import section_of
+from nonsmooth.runtime.proof.basin.basin_section import section_of as basin_section
 from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
-from nonsmooth.runtime.proof.sets.sections import transition_section
+from tests.friction_sets import DATA, arrival, section_of
+from tests.places import GALLERY
 
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
 BOX = {"x1": (2, 3), "x2": (6, 7), "v1": (-1, 0.5), "v2": (-1, 0.5)}
 
 
@@ -51,14 +41,6 @@ def impact():
     return orbit
 
 
-def returns(start, count):
-    """x2 where a motion comes to the section, so many times."""
-    motion = ns.simulate("dry-friction", DATA, start, "slip-stick", transitions=30 * count)
-    names = motion.configurations
-    at = [k for k in range(1, len(names)) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick")]
-    return motion.states[at[:count], 1]
-
-
 def on_section(x2):
     return [4.0195 + x2 / 2, x2, 1.0, 1.0]
 
@@ -71,7 +53,7 @@ def test_the_core_is_around_the_orbit_and_contracted(orbit, found):
     exact = orbit.trajectory().states[1, 1]
     assert abs(centre - exact) < 1e-5
     ends = np.array([centre - 0.99 * side, exact, centre + 0.99 * side])
-    images = np.array([returns(on_section(x), 1)[0] for x in ends])
+    images = np.array([arrival(on_section(x)) for x in ends])
     rates = np.abs(np.diff(images) / np.diff(ends))
     assert (rates < float(eval_fraction(found.contraction))).all()
     assert ((centre - side < images) & (images < centre + side)).all()
@@ -89,7 +71,7 @@ def test_motions_from_boxes_come_to_smaller_ranks(found):
         low, high = found.grid.bounds(np.array([number]))
         place = random.uniform(low[0, 0], high[0, 0])
         try:
-            (image,) = returns(on_section(place), 1)
+            image = arrival(on_section(place))
         except ns.InputError:
             continue  # no state of the section: beyond a boundary
         (place_of,) = np.floor(image / found.grid.sides).astype(int) - found.grid.first
@@ -239,12 +221,7 @@ def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit, found):
     at = enclosed_system("dry-friction", DATA)
     with flint_precision(96):
         system = at(96)
-        names = system.structure.configurations
-        source = names.index("stick-stick")
-        boundary = system.structure.boundary(source, "first-breaks-forward")
-        section = transition_section(
-            system, source, frozenset({boundary}), names.index("slip-stick")
-        )
+        section = section_of(system)
         assert abs(float(found.core.centre[0]) - met) < 1e-5
         with pytest.raises(Undecided, match="another orbit is there"):
             attracting_core(system, section, 1, np.array([met + 2]), 16.0)
@@ -295,6 +272,6 @@ def test_a_linear_response_has_a_section_at_every_frequency():
         orbit = ns.solve(far, {"w": w}, [2 * np.pi / w], itinerary=[("free", "forcing-phase")])
         with flint_precision(128):
             system = enclosed_system(orbit.system, {"w": orbit.parameters["w"]})(128)
-            met = section_of(system, orbit.trajectory(), float(orbit.period))
+            met = basin_section(system, orbit.trajectory(), float(orbit.period))
         x, v = met.point
         assert np.hypot(x, v / w) == pytest.approx(1 / abs(1 - w**2 + 0.2j * w))

@@ -1,7 +1,6 @@
 """Images of sets that divide: no state goes where no leaf is, however its way differs."""
 
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,21 +15,21 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.sets.affine_sets import affine_set
 from nonsmooth.runtime.proof.sets.branching import BranchingMap
 from nonsmooth.runtime.proof.sets.images import SectionMap
-from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
+from nonsmooth.runtime.proof.sets.sections import forcing_section
+from tests.friction_sets import (
+    DATA,
+    SCALES,
+    anywhere,
+    arrival,
+    branching,
+    corner,
+    inside,
+    missed,
+    sampled,
+)
+from tests.places import GALLERY
 
 BITS = 64
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
-# the paper's orbit with a phase in which both masses stick
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
-SCALES = np.ones(4)
 NONE = Invariants((), ())
 
 
@@ -42,74 +41,27 @@ def system():
 
 @pytest.fixture(scope="module")
 def mapped(system):
-    return branching(system)
+    return mapping(system)
 
 
-def branching(system, most=400, widest=0.25):
-    structure = system.structure
-    source = structure.configuration("stick-stick")
-    boundary = structure.boundary(source, "first-breaks-forward")
-    target = structure.configuration("slip-stick")
+def mapping(system, **limits):
     with flint_precision(BITS):
-        section = transition_section(system, source, frozenset({boundary}), target)
-        return BranchingMap(system, section, SCALES, widest, most, longest=16)
-
-
-def anywhere(low, high):
-    """Boxes of states at the time 0."""
-    boxes = ManySets.of_boxes(np.atleast_2d(low), np.atleast_2d(high))
-    size = boxes.sides.shape[1]
-    order = [*range(size - 1), size, size - 1]
-
-    def timed(x):
-        return np.insert(x, size - 1, 0.0, axis=1)[:, : len(order)]
-
-    return ManySets(timed(boxes.centre), timed(boxes.sides), timed(boxes.box))
-
-
-def arrival(start, configuration):
-    """x2 where the motion from a state first comes to the section."""
-    motion = ns.simulate("dry-friction", DATA, list(start), configuration, transitions=60)
-    names = motion.configurations
-    for k in range(1, len(names)):
-        if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"):
-            return motion.states[k][1]
-    return None
-
-
-def corner(random, size):
-    """Where in a box: corners and faces are where states first go another way."""
-    share = random.uniform(-1, 1, size)
-    return np.where(random.random(size) < 0.4, np.sign(share) * (1 - 1e-9), share)
-
-
-def inside(leaves, number, point):
-    own = leaves.origin == number
-    return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
+        return branching(system, **limits)
 
 
 @pytest.mark.slow
 def test_every_start_of_a_box_comes_to_a_leaf(system, mapped):
-    random = np.random.default_rng(3)
-    tested = several = 0
+    random, ran, several = np.random.default_rng(3), 0, 0
     for name, sign in (("slip-slip", (-1, -1)), ("overshoot-slip", (1, -1))):
-        middles = random.uniform((-4, -8, 0.2, 0.2), (4, 8, 2, 2), (24, 4))
-        middles[:, 2:] = 1 + middles[:, 2:] * sign
-        half = random.choice([0.03, 0.06, 0.12], 24)[:, None]
+        middles, half = sampled(random, sign, 16)
         with flint_precision(BITS):
             configuration = system.structure.configuration(name)
             starts = anywhere(middles - half, middles + half)
             leaves = mapped.leaves_of(starts, configuration, NONE)
-        for k in np.flatnonzero(~leaves.lost)[:10]:
-            ways = set()
-            for _ in range(10):
-                state = middles[k] + half[k] * corner(random, 4)
-                assert inside(leaves, k, arrival(state, name)).any(), (name, state)
-                motion = ns.simulate("dry-friction", DATA, state, name, transitions=12)
-                ways.add(motion.configurations[:4])
-                tested += 1
-            several += len(ways) > 1
-    assert tested >= 120
+        away, more, divided = missed(leaves, (middles, half), name, 10)
+        assert not away
+        ran, several = ran + more, several + divided
+    assert ran >= 120
     assert several >= 2  # sets whose states do not all go the same way
 
 
@@ -155,7 +107,7 @@ def matrix(rows):
 
 
 def test_passages_are_those_of_a_motion(system):
-    mapped = branching(system)
+    mapped = mapping(system)
     names = system.structure.configurations
     with flint_precision(BITS):
         leaves = mapped.leaves(ManySets.of_boxes(np.array([[4.3]]), np.array([[4.301]])))
@@ -166,7 +118,7 @@ def test_passages_are_those_of_a_motion(system):
 
 
 def test_sets_with_too_many_parts_are_lost_alone(system):
-    few = branching(system, most=12)
+    few = mapping(system, most=12)
     with flint_precision(BITS):
         configuration = system.structure.configuration("slip-slip")
         wide = anywhere([[-2, 5, -1, -1]], [[-1, 7, 0.5, 0.5]])
@@ -182,8 +134,8 @@ def test_sets_with_too_many_parts_are_lost_alone(system):
 def test_wide_sets_are_divided(system):
     with flint_precision(BITS):
         start = ManySets.of_boxes(np.array([[4.3]]), np.array([[4.3 + 2**-5]]))
-        whole = branching(system, widest=np.inf).leaves(start)
-        parts = branching(system, widest=2**-8).leaves(start)
+        whole = mapping(system, widest=np.inf).leaves(start)
+        parts = mapping(system, widest=2**-8).leaves(start)
     assert len(parts.origin) > len(whole.origin)
     assert parts.low.min() >= whole.low.min()
     assert parts.high.max() <= whole.high.max()

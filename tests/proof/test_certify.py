@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -18,29 +19,20 @@ from hypothesis import strategies as st
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.values import flint_precision, parse
+from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.admissibility import OpenInequality, _Phase, _Refuted
+from nonsmooth.runtime.proof.admissibility import _Phase, _Refuted
 from nonsmooth.runtime.proof.admissibility_conditions import (
     Condition,
     Derivative,
     Follower,
     Watched,
 )
-from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
-from nonsmooth.runtime.proof.boxes.tile import Anchor, _joined
-from nonsmooth.runtime.proof.certify_orbit import MOST_BITS
-from nonsmooth.runtime.proof.exact_tables import tables_of
-from nonsmooth.runtime.proof.krawczyk import krawczyk, newton
-from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
-from nonsmooth.runtime.proof.multipliers import apart, inside_circle, neutral_pairs
-from nonsmooth.runtime.proof.orbit_equations import Equations
-from nonsmooth.runtime.proof.orbit_to_prove import (
-    Subject,
-    subject_of,
-)
-from nonsmooth.runtime.proof.symplectic_form import symplectic_form
+from nonsmooth.runtime.proof.krawczyk import joined, krawczyk
+from nonsmooth.runtime.proof.multipliers import apart
 from tests.certified import FORCED, forced, loop
+from tests.explore import test_continuation_forced as impacts
+from tests.friction_sets import DATA
 
 STICK = "dry-friction/global-stick"
 CLAIMS = {
@@ -51,16 +43,23 @@ CLAIMS = {
 }
 
 
-def holds(enclosure: Enclosure, number: Any) -> bool:
+def holds(enclosure: Any, number: Any) -> bool:
     """Whether an mpmath number lies in an enclosure."""
     return bool(enclosure.ball.contains(exact_ball(number)))
+
+
+def certified(orbit: ns.Orbit, bits: int = 128) -> ns.Certificate:
+    """What is proved of an orbit; nothing is claimed that the checker then refuses."""
+    certificate = ns.certify(orbit, bits)
+    assert not any("the checker" in reason for reason in certificate.reasons.values())
+    return certificate
 
 
 @pytest.mark.parametrize("name", CLAIMS)
 @pytest.mark.parametrize("bits", [64, 128, 1000])
 def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
     orbit = ns.solve(name)
-    certificate = ns.certify(orbit, bits)
+    certificate = certified(orbit, bits)
     admissible, stable, claim = CLAIMS[name]
     assert certificate.claims == {
         "existence": "proved",
@@ -88,14 +87,14 @@ def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
 
 def test_digits_beyond_those_of_pythons_integers(tmp_path: Path) -> None:
     file = tmp_path / "many.json"
-    found = ns.certify(ns.solve("elastic-stop/one-contact"), 20_000)
+    found = certified(ns.solve("elastic-stop/one-contact"), 20_000)
     found.save(file)
     assert set(ns.check_certificate(file).claims.values()) == {"proved"} == {*found.claims.values()}
 
 
 def test_the_physical_start_is_the_presented_one_moved() -> None:
     orbit = ns.refine(ns.solve(STICK, {"us1": "6/5", "us2": "1.1"}), 60)
-    certificate = ns.certify(orbit)
+    certificate = certified(orbit)
     assert certificate.chosen == ()
     mp = orbit.arithmetic.mp
     us1, us2, chi = mp.mpf(6) / 5, mp.mpf(11) / 10, mp.mpf(1) / 2
@@ -106,14 +105,14 @@ def test_the_physical_start_is_the_presented_one_moved() -> None:
 
 
 def test_open_parameters_are_chosen_and_named() -> None:
-    certificate = ns.certify(ns.solve(STICK))
+    certificate = certified(ns.solve(STICK))
     assert certificate.chosen == ("us1", "us2")
     values = {name: value.exact for name, value in certificate.parameters.items()}
     assert values["ur1"] - values["us1"] == ns.solve(STICK).given["e1"].exact
 
 
 def test_closed_forms_lie_in_the_enclosures() -> None:
-    certificate = ns.certify(loop(), 200)
+    certificate = certified(loop(), 200)
     assert certificate.proved
     with flint_precision(400):
         assert certificate.enclosures["period"].ball.contains(3 * arb.pi() / 2)
@@ -125,14 +124,14 @@ def test_closed_forms_lie_in_the_enclosures() -> None:
 
 
 def test_parameters_may_be_irrational() -> None:
-    certificate = ns.certify(loop(k="sqrt(2)"))
+    certificate = certified(loop(k="sqrt(2)"))
     assert certificate.proved
     assert certificate.parameters["k"].text == "sqrt(2)"
     with flint_precision(400):
         period = arb.pi() / arb(2).sqrt().sqrt() + arb.pi() / 2
         assert certificate.enclosures["period"].ball.contains(period)
-    belt = ns.certify(ns.solve(STICK, {"V": "pi/3", "eta": "1"}))
-    rational = ns.certify(ns.solve(STICK, {"V": "1.04719755", "eta": "1"}))
+    belt = certified(ns.solve(STICK, {"V": "pi/3", "eta": "1"}))
+    rational = certified(ns.solve(STICK, {"V": "1.04719755", "eta": "1"}))
     assert belt.proved
     assert float(belt.trace) == pytest.approx(float(rational.trace), abs=1e-7)
 
@@ -140,7 +139,7 @@ def test_parameters_may_be_irrational() -> None:
 @pytest.mark.parametrize("name", FORCED)
 def test_forced_and_damped_systems_of_users(name: str) -> None:
     orbit = forced(name)
-    certificate = ns.certify(orbit)
+    certificate = certified(orbit)
     assert certificate.proved, certificate.reasons
     assert float(certificate.trace) == pytest.approx(orbit.trace, abs=1e-9)
     for label, value in orbit.unknowns.items():
@@ -152,7 +151,7 @@ def test_forced_and_damped_systems_of_users(name: str) -> None:
 
 def test_damping_and_restitution_give_the_product_of_the_multipliers() -> None:
     orbit = forced("rigid")
-    certificate = ns.certify(orbit)
+    certificate = certified(orbit)
     product = np.prod([complex(float(re), float(im)) for re, im in certificate.multipliers])
     # Liouville: the damping 1/10 shrinks areas, and each impact by the square of 4/5
     impacts = len(orbit.itinerary)
@@ -167,7 +166,7 @@ def test_enclosures_contain_the_refined_values(eta: int, speed: int) -> None:
     orbit = ns.solve(STICK, {"eta": f"{eta}/1000", "V": f"{speed}/1000"}, throw=False)
     if not orbit.converged:
         return
-    certificate = ns.certify(orbit, 100)
+    certificate = certified(orbit, 100)
     sharp = ns.refine(orbit, 100)
     assert certificate.claims["existence"] == "proved"
     assert holds(certificate.trace, sharp.trace)
@@ -192,7 +191,7 @@ def test_enclosures_contain_closed_forms(left: int, root: Fraction, bits: int) -
     orbit = loop(r=str(r), k=str(root**2), a="100000")
     if not orbit.converged or r > 1:
         return
-    certificate = ns.certify(orbit, bits)
+    certificate = certified(orbit, bits)
     if certificate.claims["existence"] != "proved":
         return
     start = certificate.enclosures["v0"]
@@ -218,57 +217,11 @@ def test_perturbed_orbits_are_not_proved(size: float) -> None:
         ),
         replace(orbit, starts=orbit.states + size),
     ):
-        certificate = ns.certify(moved)
+        certificate = certified(moved)
         assert certificate.claims["existence"] in ("refuted", "undecided")
         assert set(certificate.claims.values()) - {certificate.claims["existence"]} <= {"undecided"}
         assert certificate.reasons["existence"]
-    assert ns.certify(moved).claims["existence"] == "refuted"
-
-
-def problem(subject: Subject, bits: int) -> tuple[Equations, list[arb]]:
-    """Equations of a subject, and a point near their root."""
-    region = region_at(subject, bits)
-
-    def equations() -> Equations:
-        return region.equations(region.tables.number_at())
-
-    point = newton(equations, region.guess, bits)
-    assert point is not None
-    return equations(), point
-
-
-def test_boxes_with_no_orbit_with_one_and_with_two() -> None:
-    with flint_precision(128):
-        equations, root = problem(subject_of(forced("rigid")), 128)
-        radii = [arb(2) ** -30] * len(root)
-        one = krawczyk(equations, root, radii)
-        assert one.unique
-        assert not one.empty
-        shifted = [x + arb(2) ** -20 for x in root]
-        none = krawczyk(equations, shifted, radii)
-        assert none.empty
-        assert not none.unique
-        # a period of the forcing later the same orbit is another root of the equations
-        later = arb.pi() / arb(equations.speeds[0])
-        place = equations.first - 1
-        middle = [*root[:place], root[place] + later, *root[place + 1 :]]
-        wide = [*radii[:place], 1.01 * later, *radii[place + 1 :]]
-        both = krawczyk(equations, middle, wide)
-        assert not both.unique
-        assert not both.empty
-
-
-def test_another_root_of_the_equations_is_not_the_orbit_that_was_found() -> None:
-    """Half turns more make another one: no box that holds both has one root alone."""
-    subject = subject_of(loop())
-    with flint_precision(128):
-        region, (_, root) = region_at(subject, 128), problem(subject, 128)
-        anchor = Anchor((), root)
-        assert _joined(region, anchor, root)
-        assert _joined(region, anchor, [x + arb(2) ** -30 for x in root])
-        for place, turn in ((2, 2 * arb.pi()), (3, arb.pi())):
-            other = [*root[:place], root[place] + turn, *root[place + 1 :]]
-            assert not _joined(region, anchor, other)
+    assert certified(moved).claims["existence"] == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -278,7 +231,7 @@ def test_another_root_of_the_equations_is_not_the_orbit_that_was_found() -> None
 )  # fmt: skip
 def test_tangent_orbits_are_undecided(wall: str, verdict: str) -> None:
     # the orbit goes as far as 2: a wall there is touched without speed
-    certificate = ns.certify(loop(a=wall))
+    certificate = certified(loop(a=wall))
     assert certificate.claims["existence"] == "proved"
     assert certificate.claims["admissibility"] == verdict
     if verdict != "proved":
@@ -290,32 +243,96 @@ def test_tangent_orbits_are_undecided(wall: str, verdict: str) -> None:
     [("-1", "undecided"), ("-2", "refuted"), ("-0.99999999", "proved"), ("-1.00000001", "refuted")],
 )
 def test_at_a_flip_stability_is_undecided(r: str, verdict: str) -> None:
-    certificate = ns.certify(loop(r=r))
+    certificate = certified(loop(r=r))
     assert certificate.claims["existence"] == "proved"
     assert certificate.claims["stability"] == verdict
     assert certificate.decided == (verdict != "undecided")
 
 
+UNSTABLE: dict[str, Callable[[], ns.Orbit]] = {
+    "behind a flip": lambda: ns.solve("dry-friction/symmetric", {"V": "0.9"}),
+    "a pair off the circle": lambda: ns.solve("rigid-stop/one-impact", {"k2": "1.456", "T": "6.1"}),
+    "a pair and a flip": lambda: impacts.orbit(-0.05),
+}
+
+
+@pytest.mark.parametrize("name", UNSTABLE)
+def test_what_is_unstable_is_refuted(name: str) -> None:
+    certificate = certified(UNSTABLE[name]())
+    assert certificate.claims["existence"] == certificate.claims["admissibility"] == "proved"
+    assert certificate.claims["stability"] == "refuted"
+    assert "outside the unit circle" in certificate.reasons["stability"]
+
+
+def test_a_boundary_that_is_passed_where_a_phase_begins_is_refuted() -> None:
+    """Multiplied by 2 the speed returns where it is negative: the mass begins behind the boundary.
+
+    It then comes to it from outside.
+    """
+    certificate = certified(loop(r="2"))
+    assert certificate.claims["existence"] == "proved"
+    assert certificate.claims["admissibility"] == "refuted"
+    assert "falls is passed where it begins" in certificate.reasons["admissibility"]
+
+
+def test_an_orbit_that_goes_back_in_time_is_refuted() -> None:
+    """Half a turn backwards leads where half a turn forwards does."""
+    orbit = loop()
+    certificate = certified(replace(orbit, unknowns={**orbit.unknowns, "tau1": -math.pi}))
+    assert certificate.claims["existence"] == "proved"
+    assert certificate.claims["admissibility"] == "refuted"
+    assert "its dwell time is negative" in certificate.reasons["admissibility"]
+
+
+class CircleAndLine:
+    """x^2 + y^2 = 2 and x + y = 1: two roots, the same but for the order of x and y."""
+
+    def near(self, point: Any) -> None: ...
+
+    def linearised(self, unknowns: Any, flows: None) -> Any:
+        x, y = unknowns
+        return SimpleNamespace(
+            residual=arb_mat([[x * x + y * y - 2], [x + y - 1]]),
+            jacobian=arb_mat([[2 * x, 2 * y], [1, 1]]),
+        )
+
+
+def test_boxes_with_no_root_with_one_and_with_two() -> None:
+    equations: Any = CircleAndLine()
+    with flint_precision(128):
+        root = [((1 + sign * arb(3).sqrt()) / 2).mid() for sign in (1, -1)]
+        near, wide = [[arb(2) ** k] * 2 for k in (-30, 1)]
+        one = krawczyk(equations, root, near)
+        assert (one.unique, one.empty) == (True, False)
+        none = krawczyk(equations, [x + arb(2) ** -20 for x in root], near)
+        assert (none.unique, none.empty) == (False, True)
+        both = krawczyk(equations, root, wide)
+        assert (both.unique, both.empty) == (False, False)
+        # roots that are one for sure, and roots that are two
+        assert joined(equations, root, [x + arb(0, 2.0**-30) for x in root])
+        assert not joined(equations, root, root[::-1])
+
+
 def test_near_a_fold_either_the_orbit_is_proved_or_nothing() -> None:
     # at r = 1 the orbit has gone to infinity: v0 = 1/(1 - r)
-    certificate = ns.certify(loop(r="0.999999"))
+    certificate = certified(loop(r="0.999999"))
     assert certificate.claims["existence"] == "proved"
     assert certificate.enclosures["v0"].contains(1_000_000)
 
 
 def test_an_orbit_that_crosses_a_boundary_is_refuted_with_its_place() -> None:
-    certificate = ns.certify(loop(a="1"))
+    certificate = certified(loop(a="1"))
     assert certificate.claims["admissibility"] == "refuted"
     assert "phase 1, right: wall is crossed" in certificate.reasons["admissibility"]
 
 
 def test_margins_are_true() -> None:
     orbit = ns.solve(STICK, {"us1": 1, "us2": 1})
-    first = ns.certify(orbit)
+    first = certified(orbit)
     values = {name: value.text for name, value in first.parameters.items()}
     dwell = orbit.dwell_times.tolist()
     composed = ns.solve("dry-friction", values, dwell, itinerary=first.itinerary)
-    certificate = ns.certify(composed)
+    certificate = certified(composed)
     motion = composed.trajectory()
     system = composed.tables.piecewise
     begins = np.concatenate([[0], np.cumsum(composed.dwell_times)])
@@ -338,72 +355,19 @@ def test_margins_are_true() -> None:
         assert values_along.max() < 0
 
 
-def test_conservative_cycles_are_recognised_exactly() -> None:
-    subject = subject_of(ns.solve("rigid-stop/one-impact"))
-    values = dict(subject.values)
-    elastic = tables_of(subject.kernels, tuple(values.values()), 128)
-    form = symplectic_form(elastic, subject.cycle)
-    assert form is not None
-    (energy,) = form.energies.values()
-    # m x'' = -K x: the stiffness matrix, and the masses, in the units of the form
-    unit = energy[2][2]
-    assert [energy[i][j] / unit for i, j in ((0, 0), (0, 1), (1, 1), (3, 3))] == [1, -1, 6, 2]
-    values["r"] = parse("0.9")
-    assert symplectic_form(tables_of(subject.kernels, tuple(values.values()), 128),
-                           subject.cycle) is None  # fmt: skip
-
-
-def section(first: float, second: float) -> arb_mat:
-    """A matrix with the eigenvalues 0, 1 and two pairs with m + 1/m as given."""
-    blocks = np.zeros((6, 6))
-    blocks[1, 1] = 1
-    for place, total in ((2, first), (4, second)):
-        blocks[place : place + 2, place : place + 2] = [[0, -1], [1, total]]
-    turn = np.eye(6) + np.diag(np.arange(1.0, 6), 1)  # integers, and so is its inverse
-    inverse = np.round(np.linalg.inv(turn))
-    return arb_mat((turn @ blocks @ inverse).tolist())
-
-
-@pytest.mark.parametrize(
-    ("sums", "verdict"),
-    [((0.5, -1.25), True), ((0.5, 2.25), False), ((-2.25, 1), False), ((0.5, 0.5), None),
-     ((2.0, 0.5), None)],
-)  # fmt: skip
-def test_pairs_on_the_unit_circle(sums: tuple[float, float], verdict: bool | None) -> None:
-    with flint_precision(128):
-        matrix = section(*sums)
-        trace = sum((matrix[i, i] for i in range(6)), arb(0))
-        found, multipliers = neutral_pairs(matrix, trace)
-    assert found is verdict
-    if multipliers is not None:
-        assert len(multipliers) == 4
-        for total in sums:
-            assert sum(bool((m + 1 / m).overlaps(acb(total))) for m in multipliers) == 2
-
-
-@pytest.mark.parametrize(
-    ("matrix", "verdict"),
-    [([[0.5, 1e6], [0, 0.5]], True), ([[0, 1], [-1, 0]], None), ([[1, 0], [0, 0]], None),
-     ([[0.5, 1], [0, -1.001]], False), ([[0, 1e9], [0, 0]], True)],
-)  # fmt: skip
-def test_eigenvalues_inside_the_unit_circle(matrix: Any, verdict: bool | None) -> None:
-    with flint_precision(128):
-        assert inside_circle(arb_mat(matrix)) is verdict
-
-
 def test_border_collisions_and_exchanged_unknowns_are_undecided() -> None:
-    collision = ns.certify(ns.solve("dry-friction/solution-ii"))
+    collision = certified(ns.solve("dry-friction/solution-ii"))
     assert set(collision.claims.values()) == {"undecided"}
     assert "border collision" in collision.reasons["existence"]
     exchanged = ns.solve(STICK, unknown=["e1", "e2"], given={"ta": 1, "tau": 2})
-    certificate = ns.certify(exchanged)
+    certificate = certified(exchanged)
     assert set(certificate.claims.values()) == {"undecided"}
     assert "e1, e2" in certificate.reasons["existence"]
 
 
 def test_wrong_input() -> None:
     orbit = loop()
-    for bits in (0, 52, MOST_BITS + 1, True, "128"):
+    for bits in (0, 52, 400_001, True, "128"):
         with pytest.raises(InputError, match="bits"):
             ns.certify(orbit, bits)  # type: ignore[arg-type]  # that is what is refused
     with pytest.raises(InputError, match="cannot be certified"):
@@ -411,8 +375,7 @@ def test_wrong_input() -> None:
 
 
 def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    found: Any = ns.find_orbits("dry-friction", data, n=2, transitions=60)
+    found: Any = ns.find_orbits("dry-friction", DATA, n=2, transitions=60)
     ask: tuple[Callable[[Any], object], ...] = (
         ns.certify,
         lambda orbit: ns.refine(orbit, 20),
@@ -426,40 +389,25 @@ def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
 
 
 def test_an_orbit_is_the_same_by_either_route() -> None:
-    derived = ns.certify(ns.solve("elastic-stop/one-contact"))
+    derived = certified(ns.solve("elastic-stop/one-contact"))
     values = {name: value.text for name, value in derived.parameters.items()}
     dwell = [float(derived.enclosures[name]) for name in derived.dwell_names]
     composed = ns.solve(
         "elastic-stop", values, dwell, itinerary=derived.itinerary, given={"period": "2*pi"}
     )
-    certificate = ns.certify(composed)
+    certificate = certified(composed)
     assert certificate.claims == derived.claims
     assert certificate.trace.ball.overlaps(derived.trace.ball)
 
 
-# --- what a proof rests on, piece by piece ----------------------------------------------
+# --- what no orbit tells ------------------------------------------------------------
 
 
-def phase_at(*behind: int) -> Any:
+def phase_at(behind: int) -> Any:
     """A phase that ends at a state; the rest is not asked for."""
     phase = object.__new__(_Phase)
-    phase.behind = [arb(x) for x in behind]
-    phase.ending, phase.assumed, phase.open = (
-        OpenInequality("vanishing-phase", 0, "stop", ""),
-        (),
-        [],
-    )
+    phase.behind = [arb(behind)]
     return phase
-
-
-def test_a_dwell_time_is_positive_refuted_or_undecided() -> None:
-    phase = phase_at()
-    phase.dwell = arb(-1)
-    with pytest.raises(_Refuted, match="dwell time"):
-        phase.judged()
-    phase.dwell = arb(0, 1)
-    assert phase.judged() == []
-    assert phase.open == [(phase.ending, "its dwell time cannot be told from 0")]
 
 
 def test_a_boundary_is_reached_from_inside_refuted_or_undecided() -> None:

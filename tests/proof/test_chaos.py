@@ -5,27 +5,20 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb, arb_mat
+from flint import arb_mat
 
 import nonsmooth as ns
 from nonsmooth import certify_chaos
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.chaos.cone_conditions import positive
-from nonsmooth.runtime.proof.chaos.coverings import coverings
-from nonsmooth.runtime.proof.chaos.entropy import growth
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, decimal_set, piece
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, decimal_set
 from nonsmooth.runtime.proof.chaos.search import _walks
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.affine_sets import affine_set
-from nonsmooth.runtime.proof.sets.images import SectionMap
 from tests.horseshoes import (
     FOLDED,
     FOLDED_DATA,
     FRICTION_DATA,
     folded_horseshoe,
-    folded_section,
 )
 from tests.places import GALLERY
 
@@ -127,41 +120,6 @@ def test_a_mass_that_rests_at_its_stop_when_the_forcing_has_a_phase_is_not_calle
     assert all("free" in told for told in found.tried)
 
 
-def test_sets_that_do_not_cover_each_other_are_not_said_to(chaos, kernels):
-    with flint_precision(80):
-        system = enclosed_system(kernels, FOLDED_DATA)(80)
-        mapped = SectionMap(system, folded_section(system), chaos.iterates)
-        first = chaos.h_sets[0]
-        # a set as wide as the image of the whole motion is covered by nothing
-        wide = HSet("wide", first.centre, (("5",),))
-        assert coverings(mapped, first, [wide], [0], 200).targets == ()
-
-
-def test_an_image_holds_all_motions_from_a_set(chaos, kernels, returned):
-    with flint_precision(80):
-        system = enclosed_system(kernels, FOLDED_DATA)(80)
-        mapped = SectionMap(system, folded_section(system), 1)
-        found = mapped.image(piece(chaos.h_sets[0], mapped.section, ((0.0, 2.0**-9),)))
-        (place,) = mapped.section.free
-        ball = found.states.ranges[place]
-    centre, sides = chaos.h_sets[0].near
-    for share in np.linspace(0, 2.0**-9, 9):
-        image = returned(float(centre[0] + share * sides[0, 0]), 1)
-        assert float(ball.lower()) - 1e-9 <= image <= float(ball.upper()) + 1e-9
-    assert float(ball.rad()) < 0.01
-
-
-def test_a_set_that_is_too_large_is_not_mapped(chaos, kernels):
-    with flint_precision(80):
-        system = enclosed_system(kernels, FOLDED_DATA)(80)
-        mapped = SectionMap(system, folded_section(system), 1)
-        whole = piece(
-            HSet("all", chaos.h_sets[0].centre, (("3",),)), mapped.section, ((-1.0, 1.0),)
-        )
-        with pytest.raises(Undecided):
-            mapped.image(whole)
-
-
 def test_a_time_that_depends_on_the_state_moves_the_set_with_it():
     # x' = v, v' = 0, to x = 0: the time is -x / v
     with flint_precision(80):
@@ -177,13 +135,6 @@ def test_a_time_that_depends_on_the_state_moves_the_set_with_it():
     for start, speed in ((-1.125, 1.9375), (-0.875, 2.0625), (-1.125, 2.0625), (-0.875, 1.9375)):
         assert time.contains(-start / speed)
         assert v.contains(speed)
-
-
-def test_growth_is_below_the_spectral_radius():
-    assert growth(2, [(0, 1), (1, 0)])[0] == 1
-    assert growth(3, [(0, 1), (1, 2)])[0] == 0
-    golden = growth(2, [(0, 0), (0, 1), (1, 0)])[0]
-    assert golden < (1 + 5**0.5) / 2 < float(golden) + 1e-5
 
 
 def test_walks_choose_among_sets_that_meet():
@@ -228,22 +179,6 @@ def test_wrong_input_is_told():
         certify_chaos("dry-friction", {**FRICTION_DATA, "V": "sqrt(2)"}, START)
 
 
-def test_derivatives_hold_differences_of_motions(chaos, kernels, returned):
-    with flint_precision(80):
-        system = enclosed_system(kernels, FOLDED_DATA)(80)
-        mapped = SectionMap(system, folded_section(system), 2)
-        start = piece(chaos.h_sets[0], mapped.section, ((0.25, 0.25 + 2.0**-8),), sloped=True)
-        (tangent,) = mapped.image(start).states.tangents
-        (place,) = mapped.section.free
-        ball = tangent.ranges[place]
-    centre, sides = chaos.h_sets[0].near
-    points = float(centre[0]) + np.linspace(0.25, 0.25 + 2.0**-8, 5) * float(sides[0, 0])
-    images = [returned(float(x), 2) for x in points]
-    for slope in np.diff(images) / np.diff(points) * float(sides[0, 0]):
-        assert float(ball.lower()) - 1e-6 <= slope <= float(ball.upper()) + 1e-6
-    assert float(ball.rad()) < 0.2 * abs(float(ball.mid()))
-
-
 def test_neighbours_part_as_the_cones_say(chaos, returned):
     assert chaos.cones is not None
     assert float(chaos.exponent) > 0.1
@@ -260,24 +195,3 @@ def test_neighbours_part_as_the_cones_say(chaos, returned):
             (d,) = sets[other].near[0]
             if abs(returned(c + share * s, chaos.iterates) - d) < abs(t):
                 assert float(Fraction(low)) <= share <= float(Fraction(high))
-
-
-def test_cones_are_not_claimed_where_a_matrix_between_breaks_them():
-    one = (Fraction(1), Fraction(1))
-    with flint_precision(80):
-        sure = arb_mat([[arb(3, 0.5), arb(0, 0.2)], [arb(0, 0.2), arb(0, 0.3)]])
-        assert positive(sure, one, one, Fraction(4))
-        assert positive(sure, one, one, Fraction(1, 2))
-        assert not positive(sure, one, one, Fraction(7))  # 2.5^2 is less
-        assert not positive(sure, one, one, Fraction(1, 100))  # shrinks by 0.3^2 at most
-        assert not positive(arb_mat([[arb(0, 3)]]), one[:1], one[:1], Fraction(1, 10))
-    # samples of what is said to be proved
-    random = np.random.default_rng(5)
-    form = np.diag([1.0, -1.0])
-    for _ in range(50):
-        matrix = np.array([[3, 0], [0, 0]]) + random.uniform(-1, 1, (2, 2)) * [
-            [0.5, 0.2],
-            [0.2, 0.3],
-        ]
-        for rate in (4, 0.5):
-            assert (np.linalg.eigvalsh(matrix.T @ form @ matrix - rate * form) > 0).all()

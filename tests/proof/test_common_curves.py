@@ -24,7 +24,6 @@ from nonsmooth.runtime.checker.parameters import values_of
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import checked_box, region_of
-from nonsmooth.runtime.proof.boxes.tile_event import side_of
 from nonsmooth.runtime.proof.branch.passage import CyclePassage
 
 STICK = "dry-friction/global-stick"
@@ -83,7 +82,7 @@ def test_the_curve_is_where_the_force_reaches_its_limit(v: str) -> None:
             inside = [
                 (2 * x - low - high) / (high - low) for x, (low, high) in zip(at, ends, strict=True)
             ]
-            assert side_of(tile.event.band, inside) is None
+            assert tile.event.band.side_of(inside) is None
             seen += 1
     assert seen
 
@@ -96,7 +95,7 @@ def test_points_of_the_plane_are_as_it_tells() -> None:
         verdict = tile.verdict
         if tile.event is not None:
             ends = zip(at, found().where(tile).values(), strict=True)
-            side = side_of(tile.event.band, [(2 * x - low - high) / (high - low)
+            side = tile.event.band.side_of([(2 * x - low - high) / (high - low)
                                              for x, (low, high) in ends])  # fmt: skip
             assert side is not None
             verdict = getattr(tile.event, side)

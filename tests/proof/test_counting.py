@@ -43,12 +43,12 @@ from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from tests.certified import LOOP, kicked
+from tests.friction_sets import DATA
 from tests.places import GALLERY
 
 STICK = "dry-friction/global-stick"
 BELT = f"{GALLERY / 'mass_on_belt.py'}:stick-slip"
 IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
-PAPER = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
 
 
@@ -224,7 +224,7 @@ def test_dwell_times_that_follow_may_be_bounded_too() -> None:
 def test_its_four_dwell_times_give_the_same_orbit() -> None:
     phases = [(c, b) for c, b, _ in load_orbit(STICK).table["phases"]]
     box = {"tau1": (1, "1.1"), "tau2": ("1.9", "2.1"), "tau3": ("1.4", "1.6"), "tau4": (3, "3.5")}
-    census = ns.certify_all("dry-friction", PAPER, box, itinerary=phases)
+    census = ns.certify_all("dry-friction", DATA, box, itinerary=phases)
     assert census.decided
     orbit = ns.solve(STICK)
     assert np.allclose(times(census), [orbit.dwell_times.tolist()], atol=1e-10)
@@ -233,12 +233,12 @@ def test_its_four_dwell_times_give_the_same_orbit() -> None:
 
 @pytest.mark.slow
 def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
-    census = ns.certify_all("dry-friction", PAPER, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
+    census = ns.certify_all("dry-friction", DATA, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
     assert census.decided
     found = times(census)
     random = np.random.default_rng(3)
     starts = random.uniform((3, 0.01), (7, 6), size=(400, 2))
-    values = {name: float(text) for name, text in PAPER.items()}
+    values = {name: float(text) for name, text in DATA.items()}
     orbits = solve_itineraries(kernels_of("dry-friction"), TWO, values, starts)
     reached = orbits.dwell_times[orbits.status == CONVERGED]
     inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
@@ -363,7 +363,7 @@ def test_equations_over_boxes_enclose_those_at_points() -> None:
     assert reducible(kernels)
     assert not reducible(load_orbit("dry-friction/symmetric"))
     with flint_precision(64):
-        values = system_parameters(system, PAPER)
+        values = system_parameters(system, DATA)
         tables = tables_of(system, tuple(values.values()), 64)
         cycle = itinerary_shape(structure_of(system), TWO)
         setting = setting_of(tables, cycle)
@@ -393,7 +393,7 @@ def test_equations_over_boxes_enclose_those_at_points() -> None:
 def test_divided_conditions_are_the_flow_over_the_time() -> None:
     system = load_system("dry-friction")
     with flint_precision(64):
-        values = system_parameters(system, PAPER)
+        values = system_parameters(system, DATA)
         tables = tables_of(system, tuple(values.values()), 64)
         cycle = itinerary_shape(structure_of(system), TWO)
         problem = DwellProblem(tables, cycle, setting_of(tables, cycle), Given(), [], 100.0)

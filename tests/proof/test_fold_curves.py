@@ -23,13 +23,13 @@ from nonsmooth import Orbit
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.proof.boxes.box_certificate import Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.boxes.regions import map_json
 from nonsmooth.runtime.proof.boxes.tile_edges import beyond_folds
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Band, side_of
-from nonsmooth.runtime.proof.boxes.tile_fold import FoldTube, fold_tube
+from nonsmooth.runtime.proof.boxes.tile_event import Band
+from nonsmooth.runtime.proof.boxes.tile_fold import fold_tube
 
+BEYOND = "beyond a fold"
 IMPACT = (("free", "wall-reaches-stop"),)
 W, PERIOD = Fraction(12, 5), 2 * math.pi / 2.4
 BOX = {"sigma": ("-1.7", "-1.0"), "r": ("0.785", "0.815")}
@@ -114,13 +114,13 @@ def number(x: Fraction) -> Any:
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def inside(found: ns.BoxCertificate, tile: Tile, point: dict[str, Fraction]) -> list[Fraction]:
+def inside(found: ns.BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
     """A point of a tile, from -1 to 1 over it."""
     where = found.where(tile)
     return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
 
 
-def folds(found: ns.BoxCertificate) -> list[Tile]:
+def folds(found: ns.BoxCertificate) -> list[Any]:
     return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
 
 
@@ -172,7 +172,7 @@ def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
                 n: low + Fraction(drawn.random()) * (high - low)
                 for n, (low, high) in found.where(tile).items()
             }
-            side = side_of(event.band, inside(found, tile, point))
+            side = event.band.side_of(inside(found, tile, point))
             speeds = velocities(*(number(point[n]) for n in ("sigma", "r")))
             if side is None:
                 continue
@@ -199,7 +199,7 @@ def region_names(region: Any) -> list[str]:
     return unknown_names(region.subject, region.closing)
 
 
-def tube_of(found: ns.BoxCertificate, tile: Tile) -> FoldTube:
+def tube_of(found: ns.BoxCertificate, tile: Any) -> Any:
     """The tube of a tile, proved again from what the map states."""
     assert tile.event is not None
     assert tile.event.fold is not None
@@ -256,7 +256,7 @@ def test_only_what_folds_alone_border_is_beyond_them() -> None:
 def test_an_edge_is_on_one_side_only_if_all_of_it_is() -> None:
     hill = Band(1, (0.9995, 0.0, -0.4), 1e-3)  # a parabola that nearly reaches the upper edge
     ends = [Fraction(-1), Fraction(1)], [Fraction(1), Fraction(1)]
-    assert all(side_of(hill, end) == "above" for end in ends)
+    assert all(hill.side_of(end) == "above" for end in ends)
     assert hill.side_of_edge(*ends) is None
     rising = Band(1, (0.0, 0.5), 1e-3)
     assert rising.side_of_edge(*ends) == "above"

@@ -1,7 +1,5 @@
 """Graphs of boxes: motions go along edges, and what is called trapping is not left."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -16,21 +14,11 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
-from nonsmooth.runtime.proof.sets.sections import transition_section
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from tests.certified import kicked
+from tests.friction_sets import DATA, SCALES, arrival, section_of
+from tests.places import GALLERY
 
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
-# the paper's orbit with a phase in which both masses stick
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
 IMPACTS = {"r": "0.65", "sigma": "0", "w": "2.3"}
 
 
@@ -49,16 +37,10 @@ def impacts():
 
 def returned(place):
     """x2 where a motion from the section of `friction` comes back to it; None if it does not."""
-    start = [0.5 * place + float(DATA["ur1"]), place, 1, 1]
     try:
-        motion = ns.simulate("dry-friction", DATA, start, "slip-stick", transitions=40)
+        return arrival([0.5 * place + float(DATA["ur1"]), place, 1, 1])
     except InputError:  # the second mass cannot stick there
         return None
-    names = motion.configurations
-    for k in range(1, len(names)):
-        if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"):
-            return motion.states[k][1]
-    return None
 
 
 @pytest.mark.slow
@@ -138,18 +120,14 @@ def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
     boxes = friction.trapping
     with flint_precision(64):
         system = enclosed_system("dry-friction", DATA)(64)
-        structure = system.structure
-        source, target = map(structure.configuration, (friction.source, friction.configuration))
-        reached = frozenset({structure.boundary(source, friction.boundary)})
-        section = transition_section(system, source, reached, target)
-        mapped = BranchingMap(system, section, np.ones(4), 0.5)
+        mapped = BranchingMap(system, section_of(system), SCALES, 0.5)
         mapped.leaves(friction.graph.grid.sets(boxes))
         kernels = load_system("dry-friction")
         declared = visited_declaration(kernels, system, sorted(mapped.passages))
     stated = StatedSection(
         friction.configuration, source=friction.source, boundary=friction.boundary
     )
-    motions = ManyMotions(declared, DATA, stated, np.ones(4), 0.5)
+    motions = ManyMotions(declared, DATA, stated, SCALES, 0.5)
     found = motions.arrivals(friction.graph.grid.sets(boxes))
     assert not found.lost.any()
     _, met, inside = friction.graph.grid.numbers_met(found.low, found.high)

@@ -21,10 +21,9 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_of
-from nonsmooth.runtime.proof.boxes.box_certificate import Tile
 from nonsmooth.runtime.proof.boxes.regions import map_json
 from nonsmooth.runtime.proof.boxes.tile_edges import edges_of
-from nonsmooth.runtime.proof.boxes.tile_event import Band, _away, side_of
+from nonsmooth.runtime.proof.boxes.tile_event import Band, _away
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import loop
 
@@ -60,7 +59,7 @@ def true_verdict(r: Fraction, a: Fraction) -> str:
     return "proved" if r > -1 else "unstable"
 
 
-def inside(found: ns.BoxCertificate, tile: Tile, point: dict[str, Fraction]) -> list[Fraction]:
+def inside(found: ns.BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
     """A point of a tile, from -1 to 1 over it."""
     where = found.where(tile)
     return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
@@ -125,7 +124,7 @@ def test_verdicts_at_random_points_are_the_true_ones() -> None:
             }
             verdict = tile.verdict
             if tile.event is not None:
-                side = side_of(tile.event.band, inside(found, tile, point))
+                side = tile.event.band.side_of(inside(found, tile, point))
                 if side is None:
                     continue
                 verdict = tile.event.below if side == "below" else tile.event.above
@@ -161,7 +160,7 @@ def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
         tile = found.tile_at({"V": value, "eta": eta})
         assert tile.event is not None
         at = inside(found, tile, {"V": value, "eta": Fraction(eta)})
-        assert side_of(tile.event.band, at) is None
+        assert tile.event.band.side_of(at) is None
         assert tile.event.band.radius < 1e-4
 
 
@@ -383,6 +382,6 @@ def test_sides_of_a_band_are_connected() -> None:
     assert Band(0, (0.9, 0.5, 0.1), 0.1).connected  # it rises
     assert not Band(0, (0.9, 0.0, 0.5), 0.1).connected
     band = Band(1, (0.0, 1.0), 0.25)
-    assert side_of(band, (Fraction(1, 2), Fraction(1))) == "above"
-    assert side_of(band, (Fraction(1, 2), Fraction(3, 4))) is None
-    assert side_of(band, (Fraction(1, 2), Fraction(1, 8))) == "below"
+    assert band.side_of((Fraction(1, 2), Fraction(1))) == "above"
+    assert band.side_of((Fraction(1, 2), Fraction(3, 4))) is None
+    assert band.side_of((Fraction(1, 2), Fraction(1, 8))) == "below"

@@ -21,7 +21,6 @@ from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.stability import _inside, _throughout
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.taylor_models import space_of
-from nonsmooth.runtime.proof.boxes.tile_event import side_of
 from tests.explore import test_continuation_forced as impacts
 
 GIVEN = {"mu": "0.67", "ka": "1.44", "z": "0.003", "r": "0.67", "d": "0.27", "w": "2.212"}
@@ -103,7 +102,7 @@ def test_multipliers_of_points_beside_the_curve_are_on_its_sides(r: str) -> None
         tile = found().tile_at(dict(zip(BOX, at, strict=True)))
         assert tile.event is not None
         ends = zip(at, found().where(tile).values(), strict=True)
-        side = side_of(tile.event.band, [(2 * x - a - b) / (b - a) for x, (a, b) in ends])
+        side = tile.event.band.side_of([(2 * x - a - b) / (b - a) for x, (a, b) in ends])
         if away:
             assert side is not None
             assert getattr(tile.event, side) == ("proved" if away < 0 else "unstable")
@@ -126,7 +125,7 @@ def test_the_curve_is_that_of_the_closed_form() -> None:
         assert tile.event is not None
         ends = zip(at, closed().where(tile).values(), strict=True)
         inside = [(2 * x - low - high) / (high - low) for x, (low, high) in ends]
-        assert side_of(tile.event.band, inside) is None
+        assert tile.event.band.side_of(inside) is None
         assert tile.event.band.radius < 1e-4
 
 

@@ -14,7 +14,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.proof.boxes.tile_edges import Edge, Groups, joined_edges
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Band, TileEvent, side_of
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Band, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Point
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
     for edge in joined_edges(found):
         pair = edge.first, edge.second
         if all(k in events for k in pair) and events[pair[0]].name == events[pair[1]].name:
-            told = [[side_of(events[k].band, found.tiles[k].place.inside(end))
+            told = [[events[k].band.side_of(found.tiles[k].place.inside(end))
                      for end in edge.ends] for k in pair]  # fmt: skip
             passed = any(None not in sides and sides[0] != sides[1] for sides in told)
             if passed or any(a is None and b is None for a, b in zip(*told, strict=True)):
@@ -233,7 +233,7 @@ def _side(tile: Tile, point: Point) -> str:
     """The side of a tile that holds a point: "" if no curve divides it, "band" on the curve."""
     if tile.event is None:
         return ""
-    return side_of(tile.event.band, tile.place.inside(point)) or "band"
+    return tile.event.band.side_of(tile.place.inside(point)) or "band"
 
 
 def _passes(band: Band) -> bool:
@@ -241,7 +241,7 @@ def _passes(band: Band) -> bool:
     ends = [Fraction(-1), Fraction(1)]
     along = [Fraction(k, 4) for k in range(-4, 5)]
     points = product(ends, along) if band.axis == 0 else product(along, ends)
-    return {side_of(band, point) for point in points} not in ({"below"}, {"above"})
+    return {band.side_of(point) for point in points} not in ({"below"}, {"above"})
 
 
 def _share(tile: Tile, side: str) -> float:

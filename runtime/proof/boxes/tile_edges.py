@@ -7,7 +7,7 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, side_of
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def _has_orbits(tile: Tile, point: Sequence[Fraction], box: Sequence[Interval]) 
         return True
     ends = [tile.place.interval(axis, box) for axis in range(len(box))]
     sides = zip(point, ends, strict=True)
-    side = side_of(event.band, [(2 * x - low - high) / (high - low) for x, (low, high) in sides])
+    side = event.band.side_of([(2 * x - low - high) / (high - low) for x, (low, high) in sides])
     return side is not None and getattr(event, side) != BEYOND
 
 

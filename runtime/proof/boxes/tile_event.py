@@ -43,7 +43,6 @@ __all__ = [
     "TileEvent",
     "band_about",
     "event_on",
-    "side_of",
 ]
 
 BEYOND = "beyond a fold"
@@ -73,6 +72,16 @@ class Band:
         for coefficient in reversed(self.centre):
             total = total * place + Fraction(coefficient)
         return total
+
+    def side_of(self, point: Sequence[Fraction]) -> Side | None:
+        """The side on which a point is; None in the band.
+
+        The point has both parameters, from -1 to 1 over the tile.
+        """
+        away = point[self.axis] - self.at(point[1 - self.axis])
+        if abs(away) <= Fraction(self.radius):
+            return None
+        return "above" if away > 0 else "below"
 
     def side_of_edge(self, one: Sequence[Fraction], other: Sequence[Fraction]) -> Side | None:
         """The side on which all points between two are; None if they may be in the band.
@@ -159,17 +168,6 @@ class TileEvent:
     def name(self) -> tuple[str, int | None, str, str]:
         """Kind, phase, boundary and instant, which distinguish the orbit's events."""
         return self.kind, self.phase, self.boundary, self.instant
-
-
-def side_of(band: Band, point: Sequence[Fraction]) -> Side | None:
-    """The side of a band on which a point of its tile is; None in the band.
-
-    The point has both parameters, from -1 to 1 over the tile.
-    """
-    away = point[band.axis] - band.at(point[1 - band.axis])
-    if abs(away) <= Fraction(band.radius):
-        return None
-    return "above" if away > 0 else "below"
 
 
 def event_on(
@@ -367,7 +365,7 @@ def _verdict_beside(region: Region, point: Sequence[Any], band: Band, side: str)
     known.
     """
     places = [Fraction(k, 2) for k in range(-2, 3)]
-    beside = [at for at in product(places, repeat=2) if side_of(band, at) == side]
+    beside = [at for at in product(places, repeat=2) if band.side_of(at) == side]
     if not beside:
         return ""
 

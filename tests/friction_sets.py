@@ -1,0 +1,91 @@
+"""Motions of the paper's two masses on a belt to a section, and sets of states that go there.
+
+On the section the first mass breaks loose from the belt while the second one sticks.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.float_sets import ManySets
+from nonsmooth.runtime.proof.sets.branching import BranchingMap
+from nonsmooth.runtime.proof.sets.sections import transition_section
+
+__all__ = ["DATA", "SCALES", "anywhere", "arrival", "branching", "corner", "inside", "missed",
+           "returns", "sampled", "section_of"]  # fmt: skip
+
+# with the paper's orbit, which has a phase in which both masses stick
+DATA = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4.0195",
+        "ur2": "1.4831"}  # fmt: skip
+SCALES = np.ones(4)
+
+
+def returns(start: Any, configuration: str = "slip-stick", transitions: int = 60) -> np.ndarray:
+    """x2 each time that a motion comes to the section."""
+    motion = ns.simulate("dry-friction", DATA, list(start), configuration, transitions=transitions)
+    names = motion.configurations
+    at = [k for k in range(1, len(names)) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick")]
+    return motion.states[at, 1]
+
+
+def arrival(start: Any, configuration: str = "slip-stick") -> float | None:
+    """x2 where a motion first comes to the section; None if it does not."""
+    return next(iter(returns(start, configuration)), None)
+
+
+def section_of(system: Any) -> Any:
+    """The section of an enclosed system."""
+    structure = system.structure
+    source, target = map(structure.configuration, ("stick-stick", "slip-stick"))
+    boundary = structure.boundary(source, "first-breaks-forward")
+    return transition_section(system, source, frozenset({boundary}), target)
+
+
+def branching(system: Any, most: int = 400, widest: float = 0.25) -> BranchingMap:
+    """The prover's map of sets to the section."""
+    return BranchingMap(system, section_of(system), SCALES, widest, most, longest=16)
+
+
+def anywhere(low: Any, high: Any) -> ManySets:
+    """Boxes of states at the time 0."""
+    boxes = ManySets.of_boxes(np.atleast_2d(low), np.atleast_2d(high))
+    return ManySets(*(np.insert(x, -1, 0.0, axis=1) for x in vars(boxes).values()))
+
+
+def sampled(random: Any, sign: tuple[int, int], count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Middles (n, 4) and half widths (n, 1) of boxes, by the sides from which masses move."""
+    middles = random.uniform((-4, -8, 0.2, 0.2), (4, 8, 2, 2), (count, 4))
+    middles[:, 2:] = 1 + middles[:, 2:] * sign
+    return middles, random.choice([0.03, 0.06, 0.12], count)[:, None]
+
+
+def corner(random: Any, size: int) -> np.ndarray:
+    """Where in a box: corners and faces are where states first go another way."""
+    share = random.uniform(-1, 1, size)
+    return np.where(random.random(size) < 0.4, np.sign(share) * (1 - 1e-9), share)
+
+
+def inside(leaves: Any, number: int, point: Any) -> np.ndarray:
+    """Which of the leaves of a set hold a point."""
+    own = leaves.origin == number
+    return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
+
+
+def missed(
+    leaves: Any, boxes: tuple[np.ndarray, np.ndarray], name: str, each: int
+) -> tuple[int, int, int]:
+    """Of motions from states of boxes, how many end in no leaf; how many ran, and divided sets."""
+    random, (middles, half) = np.random.default_rng(7), boxes
+    away = ran = several = 0
+    for k in np.flatnonzero(~leaves.lost):
+        ways = set()
+        for _ in range(each):
+            state = middles[k] + half[k] * corner(random, 4)
+            away += not inside(leaves, k, arrival(state, name)).any()
+            ways.add(ns.simulate("dry-friction", DATA, state, name, transitions=12).configurations)
+            ran += 1
+        several += len(ways) > 1
+    return away, ran, several
