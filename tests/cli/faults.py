@@ -17,12 +17,17 @@ import sys
 import traceback
 from collections.abc import Callable
 from pathlib import Path
+from runpy import run_module
 
-from nonsmooth.runtime.cli.program import main
 from nonsmooth.runtime.present.paper import writing
 
 # the reproduction without its work of a minute
 writing._contents = lambda *_, **__: {"report.html": b"report", "results.json": b"{}"}
+
+
+def main() -> None:
+    """Run the command line."""
+    run_module("nonsmooth", run_name="__main__")
 
 
 def kill() -> None:

@@ -11,11 +11,10 @@ import os
 import re
 import signal
 import sys
+from runpy import run_module
 from typing import Any, TextIO
 
 from rich.progress import Progress
-
-from nonsmooth.runtime.cli.program import main
 
 
 class Watched:
@@ -49,4 +48,4 @@ if __name__ == "__main__":
     Progress.update = update
     # all that is asked of it is there
     sys.stderr = Watched(sys.stderr, sys.argv.pop(1))  # type: ignore[assignment]
-    main()
+    run_module("nonsmooth", run_name="__main__")

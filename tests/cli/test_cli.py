@@ -31,6 +31,7 @@ from tests.places import CHECKOUT, GALLERY
 from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
+PROGRAM = (sys.executable, "-m", "nonsmooth")
 HEAVY = {"dask", "flint", "matplotlib", "mpmath", "numpy", "scipy", "sympy"}
 COMMANDS: dict[str, Any] = getattr(get_command(app), "commands")  # noqa: B009 - untyped
 EXAMPLES = [
@@ -64,8 +65,7 @@ def run_process(*command: str, **environment: str) -> subprocess.CompletedProces
 
 
 def nonsmooth_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    program = "from nonsmooth.runtime.cli.program import main; main()"
-    return run_process(sys.executable, "-c", program, *arguments, **environment)
+    return run_process(*PROGRAM, *arguments, **environment)
 
 
 def told(*arguments: str, code: int = 0) -> dict[str, Any]:
@@ -95,9 +95,8 @@ def _described() -> describe.Document:
 
 def test_help_imports_nothing_heavy() -> None:
     program = (
-        "import sys\n"
-        "from nonsmooth.runtime.cli.program import main\n"
-        "try:\n    main()\n"
+        "import runpy, sys\n"
+        "try:\n    runpy.run_module('nonsmooth', run_name='__main__')\n"
         "finally:\n    print('MODULES', *sys.modules)"
     )
     done = run_process(sys.executable, "-c", program, "--help")

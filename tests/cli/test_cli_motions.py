@@ -7,7 +7,6 @@ import pytest
 
 import nonsmooth
 from nonsmooth import find_orbits, simulate
-from nonsmooth.runtime.present.files.found import load_found
 from tests.cli.test_cli import run, told
 
 A = "chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
@@ -265,7 +264,7 @@ def test_find_shows_saves_and_maps(found, tmp_path):
     assert "unstable" in out
     assert "Traceback" not in err
     assert picture.read_bytes().startswith(b"\x89PNG")
-    np.testing.assert_array_equal(load_found(kept).labels, found.labels)
+    np.testing.assert_array_equal(nonsmooth.load(kept).labels, found.labels)
 
 
 @pytest.mark.slow

@@ -6,19 +6,20 @@ import os
 import shutil
 import subprocess
 import sys
-from importlib import metadata
+from importlib import metadata, util
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
 
-from nonsmooth.runtime.cli import doctor
 from nonsmooth.runtime.cli.program import app
 from tests.places import GALLERY
 
 COMMAND = Path(sys.executable).with_name("nonsmooth")
 BASH = shutil.which("bash")
+COMPILED = ("nonsmooth.generated._kernels", "nonsmooth.runtime._engine")
 
 
 def run(*arguments: str) -> str:
@@ -26,6 +27,11 @@ def run(*arguments: str) -> str:
     result = CliRunner().invoke(app, list(arguments))
     assert result.exit_code == 0, result.output
     return result.stdout
+
+
+def diagnoses() -> dict[str, Any]:
+    """What the doctor says, by names."""
+    return {entry["name"]: entry for entry in json.loads(run("doctor", "--json"))["diagnoses"]}
 
 
 def in_bash(script: str, home: Path, **environment: str) -> str:
@@ -89,9 +95,8 @@ def test_the_package_is_a_command(tmp_path: Path) -> None:
 @pytest.mark.parametrize("arguments", ["['doctor']", "['doctor', '--json']", "['--version']"])
 def test_nothing_heavy_is_imported(arguments: str, tmp_path: Path) -> None:
     program = (
-        f"import sys; sys.argv[1:] = {arguments}\n"
-        "from nonsmooth.runtime.cli.program import main\n"
-        "try: main()\n"
+        f"import sys, runpy; sys.argv[1:] = {arguments}\n"
+        "try: runpy.run_module('nonsmooth', run_name='__main__')\n"
         "except SystemExit: pass\n"
         "print('MODULES', *{name.partition('.')[0] for name in sys.modules})"
     )
@@ -104,7 +109,7 @@ def test_nothing_heavy_is_imported(arguments: str, tmp_path: Path) -> None:
 
 
 def test_doctor_names_every_requirement_and_extra() -> None:
-    found = {entry["name"]: entry for entry in json.loads(run("doctor", "--json"))["diagnoses"]}
+    found = diagnoses()
     assert found["nonsmooth"]["found"] == metadata.version("nonsmooth")
     for package in ("mpmath", "numpy", "python-flint", "rich", "scipy", "sympy", "typer"):
         assert found[package]["found"] == metadata.version(package)
@@ -118,42 +123,44 @@ def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
     def absent(name: str) -> str:
         raise metadata.PackageNotFoundError(name)
 
-    own = {"nonsmooth": "0"}
-    monkeypatch.setattr(doctor.metadata, "version", lambda name: own.get(name) or absent(name))
-    monkeypatch.setattr(doctor.util, "find_spec", lambda name: None)
+    find = util.find_spec
+    monkeypatch.setattr(
+        metadata, "version", lambda name: "0" if name == "nonsmooth" else absent(name)
+    )
+    monkeypatch.setattr(
+        util, "find_spec", lambda name, *rest: None if name in COMPILED else find(name, *rest)
+    )
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setenv("CC", "cc")
     monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
-    found = {diagnosis.name: diagnosis for diagnosis in doctor.diagnoses()}
-    assert found["numpy"].remedy == 'pip install "numpy>=2.0"'
-    assert found["compiled kernels"].remedy is not None
-    assert "compiler" in found["compiled kernels"].remedy
-    assert "'fortran'" in found["what computes"].found
-    assert found["extra plot: pictures"].remedy == 'pip install "nonsmooth[plot]"'
-    assert not found["LaTeX"].good
-    assert not found["kernels of your own systems"].good
-    assert all(diagnosis.remedy for diagnosis in found.values() if not diagnosis.good)
+    found = diagnoses()
+    assert found["numpy"]["remedy"] == 'pip install "numpy>=2.0"'
+    assert "compiler" in found["compiled kernels"]["remedy"]
+    assert "'fortran'" in found["what computes"]["found"]
+    assert found["extra plot: pictures"]["remedy"] == 'pip install "nonsmooth[plot]"'
+    assert not found["LaTeX"]["good"]
+    assert not found["kernels of your own systems"]["good"]
+    assert all(each["remedy"] for each in found.values() if not each["good"])
 
 
 @pytest.mark.compiled
 def test_doctor_notices_kernels_of_another_derivation(monkeypatch: pytest.MonkeyPatch) -> None:
-    name = "nonsmooth.generated._kernels"
-    compiled = importlib.import_module(name)
-    others = {stem: getattr(compiled, stem) for stem in dir(compiled) if "derivation_" in stem}
-    older = SimpleNamespace(__file__="here", **others | {"derivation_dry_friction": "0" * 16})
-    for module, good in ((compiled, True), (older, False)):
-        monkeypatch.setattr(doctor, "import_module", lambda _, module=module: module)
-        found = next(each for each in doctor.diagnoses() if each.name == "compiled kernels")
-        assert found.good is good
-    assert "dry-friction" in found.found
-    assert "elastic-stop" not in found.found
-    assert "install the package again" in str(found.remedy)
+    compiled = importlib.import_module(COMPILED[0])
+    older = ModuleType(COMPILED[0])
+    vars(older).update(vars(compiled) | {"derivation_dry_friction": "0" * 16})
+    assert diagnoses()["compiled kernels"]["good"]
+    monkeypatch.setitem(sys.modules, COMPILED[0], older)
+    found = diagnoses()["compiled kernels"]
+    assert not found["good"]
+    assert "dry-friction" in found["found"]
+    assert "elastic-stop" not in found["found"]
+    assert "install the package again" in found["remedy"]
 
 
 @pytest.mark.parametrize(("version", "good"), [("1.2.9", False), ("1.3", True), ("1.10.0", True)])
 def test_doctor_compares_versions_as_numbers(version, good, monkeypatch) -> None:
-    monkeypatch.setattr(doctor.metadata, "version", lambda name: version)
-    assert {f.name: f.good for f in doctor.diagnoses()}["mpmath"] is good
+    monkeypatch.setattr(metadata, "version", lambda name: version)
+    assert diagnoses()["mpmath"]["good"] is good
 
 
 @pytest.mark.slow

@@ -17,6 +17,7 @@ from nonsmooth.runtime.core.errors import one_line, unknown_name
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits import solve
+from tests.cli.test_cli import PROGRAM
 from tests.places import CHECKOUT
 from tests.user_systems import KICKED
 
@@ -218,16 +219,13 @@ def test_a_closed_pipe_is_quiet(words: str) -> None:
     """The reader is gone before the first line: the exit code is that of a closed pipe."""
     reading, writing = os.pipe()
     os.close(reading)
-    program = "from nonsmooth.runtime.cli.program import main; main()"
-    command = [sys.executable, "-c", program, *words.split()]
     try:
-        ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, check=False)
+        ended = subprocess.run(
+            [*PROGRAM, *words.split()], stdout=writing, stderr=subprocess.PIPE, check=False
+        )
     finally:
         os.close(writing)
     assert (ended.returncode, ended.stderr) == (141, b"")
-
-
-_MAIN = (sys.executable, "-c", "from nonsmooth.runtime.cli.program import main; main()")
 
 
 @pytest.mark.slow
@@ -238,7 +236,7 @@ def test_a_closed_stream_is_one_that_nobody_reads(closed: str, tmp_path: Path) -
     file = tmp_path / "o.json"
     wrong = closed.startswith("<")
     words = ["list", "no"] if wrong else ["solve", ORBIT, "--save", str(file)]
-    command = ["sh", "-c", f'exec "$@" {closed}', "sh", *_MAIN, *words]
+    command = ["sh", "-c", f'exec "$@" {closed}', "sh", *PROGRAM, *words]
     ended = subprocess.run(command, capture_output=True, check=False)
     assert ended.returncode == (2 if wrong else 0)
     assert bool(ended.stdout) == (closed == "2>&-")
@@ -251,7 +249,7 @@ def test_pictures_do_not_depend_on_the_users_windows(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     ns.solve(ORBIT).save(tmp_path / "o.json")
     subprocess.run(
-        [*_MAIN, "plot", str(tmp_path / "o.json")],
+        [*PROGRAM, "plot", str(tmp_path / "o.json")],
         env=os.environ | {"MPLBACKEND": "nope"},
         check=True,
     )

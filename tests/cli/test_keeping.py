@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+import json
+import os
 import signal
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
+from itertools import count
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
-import typer
 
-from nonsmooth import Interrupted
-from nonsmooth.runtime.cli import keeping, motions
-from nonsmooth.runtime.cli.application import ANSWERED
-from nonsmooth.runtime.cli.keeping import INTERRUPTED, heed_interrupts, heeding, worked
-from nonsmooth.runtime.cli.written import Written
+import nonsmooth as ns
+from tests.cli.terminal import Terminal, on_terminal
+from tests.cli.test_cli import run
+from tests.user_systems import declare
+
+CONTINUE = "continue dry-friction/global-stick V=0.95:1.05 --step 0.02 --save b.json --json"
 
 
 @pytest.fixture(autouse=True)
-def own_handler() -> Iterator[None]:
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.chdir(tmp_path)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -27,62 +34,77 @@ def press() -> None:
     signal.raise_signal(signal.SIGINT)
 
 
-def slow_to_end() -> object:
-    """Work that needs some time to put together what it has."""
-    found = ["one"]
-    try:
-        press()
-        found.append("never")
-    except KeyboardInterrupt:
-        for _ in range(3):
-            press()
-        raise Interrupted(found) from None
-    return found
+@pytest.fixture
+def pressed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
+    """Let each call of a function press Ctrl-C first, from a number of calls on."""
+
+    def at(owner: Any, name: str, first: int = 1) -> None:
+        function, calls = getattr(owner, name), count(1)
+
+        def calling(*arguments: Any, **options: Any) -> Any:
+            if next(calls) >= first:
+                press()
+            return function(*arguments, **options)
+
+        monkeypatch.setattr(owner, name, calling)
+
+    return at
 
 
-def test_who_presses_twice_loses_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert worked(slow_to_end) == (["one"], True)
-    press()  # it is being kept
-    assert worked(lambda: "all") == ("all", False)
-    with pytest.raises(KeyboardInterrupt):  # work that keeps nothing
-        worked(press)
-    # later on it ends what does not come to an end
-    monkeypatch.setattr(keeping, "_HASTE", 0.0)
-    with pytest.raises(KeyboardInterrupt) as stopped:
-        worked(slow_to_end)
-    assert not isinstance(stopped.value, Interrupted)
-    heed_interrupts()
+def test_who_presses_again_and_again_loses_nothing(pressed: Callable[..., None]) -> None:
+    """The work is ended by the first one, and puts together what it has."""
+    pressed(np.linalg, "svd", 30)
+    pressed(np, "nanmedian")
+    code, _, err = run(*CONTINUE.split())
+    assert (code, err.count("interrupted: ")) == (130, 1)
+    assert "interrupted" in ns.load("b.json").ends
     with pytest.raises(KeyboardInterrupt):
         press()
 
 
-def test_a_picture_that_is_interrupted_keeps_the_answer(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_later_on_it_ends_what_does_not_come_to_an_end(
+    pressed: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    worked(lambda: None)
-    written = Written()
-    written.draw(press, tmp_path / "never.png")  # type: ignore[arg-type]  # never drawn
-    press()  # nor does the answer go now
-    assert written.show(dict, lambda: print("the answer"), as_json=False) == INTERRUPTED
-    told = capsys.readouterr()
-    assert told.out == "the answer\n"
-    assert told.err == "nonsmooth: interrupted: no picture is drawn\n"
-    assert Written().show(dict, lambda: None, as_json=False) == ANSWERED
+    hours = count(0, 3600)
+    pressed(np.linalg, "svd", 30)
+    pressed(np, "nanmedian")  # of what the events are told by
+    monkeypatch.setattr(time, "monotonic", lambda: float(next(hours)))
+    code, out, err = run(*CONTINUE.split())
+    assert (code, out) == (130, "")
+    assert "interrupted: nothing is kept" in err
+    assert not Path("b.json").exists()
 
 
-def test_a_question_is_answered_with_no_by_an_interrupt(monkeypatch: pytest.MonkeyPatch) -> None:
-    def asked(question: str, *, err: bool) -> bool:
-        try:
-            press()
-        except KeyboardInterrupt:  # as Typer does
-            raise typer.Abort from None
-        pytest.fail("nobody can leave the question")
+def test_what_is_being_kept_is_kept(pressed: Callable[..., None]) -> None:
+    pressed(os, "fsync")
+    code, out, err = run(*CONTINUE.split())
+    assert (code, err) == (0, "")
+    assert json.loads(out)["ends"] == list(ns.load("b.json").ends)
 
-    monkeypatch.setattr(typer, "confirm", asked)
-    monkeypatch.setattr("sys.stdin.isatty", lambda: True)
-    worked(lambda: None)
-    assert motions._agreed("append?") is False
-    press()  # the answer is still to be shown
-    with pytest.raises(KeyboardInterrupt), heeding():
-        press()
-    press()
+
+def test_a_picture_that_is_interrupted_keeps_the_answer(pressed: Callable[..., None]) -> None:
+    figure = pytest.importorskip("matplotlib.figure")
+    pressed(figure.Figure, "savefig")
+    shown = Terminal()
+    shown.happens = press  # nor does the answer go now
+    code, out, err = on_terminal(*CONTINUE.split(), "--plot", "never.png", shown=shown)
+    assert code == 130
+    assert json.loads(out)["files"] == ["b.json"]
+    assert err.endswith("nonsmooth: interrupted: no picture is drawn\n")
+    assert not Path("never.png").exists()
+
+
+@pytest.mark.parametrize("answer", ["y\n", "n\n", ""])
+def test_a_question_is_answered_with_no_by_an_interrupt(answer: str) -> None:
+    file = declare(Path())
+    before = file.read_text()
+    answers, shown = Terminal(answer), Terminal()
+    if not answer:
+        answers.happens = press
+        shown.happens = press  # the answer is still to be shown
+    words = ("find", "mine.py", "k=1", "r=0.5", "--starts", "2", "--transitions", "40")
+    code, out, err = on_terminal(*words, "--write", "mine.py", answers=answers, shown=shown)
+    assert code == 0
+    assert "append the orbits to mine.py?" in err
+    assert "1 periodic orbit" in out
+    assert (file.read_text() != before) == (answer == "y\n")

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
 import typer
+from rich.progress import Progress
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli import display
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core import workload
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.proof.events import certify_event
+from tests.cli.terminal import Ended, on_terminal
 from tests.cli.test_cli import run
 from tests.places import GALLERY
 
@@ -77,31 +77,21 @@ QUESTIONS = {
 }
 
 
-class Stopped:
-    """Progress that is Ctrl-C as often as it was told."""
+def begun(words: str, progress: str, told: int) -> Ended:
+    """A command on a terminal whose progress of that name is Ctrl-C as often as it was told."""
+    update, left = Progress.update, told
 
-    def __init__(self, left: int) -> None:
-        self.left = left
-
-    def __call__(self, *_: object, **__: object) -> None:
-        """Count what is told."""
-        self.left -= 1
-        if self.left == 0:
+    def stopping(shown: Progress, task: Any, **options: Any) -> None:
+        nonlocal left
+        left -= shown.tasks[task].description.startswith(progress)
+        if left == 0:
             raise KeyboardInterrupt
+        update(shown, task, **options)
 
-
-def begun(asked: Question, monkeypatch: pytest.MonkeyPatch) -> tuple[int, str]:
-    """Exit code and stderr of a command that keeps what it has, and may be interrupted."""
-
-    @contextmanager
-    def stopping(what: str, *_: object) -> Iterator[Stopped]:
-        yield Stopped(asked.told if what.startswith(asked.progress) else 0)
-
-    with monkeypatch.context() as patched:
-        for progress in ("counted", "shared"):
-            patched.setattr(display, progress, stopping)
-        code, _, err = run(*shlex.split(asked.words), "--save", "part.json", "--json")
-    return code, err
+    with pytest.MonkeyPatch.context() as patch:
+        if told:
+            patch.setattr(Progress, "update", stopping)
+        return on_terminal(*shlex.split(words))
 
 
 def answer(file: str) -> Any:
@@ -126,9 +116,11 @@ def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
     monkeypatch.chdir(tmp_path)
     if asked.source:
         shutil.copy(GALLERY / asked.source, asked.source)
-    code, err = begun(asked, monkeypatch)
+    code, out, err = begun(f"{asked.words} --save part.json --json", asked.progress, asked.told)
     goes_on = f"go on with: nonsmooth {words[0]} --resume part.json --json\n"
     assert (code == 130, err.endswith(goes_on)) == (asked.told > 0,) * 2
+    if kind == "sweep":  # no outcome of the values that it has not looked at
+        assert [told is None for told in json.loads(out)["outcomes"]] == [False] * 3 + [True] * 3
     assert run(*words, *anew, "--save", "whole.json")[0] in (0, 1)
     assert answer("part.json") != answer("whole.json")
     if asked.source:
@@ -169,8 +161,9 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
             asked.source, orbit.parameters, [*dwell, *start], itinerary=orbit.itinerary
         )
     orbit.save("orbit.json")
-    code, err = begun(asked._replace(words=asked.words.replace(name, "orbit.json")), monkeypatch)
-    assert (code == 130) == (asked.told > 0), err
+    of_file = asked.words.replace(name, "orbit.json")
+    ended = begun(f"{of_file} --save part.json", asked.progress, asked.told)
+    assert (ended.code == 130) == (asked.told > 0), ended.err
     shutil.move("part.json", elsewhere)
     monkeypatch.chdir(elsewhere)
     shutil.rmtree(first)
@@ -214,16 +207,24 @@ def test_a_chart_goes_on_as_it_was_begun(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(workload, "HOURS", 0)  # all takes longer
     question = "chart dry-friction/global-stick V=0.99:1:6 eta=0.99:1:6 --chunk 9 --threads 1"
-    words = shlex.split(f"{question} --out F.zarr --yes --json")
-    with monkeypatch.context() as patched:
-        patched.setattr(display, "counted", lambda *_: nullcontext(Stopped(2)))
-        code, _, err = run(*words)
+    code, _, err = begun(f"{question} --out F.zarr --yes --json", "charting", 2)
     assert (code, "of 4 chunks are kept in F.zarr; go on with: nonsmooth" in err) == (130, True)
     goes_on = shlex.split(err.partition(" with: nonsmooth ")[2])
     assert run(*(word for word in goes_on if word != "--yes"))[0] == 2
     code, out, err = run(*goes_on)
     assert (code, err) == (0, "")
     assert json.loads(out)["points"] == {"stable": 36}
+
+
+def test_a_sweep_that_is_interrupted_shows_what_it_has_looked_at(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
+    asked = QUESTIONS["sweep"]
+    _, out, _ = begun(asked.words, asked.progress, asked.told)
+    counts = re.findall(r": (\d+) values? of w", out)
+    assert sum(map(int, counts)) == 3
 
 
 def test_every_command_that_resumes_is_asked_here() -> None:

@@ -7,31 +7,35 @@ import signal
 import subprocess
 import sys
 import time
+from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from threading import Event, Thread
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 import xarray
-from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError, MissingExtra
-from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.explore.charting import problem as problems
-from nonsmooth.runtime.explore.charting.chart import Work, chart_problem, work_on
-from nonsmooth.runtime.explore.charting.classes import counts_of, parts_of
-from nonsmooth.runtime.explore.charting.grid import Grid, axis_of, chunk_shape, linear_axis
-from nonsmooth.runtime.explore.charting.lock import locked
-from nonsmooth.runtime.explore.charting.store import _seal
-from nonsmooth.runtime.model.kernels import load_orbit
-from nonsmooth.runtime.present.pictures.charts import chart_figure
-from tests.user_systems import DAMPED, declare
+from nonsmooth.runtime.core.result_files import checksum_of
+from tests.cli.test_cli import run, told
+from tests.pictures import figure_in
 
 ORBIT = "dry-friction/global-stick"
 PLANE: dict[str, Any] = {"V": np.linspace(0.8, 1.3, 40), "eta": np.linspace(0.8, 1.3, 33)}
+RANGES = ("V=0.8:1.3:40", "eta=0.8:1.3:33")
 MOTIONS = {"chi": 0.4, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
 REST = {"x1": 0, "x2": 0, "v1": 0, "v2": 0}
+
+
+class Work(NamedTuple):
+    """How much of a chart a command computed."""
+
+    chunks: int
+    computed: int
+    damaged: int
+    leftovers: int
 
 
 def contents(store: Path) -> dict[str, bytes]:
@@ -43,17 +47,33 @@ def contents(store: Path) -> dict[str, bytes]:
     }
 
 
-def work(store: Path, chunk: int | None = None, **plane: Any) -> Work:
-    """Compute what is missing, and count it."""
-    problem, axes = chart_problem(ORBIT, plane or PLANE, False, None, 0)
-    return work_on(store, problem, axes, None, chunk, 2)
+def work(store: Path, *options: str, ranges: tuple[str, ...] = RANGES) -> Work:
+    """Compute what is missing, by the command, and count it."""
+    found = told("chart", ORBIT, *ranges, "--out", str(store), "--threads", "2", *options)
+    return Work(*(found[name] for name in Work._fields))
+
+
+def go_on(store: Path) -> Any:
+    """Compute what is missing, in Python."""
+    return ns.chart(ORBIT, store=store, **PLANE)
+
+
+def seal(store: Path) -> None:
+    """Write the checksums of all metadata anew, as who forges them would."""
+    document = json.loads((store / "zarr.json").read_text())
+    attributes = document["attributes"]["nonsmooth"]
+    files = sorted(store.glob("*/zarr.json"))
+    attributes["arrays"] = {f.parent.name: sha256(f.read_bytes()).hexdigest() for f in files}
+    del attributes["sha256"]
+    attributes["sha256"] = checksum_of(document)
+    (store / "zarr.json").write_text(json.dumps(document))
 
 
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An uninterrupted chart in 9 chunks."""
     store = tmp_path_factory.mktemp("finished") / "F.zarr"
-    assert work(store, 225).chunks == 9
+    assert work(store, "--chunk", "225").chunks == 9
     return store
 
 
@@ -61,36 +81,6 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def store(finished: Path, tmp_path: Path) -> Path:
     """A copy of it."""
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
-
-
-@pytest.mark.slow
-def test_chart_says_what_one_orbit_says(finished: Path) -> None:
-    plane = ns.load(finished)
-    assert list(plane.sizes.items()) == [("V", 40), ("eta", 33)]
-    names = load_orbit(ORBIT).unknowns
-    seen = set()
-    for i, j in np.random.default_rng(7).integers(0, (40, 33), (40, 2)):
-        point = plane.isel(V=int(i), eta=int(j))
-        orbit = ns.solve(ORBIT, {"V": float(point.V), "eta": float(point.eta)}, throw=False)
-        if int(point.status) != 0:
-            assert not bool(point.admissible)
-            assert int(point.limit) == -2
-            continue
-        if abs(float(orbit.unknowns["tau"]) - float(point.tau)) > 1e-6:
-            continue  # another orbit of the same itinerary
-        for name in names:
-            assert float(point[name]) == pytest.approx(float(orbit.unknowns[name]), abs=1e-10)
-        assert float(point.trace) == pytest.approx(orbit.stability.trace, abs=1e-10)
-        assert float(point.margin) == pytest.approx(orbit.stability.margin, abs=1e-10)
-        assert float(point.period) == pytest.approx(orbit.period, abs=1e-10)
-        verdict = orbit.admissibility
-        assert bool(point.admissible) == (verdict.verdict is not False)
-        if not point.admissible:
-            first = verdict.violations[0]
-            told = plane.limit.attrs["meanings"][str(int(point.limit))]
-            assert told == f"phase {first.phase + 1} {first.configuration}: {first.boundary}"
-        seen.add(bool(point.admissible))
-    assert seen == {True, False}
 
 
 def test_chart_has_what_solve_many_has(finished: Path) -> None:
@@ -107,16 +97,6 @@ def test_chart_has_what_solve_many_has(finished: Path) -> None:
     )
 
 
-def test_margins_are_those_of_single_orbits() -> None:
-    for name, swept in (("rigid-stop/one-impact", "T"), ("dry-friction/symmetric", "V")):
-        known = ns.solve(name)
-        values = float(known.values[swept]) * np.array([0.99, 1.0, 1.01])
-        line = ns.chart(name, **{swept: values})
-        for place, value in enumerate(values):
-            orbit = ns.solve(name, {swept: float(value)})
-            assert float(line.margin[place]) == pytest.approx(orbit.stability.margin, abs=1e-9)
-
-
 def test_limits_without_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
     small = {"V": PLANE["V"][20::6], "eta": PLANE["eta"][::8]}
     compiled = ns.chart(ORBIT, **small)
@@ -124,32 +104,6 @@ def test_limits_without_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> Non
     plain = ns.chart(ORBIT, **small)
     assert (compiled.limit.values >= 0).any()
     np.testing.assert_array_equal(compiled.limit.values, plain.limit.values)
-
-
-@pytest.mark.parametrize("chunk", [7, 128, 5000])
-def test_bits_do_not_depend_on_chunks_and_threads(finished: Path, chunk: int) -> None:
-    plane, other = ns.load(finished), ns.chart(ORBIT, chunk=chunk, threads=3, **PLANE)
-    assert set(plane) == set(other)
-    for name in plane:
-        assert plane[name].values.tobytes() == other[name].values.tobytes(), name
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("simulated", [False, True])
-def test_other_charts_do_not_depend_on_chunks(tmp_path: Path, simulated: bool) -> None:
-    if simulated:
-        plane = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0]}
-        arguments: dict[str, Any] = {"simulate": True, "start": REST, "transitions": 300}
-        name, found = "dry-friction", plane | arguments | MOTIONS
-    else:
-        name = f"{declare(tmp_path, DAMPED)}:loop"
-        found = {"r": np.linspace(0.2, 0.4, 4), "k": [0.9, 1.0]}
-    whole = ns.chart(name, **found)
-    for chunk in (1, 3):
-        other = ns.chart(name, chunk=chunk, **found)
-        for variable in whole:
-            assert whole[variable].values.tobytes() == other[variable].values.tobytes(), variable
-    assert (whole.status.values == 0).any()
 
 
 @pytest.mark.slow
@@ -203,10 +157,10 @@ def test_a_pipe_in_place_of_a_chunk_is_damage(finished: Path, store: Path) -> No
 
 def test_a_chunk_of_fill_values_is_done_too(tmp_path: Path) -> None:
     """None is admissible, as in a chunk that was not computed; that it was is known."""
-    plane = {"V": np.linspace(2.9, 3, 4), "eta": np.linspace(2.9, 3, 4)}
-    assert work(tmp_path / "F.zarr", 4, **plane).computed == 4
+    plane = ("V=2.9:3:4", "eta=2.9:3:4")
+    assert work(tmp_path / "F.zarr", "--chunk", "4", ranges=plane).computed == 4
     assert not ns.load(tmp_path / "F.zarr").admissible.values.any()
-    assert work(tmp_path / "F.zarr", 4, **plane) == Work(4, 0, 0, 0)
+    assert work(tmp_path / "F.zarr", "--chunk", "4", ranges=plane) == Work(4, 0, 0, 0)
 
 
 def test_lost_objects_and_coordinates_come_back(finished: Path, store: Path) -> None:
@@ -237,9 +191,9 @@ def test_a_forged_chunk_is_not_unpacked(store: Path) -> None:
         file.write_bytes(forged + value(forged).to_bytes(4, "little"))
         with pytest.raises(ValueError, match="trace/c/0/0 claims to be larger than a chunk"):
             ns.load(store).trace.values.sum()
-        found = CliRunner().invoke(app, ["plot", str(store)])
-        assert found.exit_code == 2
-        assert "is damaged: trace/c/0/0 claims to be larger" in found.stderr
+        code, _, err = run("plot", str(store))
+        assert code == 2
+        assert "is damaged: trace/c/0/0 claims to be larger" in err
 
 
 def test_forged_chunks_larger_than_the_memory_are_refused(store: Path) -> None:
@@ -250,7 +204,7 @@ def test_forged_chunks_larger_than_the_memory_are_refused(store: Path) -> None:
         {"codecs": [{"name": "bytes"}, {"name": "gzip", "configuration": {"level": 1}}]},
     ):
         file.write_text(json.dumps({**record, **change}))
-        _seal(store)
+        seal(store)
         with pytest.raises(InputError, match=r"trace/zarr\.json (the chunks|is no metadata)"):
             ns.load(store)
 
@@ -299,41 +253,45 @@ def test_store_of_another_derivation_is_refused(store: Path) -> None:
     record["attributes"]["nonsmooth"]["derivation"] = "0123"
     (store / "zarr.json").write_text(json.dumps(record))
     with pytest.raises(InputError, match=r"zarr\.json is damaged or edited"):
-        work(store)
-    _seal(store)
+        go_on(store)
+    seal(store)
     with pytest.raises(InputError, match="derivation 0123 there"):
-        work(store)
+        go_on(store)
 
 
 def test_store_of_other_chunks_is_refused(store: Path) -> None:
     with pytest.raises(InputError, match="has chunks of 15 x 15 points, not 2 x 2"):
-        work(store, 4)
-    assert work(store, 225).computed == 0
+        ns.chart(ORBIT, store=store, chunk=4, **PLANE)
+    assert work(store, "--chunk", "225").computed == 0
 
 
-def test_what_is_no_chart_is_refused(tmp_path: Path, store: Path) -> None:
-    (tmp_path / "other").mkdir()
-    (tmp_path / "other" / "notes").write_text("mine")
-    with pytest.raises(InputError, match="no chart"):
-        work(tmp_path / "other")
-    with pytest.raises(InputError, match="no such file or directory"):
-        ns.load(tmp_path / "absent")
-    with pytest.raises(InputError, match="it is a file"):
-        work(tmp_path / "other" / "notes")
-    with pytest.raises(InputError, match="is not a folder"):
-        work(tmp_path / "other" / "notes" / "F.zarr")
-    with pytest.raises(InputError, match="give the folder a name"):
-        work(Path(""))
+@pytest.mark.parametrize(
+    ("place", "message"),
+    [
+        ("other", "no chart"),
+        ("other/notes", "it is a file"),
+        ("other/notes/F.zarr", "is not a folder"),
+        ("", "give the folder a name"),
+    ],
+)
+def test_what_is_no_chart_is_refused(
+    place: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("other").mkdir()
+    Path("other", "notes").write_text("mine")
+    with pytest.raises(InputError, match=message):
+        go_on(Path(place))
 
 
 def test_metadata_that_is_gone_or_foreign_is_named(store: Path) -> None:
     shutil.copytree(store / "trace", store / "more")
-    for opened in (work, ns.load):
+    for opened in (go_on, ns.load):
         with pytest.raises(InputError, match=r"F\.zarr: more is no array of this chart"):
             opened(store)
     shutil.rmtree(store / "more")
     (store / "trace" / "zarr.json").unlink()
-    for opened in (work, ns.load):
+    for opened in (go_on, ns.load):
         with pytest.raises(InputError, match=r"trace/zarr\.json cannot be read: no such file"):
             opened(store)
 
@@ -369,11 +327,10 @@ def test_damaged_metadata_is_named(store: Path, name: str, old: str, new: str) -
     text = file.read_text()
     assert old in text
     file.write_text(text.replace(old, new))
-    for opened in (work, ns.load):
+    for opened in (go_on, ns.load):
         with pytest.raises(InputError, match=rf"{name}/zarr\.json is damaged or edited"):
             opened(store)
-    code = CliRunner().invoke(app, ["plot", str(store)]).exit_code
-    assert code == 2
+    assert run("plot", str(store))[0] == 2
 
 
 def test_a_chart_of_another_release_is_refused(store: Path) -> None:
@@ -384,28 +341,6 @@ def test_a_chart_of_another_release_is_refused(store: Path) -> None:
         ns.load(store)
 
 
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
-        ({}, "nothing to chart"),
-        ({"V": [1.0, 1.0]}, "do not increase"),
-        ({"V": [1.0, np.nan]}, "finite"),
-        ({"V": ["a"]}, "no row of numbers"),
-        ({"W": [1.0, 2.0]}, "unknown parameter 'W'"),
-        ({"V": [1.0, 2.0], "eta": -1}, "eta = -1 is outside its domain"),
-        ({"V": [1.0, 2.0], "chunk": 0}, "chunk = 0"),
-        ({"V": [1.0, 2.0], "threads": -1}, "threads = -1"),
-        ({"V": [1.0, 2.0], "scheduler": "tcp://x"}, "needs a store"),
-        ({"V": [1.0, 2.0], "start": REST}, "a start is for motions"),
-        ({"V": [1.0, 2.0], "simulate": True}, "the start of the motions is missing"),
-        ({"V": np.linspace(1, 2, 10_000), "eta": np.linspace(1, 2, 10_000)}, "for a store"),
-    ],
-)
-def test_wrong_input(given: dict[str, Any], told: str) -> None:
-    with pytest.raises(InputError, match=told):
-        ns.chart("dry-friction" if given.get("simulate") else ORBIT, **given)
-
-
 def test_missing_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "zarr", None)
     with pytest.raises(MissingExtra, match=r'zarr is not installed: .*"nonsmooth\[chart\]"'):
@@ -414,18 +349,18 @@ def test_missing_extra(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_two_processes_on_one_store(store: Path, tmp_path: Path) -> None:
     code = (
-        "import sys, pathlib\n"
-        "from nonsmooth.runtime.explore.charting.lock import locked\n"
-        "with locked(pathlib.Path(sys.argv[1])):\n"
+        "import sys, nonsmooth as ns\n"
+        "def hold(*_):\n"
         "    print('held', flush=True)\n"
         "    sys.stdin.read()\n"
+        "ns.chart(sys.argv[1], progress=hold)\n"
     )
     pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     with subprocess.Popen([sys.executable, "-c", code, str(store)], **pipes) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "held\n"
         with pytest.raises(InputError, match=f"is being computed by process {process.pid} on "):
-            work(store)
+            go_on(store)
         os.kill(process.pid, signal.SIGKILL)
         process.wait()
     assert store.with_name("F.zarr.lock").exists()
@@ -433,21 +368,26 @@ def test_two_processes_on_one_store(store: Path, tmp_path: Path) -> None:
     assert not store.with_name("F.zarr.lock").exists()
 
 
-def test_a_lost_lock_is_left_to_who_took_it_over(tmp_path: Path) -> None:
-    store, lock = tmp_path / "F.zarr", tmp_path / "F.zarr.lock"
-    with locked(store):
-        lock.unlink()
-        with locked(store):
-            assert lock.exists()
-    assert not lock.exists()
-    first = locked(store)
-    first.__enter__()
-    lock.unlink()
-    with locked(store):
-        first.__exit__(None, None, None)
+def test_a_lost_lock_is_left_to_who_took_it_over(store: Path) -> None:
+    lock, begun, ends = store.with_name("F.zarr.lock"), Event(), Event()
+
+    def wait(*_: int) -> None:
+        begun.set()
+        ends.wait(60)
+
+    first = Thread(target=lambda: ns.chart(str(store), progress=wait))
+
+    def later(*_: int) -> None:
+        ends.set()
+        first.join()
         assert lock.exists()
-        with pytest.raises(InputError, match="is being computed"), locked(store):
-            pass
+        with pytest.raises(InputError, match="is being computed"):
+            ns.chart(str(store))
+
+    first.start()
+    begun.wait(60)
+    lock.unlink()
+    ns.chart(str(store), progress=later)
     assert not lock.exists()
 
 
@@ -484,94 +424,113 @@ def test_unwritable_store(store: Path) -> None:
         store.parent.chmod(0o700)
 
 
-def test_axes() -> None:
-    axis = linear_axis("V", 0.8, 1.3, 200_001)
-    whole = np.linspace(0.8, 1.3, 200_001)
-    assert np.concatenate([part for _, part in axis.blocks()]).tobytes() == whole.tobytes()
-    assert axis.fingerprint() == axis_of("V", whole).fingerprint()
-    assert axis.fingerprint() != axis_of("V", np.nextafter(whole, 9)).fingerprint()
-    for shape, points in (((10**5, 10**4), 1 << 16), ((3, 1000), 100), ((7,), 100), ((2, 3, 4), 1)):
-        chunk = chunk_shape(shape, points)
-        assert np.prod(chunk) <= points
-        assert np.prod(np.minimum(chunk, shape)) >= min(points, np.prod(shape)) / 4
-    assert chunk_shape((1000, 1000), 1 << 16) == (256, 256)
-    for wrong in ((1.0, 1.0, 5), (2.0, 1.0, 5), (1.0, np.inf, 5), (1.0, 2.0, 0)):
-        with pytest.raises(InputError):
-            linear_axis("V", *wrong)
-    with pytest.raises(InputError, match="not distinct"):
-        linear_axis("V", 1.0, 1.0 + 1e-15, 100)
+def test_values_of_a_range_are_evenly_spaced_to_the_last_bit(tmp_path: Path) -> None:
+    """Though they are never in memory all at once."""
+    path = tmp_path / "T.zarr"
+    told("chart", "rigid-stop/one-impact", "T=5.5:6:70001", "--out", str(path))
+    values = np.linspace(5.5, 6, 70_001)
+    assert ns.load(path)["T"].values.tobytes() == values.tobytes()
+    ns.chart("rigid-stop/one-impact", T=values, store=path)  # the same chart
 
 
-def test_simulated_chart_agrees_with_the_orbits() -> None:
-    values = {"chi": 0.4, "eta": 4, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
-    line = ns.chart("dry-friction", simulate=True, start=REST, V=[0.55, 0.6773, 0.7], **values)
-    periodic = np.flatnonzero(line.transitions.values)
-    assert periodic.size
-    for place in periodic:
-        motion = ns.simulate(
-            "dry-friction", {**values, "V": float(line.V[place])}, REST, transitions=2000
-        )
-        recurrence = ns.itinerary_of(motion)
-        assert len(recurrence.itinerary) == int(line.transitions[place])
-        assert float(np.sum(recurrence.dwell_times)) == pytest.approx(
-            float(line.period[place]), rel=1e-5
-        )
-
-
-def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
-    plane = ns.load(finished)
-    parts = parts_of(plane)
-    assert (sum(part.where.astype(int) for part in parts) == 1).all()
-    counts = counts_of(plane)
-    assert sum(counts.values()) == 40 * 33
-    assert counts["stable"] == int((plane.admissible & (abs(plane.trace) < 1)).sum())
-    assert counts["missing"] == 0
-    (store / "status" / "c" / "0" / "0").unlink()
-    assert counts_of(ns.load(store))["missing"] == 225
-    with pytest.raises(InputError, match="no chart"):
-        parts_of(plane.drop_vars("status"))
-
-
-def test_pictures(finished: Path, tmp_path: Path) -> None:
-    plane = ns.load(finished)
-    figure = chart_figure(plane)
-    _, labels = figure.axes[0].get_legend_handles_labels()
-    assert any(label.startswith("stable") for label in labels)
-    assert any(label.startswith("not admissible: phase 3 slip-slip") for label in labels)
-    figure.savefig(tmp_path / "plane.svg")
-    chart_figure(plane.isel(eta=0)).savefig(tmp_path / "line.png")
-    with pytest.raises(InputError, match="one plane at a time"):
-        chart_figure(plane.expand_dims(chi=[0.4, 0.5]))
-
-
-def test_commands(finished: Path, tmp_path: Path) -> None:
-    runner, store = CliRunner(), tmp_path / "F.zarr"
-    command = ["chart", ORBIT, "V=0.8:1.3:40", "eta=0.8:1.3:33", "--out", str(store), "--json"]
-    command += ["--chunk", "225"]
-    first = runner.invoke(app, command)
-    assert first.exit_code == 0, first.output
-    told = json.loads(first.stdout)
-    assert told["dimensions"] == {"V": 40, "eta": 33}
-    assert (told["computed"], told["chunks"]) == (9, 9)
-    assert sum(told["points"].values()) == 40 * 33
-    assert contents(store) == contents(finished)
-    again = runner.invoke(app, command[:-3])
-    assert "0 of 9 chunks computed" in again.stdout
-    drawn = runner.invoke(app, ["plot", str(store), "--json"])
-    assert json.loads(drawn.stdout)["chart"] == ORBIT
-    assert (tmp_path / "F.png").stat().st_size > 1000
-    for wrong in (["chi=0.4"], ["V=1"], ["W=1:2:3"], ["eta=1:2"]):
-        refused = runner.invoke(app, [*command, *wrong])
-        assert refused.exit_code == 2
-        assert "error" in json.loads(refused.stdout)
-    assert runner.invoke(app, ["chart", ORBIT, "V=1:2:3"]).exit_code == 2
+@pytest.mark.parametrize(
+    ("shape", "points", "chunk"),
+    [
+        ((40, 3), 100, (33, 3)),
+        ((3, 40), 100, (3, 33)),
+        ((7,), 100, (7,)),
+        ((2, 3, 4), 1, (1, 1, 1)),
+    ],
+)
+def test_chunks_are_as_even_as_the_grid_allows(
+    shape: tuple[int, ...], points: int, chunk: tuple[int, ...], tmp_path: Path
+) -> None:
+    rows = {name: 1 + np.arange(n) / 50 for name, n in zip(("k1", "k2", "m1"), shape, strict=False)}
+    ns.chart("rigid-stop/one-impact", store=tmp_path / "F.zarr", chunk=points, **rows)
+    record = json.loads((tmp_path / "F.zarr" / "trace" / "zarr.json").read_text())
+    assert tuple(record["chunk_grid"]["configuration"]["chunk_shape"]) == chunk
 
 
 @pytest.mark.parametrize("count", [2**33, 2**32, 3 * 2**31])
-def test_points_and_chunks_are_counted_without_a_limit(count: int) -> None:
-    grid = Grid((linear_axis("V", 0, 1, count), linear_axis("eta", 0, 1, count)), (1, 2))
-    assert (grid.points, grid.chunks) == (count**2, count**2 // 2)
+def test_points_are_counted_without_a_limit(count: int, tmp_path: Path) -> None:
+    words = ("chart", ORBIT, f"V=0.5:1:{count}", f"eta=0.5:1:{count}", "--out")
+    code, _, err = run(*words, str(tmp_path / "F.zarr"))
+    assert (code, f"{count**2} points" in err) == (2, True), err
 
 
-def test_no_status_is_taken_twice() -> None:
-    assert problems.MISSING not in range(-10, 20)
+def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
+    plane, points = ns.load(finished), told("chart", str(store))["points"]
+    assert sum(points.values()) == 40 * 33
+    assert points["stable"] == int((plane.admissible & (abs(plane.trace) < 1)).sum())
+    assert "missing" not in points
+    (store / "status" / "c" / "0" / "0").unlink()
+    axes = figure_in(store).axes[0]
+    shares = dict(text.get_text().removesuffix(" %)").rsplit(" (", 1)
+                  for text in axes.get_legend().get_texts())  # fmt: skip
+    assert shares["not computed yet"] == f"{100 * 225 / (40 * 33):.1f}"
+    assert sum(map(float, shares.values())) == pytest.approx(100, abs=0.5)
+
+
+def test_pictures(finished: Path, tmp_path: Path) -> None:
+    axes = figure_in(finished).axes[0]
+    labels = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert any(label.startswith("stable") for label in labels)
+    assert any(label.startswith("not admissible: phase 3 slip-slip") for label in labels)
+    ns.chart(ORBIT, V=[0.9, 1.0], eta=[0.9, 1.0], chi=[0.4, 0.5], store=tmp_path / "F.zarr")
+    with pytest.raises(InputError, match="one plane at a time"):
+        figure_in(tmp_path / "F.zarr")
+
+
+def test_outlines_go_along_the_cells(finished: Path) -> None:
+    """Each is a side between two cells of other colours, and there are as many as such sides."""
+    axes = figure_in(finished).axes[0]
+    (mesh,) = (each for each in axes.collections if hasattr(each, "get_coordinates"))
+    (outlines,) = (each for each in axes.collections if hasattr(each, "get_segments"))
+    labels = mesh.get_array().reshape(33, 40)
+    changes = (labels[1:] != labels[:-1]).sum() + (labels[:, 1:] != labels[:, :-1]).sum()
+    lines = np.array(outlines.get_segments())
+    assert len(lines) == changes > 50
+    corners = mesh.get_coordinates()
+    across, up = corners[0, :, 0], corners[:, 0, 1]
+
+    def label(point: np.ndarray) -> Any:
+        return labels[np.searchsorted(up, point[1]) - 1, np.searchsorted(across, point[0]) - 1]
+
+    for first, last in lines:
+        middle, beside = (first + last) / 2, 1e-6 * (last - first)[::-1]
+        assert label(middle + beside) != label(middle - beside)
+
+
+def test_commands(finished: Path, tmp_path: Path) -> None:
+    store = tmp_path / "F.zarr"
+    command = ("chart", ORBIT, *RANGES, "--out", str(store))
+    first = told(*command, "--chunk", "225")
+    assert first["dimensions"] == {"V": 40, "eta": 33}
+    assert (first["computed"], first["chunks"]) == (9, 9)
+    assert contents(store) == contents(finished)
+    assert "0 of 9 chunks computed" in run(*command)[1]
+    assert told("plot", str(store))["chart"] == ORBIT
+    assert (tmp_path / "F.png").stat().st_size > 1000
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("chi=0.4", "chi = 0.5 there, 0.4 here"),
+        ("V=1", "parameter V is given twice"),
+        ("W=1:2:3", "unknown parameter 'W'"),
+        ("chi=1:2", "is not NAME=A:B:N"),
+        ("chi=1:1:5", "1.0 to 1.0 is no interval"),
+        ("chi=0.5:0.4:5", "0.5 to 0.4 is no interval"),
+        ("chi=0.4:inf:5", "'inf'"),
+        ("chi=0.4:0.5:0", "0 values are none"),
+        ("chi=0.4:0.400000000000001:100", "not distinct"),
+    ],
+)
+def test_wrong_commands(words: str, message: str, store: Path) -> None:
+    refused = told("chart", ORBIT, *RANGES, words, "--out", str(store), code=2)
+    assert message in refused["error"]
+
+
+def test_no_folder_is_named() -> None:
+    assert "--out F.zarr is missing" in told("chart", ORBIT, "V=1:2:3", code=2)["error"]

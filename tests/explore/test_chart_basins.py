@@ -1,8 +1,5 @@
 """Basins as charts: the labels of planes in memory, whatever the chunks, and resumed."""
 
-import os
-import signal
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,11 +11,9 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, SoftStop, System, oscillator
-from nonsmooth.runtime.explore.charting.chart import begun_problem, work_on
-from nonsmooth.runtime.explore.charting.classes import counts_of
 from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.present.pictures.charts import chart_figure
-from tests.explore.test_chart_cluster import contents
+from tests.cli.test_cli import told
+from tests.pictures import figure_in
 
 STARTS: dict[str, Any] = {"x1": np.linspace(-1.5, 1.5, 11), "v1": np.linspace(-1, 1, 7)}
 DATA = {"Omega": "1.3", "F": "0.3"}
@@ -47,7 +42,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.slow
-def test_a_chart_has_the_labels_of_single_planes(found: Path) -> None:
+def test_a_chart_has_the_labels_of_single_planes(found: Path, tmp_path: Path) -> None:
     plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"})
     x, v = (("x1", -1.5, 1.5, 11), ("v1", -1.0, 1.0, 7))
     expected = basins(ns.load(found), x, v, {"x2": "1/2"}).labels.T
@@ -56,13 +51,15 @@ def test_a_chart_has_the_labels_of_single_planes(found: Path) -> None:
     assert (plane.status == 0).all()
     names = plane.attractor.attrs["meanings"]
     assert names["1"].startswith("orbit 1, period ")
-    counts = counts_of(plane)
+    store = tmp_path / "basins.zarr"
+    ns.chart(str(found), **STARTS, start={"x2": "1/2"}, store=store)
+    counts = told("chart", str(store))["points"]
     assert sum(counts.values()) == plane.attractor.size
     assert counts[names["1"]] == int((plane.attractor == 1).sum())
-    told = chart_figure(plane).axes[0].get_legend()
-    assert told is not None
-    assert names["1"] in "".join(text.get_text() for text in told.get_texts())
-    chart_figure(plane.isel(v1=2))
+    legend = figure_in(store).axes[0].get_legend()
+    assert names["1"] in "".join(text.get_text() for text in legend.get_texts())
+    ns.chart(str(found), x1=STARTS["x1"], store=tmp_path / "line.zarr")
+    assert figure_in(tmp_path / "line.zarr").axes[0].lines
 
 
 def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
@@ -79,9 +76,9 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
         ns.chart(str(found), store=store, chunk=6, threads=2, progress=stop, **STARTS)
     moved = found.with_name("moved.json")
     found.rename(moved)  # the store holds the attractors
-    work = work_on(store, *begun_problem(store), None, None, 1)
+    work = told("chart", str(store), "--threads", "1")
     moved.rename(found)
-    assert 0 < work.computed < work.chunks
+    assert 0 < work["computed"] < work["chunks"]
     again = ns.load(store)
     assert again.attractor.values.tobytes() == whole.attractor.values.tobytes()
     with pytest.raises(InputError, match="holds another chart: start"):
@@ -109,30 +106,3 @@ def test_a_file_without_attractors(found: Path, tmp_path: Path) -> None:
     replace(known, orbits=(), equilibria=(), labels=np.full_like(known.labels, -1)).save(file)
     with pytest.raises(InputError, match=r"none\.json holds no orbit or equilibrium"):
         ns.chart(str(file), x1=[0.0, 0.1])
-
-
-@pytest.fixture(scope="module")
-def cluster() -> Iterator[Any]:
-    """Two worker processes."""
-    distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
-    ) as made:
-        yield made
-
-
-@pytest.mark.slow
-def test_killed_worker_costs_only_its_chunk(cluster: Any, found: Path, tmp_path: Path) -> None:
-    killed: list[int] = []
-
-    def progress(done: int, total: int) -> None:
-        if done >= total // 4 and not killed:
-            killed.append(cluster.workers[0].pid)
-            os.kill(killed[0], signal.SIGKILL)
-
-    stores = tmp_path / "cluster.zarr", tmp_path / "threads.zarr"
-    address = cluster.scheduler_address
-    ns.chart(str(found), store=stores[0], scheduler=address, chunk=4, progress=progress, **STARTS)
-    assert killed
-    ns.chart(str(found), store=stores[1], chunk=4, **STARTS)
-    assert contents(stores[0]) == contents(stores[1])

@@ -11,12 +11,11 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError, MissingExtra
-from nonsmooth.runtime.explore.charting import cluster as clusters
-from nonsmooth.runtime.explore.charting.chart import chart_problem
-from nonsmooth.runtime.explore.charting.grid import Grid
-from nonsmooth.runtime.explore.charting.store import Store
+from tests.explore.test_chart import contents
+from tests.explore.test_chart_basins import DATA, STARTS, two_attractors
 
 ORBIT = "dry-friction/global-stick"
+SOON = {"timeout": "300ms"}
 PLANE: dict[str, Any] = {"V": np.linspace(0.8, 1.3, 150), "eta": np.linspace(0.8, 1.3, 150)}
 
 
@@ -30,17 +29,9 @@ def cluster() -> Iterator[Any]:
         yield found
 
 
-def contents(store: Path) -> dict[str, bytes]:
-    """All files of a store."""
-    return {
-        str(path.relative_to(store)): path.read_bytes()
-        for path in store.rglob("*")
-        if path.is_file()
-    }
-
-
 @pytest.mark.slow
-def test_killed_worker_costs_only_its_chunk(cluster: Any, tmp_path: Path) -> None:
+@pytest.mark.parametrize("basins", [False, True])
+def test_killed_worker_costs_only_its_chunk(basins: bool, cluster: Any, tmp_path: Path) -> None:
     killed: list[int] = []
 
     def progress(done: int, total: int) -> None:
@@ -48,45 +39,62 @@ def test_killed_worker_costs_only_its_chunk(cluster: Any, tmp_path: Path) -> Non
             killed.append(cluster.workers[0].pid)
             os.kill(killed[0], signal.SIGKILL)
 
+    name, chunk, plane = ORBIT, 400, PLANE
+    if basins:
+        name, chunk, plane = str(tmp_path / "found.json"), 4, STARTS
+        ns.find_orbits(two_attractors(), DATA, 40, transitions=200).save(name)
     store, address = tmp_path / "cluster.zarr", cluster.scheduler_address
-    ns.chart(ORBIT, store=store, scheduler=address, chunk=400, progress=progress, **PLANE)
+    ns.chart(name, store=store, scheduler=address, chunk=chunk, progress=progress, **plane)
     assert killed
-    ns.chart(ORBIT, store=tmp_path / "threads.zarr", chunk=400, **PLANE)
+    ns.chart(name, store=tmp_path / "threads.zarr", chunk=chunk, **plane)
     assert contents(store) == contents(tmp_path / "threads.zarr")
 
 
 @pytest.mark.slow
-def test_workers_refuse_other_equations(
-    cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from nonsmooth.runtime.explore.charting import orbits
+def test_workers_refuse_other_equations(cluster: Any, tmp_path: Path) -> None:
+    from nonsmooth.runtime.model.kernels import load_orbit
 
-    monkeypatch.setattr(orbits, "table_hash", lambda table: "other")
-    options = {"store": tmp_path / "F.zarr", "scheduler": cluster.scheduler_address}
-    with pytest.raises(InputError, match="another version of the equations"):
-        ns.chart(ORBIT, chunk=400, **options, **PLANE)
+    table = load_orbit(ORBIT).table
+    table["unheard"] = "of"  # of this process, whose workers have the table without it
+    try:
+        with pytest.raises(InputError, match="another version of the equations"):
+            ns.chart(ORBIT, chunk=400, store=tmp_path / "F.zarr",
+                     scheduler=cluster.scheduler_address, **PLANE)  # fmt: skip
+    finally:
+        del table["unheard"]
 
 
 @pytest.mark.slow
 def test_workers_that_see_another_folder(
     cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Store, "holds", lambda store, number: False)
-    options = {"store": tmp_path / "F.zarr", "scheduler": cluster.scheduler_address}
+    """What they have written is not there where this process looks for it."""
+    is_file = Path.is_file
+    monkeypatch.setattr(Path, "is_file", lambda path: path.name != "0" and is_file(path))
     with pytest.raises(InputError, match=r"do not see .*F\.zarr"):
-        ns.chart(ORBIT, chunk=4000, **options, **PLANE)
+        ns.chart(ORBIT, chunk=4000, store=tmp_path / "F.zarr",
+                 scheduler=cluster.scheduler_address, **PLANE)  # fmt: skip
 
 
-def test_worker_that_sees_no_folder(tmp_path: Path) -> None:
-    problem, axes = chart_problem(ORBIT, PLANE, False, None, 0)
-    grid = Grid(axes, (10, 10))
-    task = (problem, problem.identity(), grid.region(0), grid.block(0), problem.prepare(grid))
-    with pytest.raises(InputError, match=r"do not see .*absent"):
-        clusters._work(0, str(tmp_path / "absent"), *task)
+@pytest.mark.slow
+def test_workers_that_see_no_folder(cluster: Any, tmp_path: Path) -> None:
+    """It is moved away when the first chunk is done."""
+    store, address = tmp_path / "F.zarr", cluster.scheduler_address
+
+    def move(done: int, total: int) -> None:
+        if done == 1:
+            store.rename(tmp_path / "elsewhere")
+
+    with pytest.raises(InputError, match=r"do not see .*F\.zarr|cannot write .*F\.zarr"):
+        ns.chart(ORBIT, store=store, scheduler=address, chunk=400, progress=move, **PLANE)
 
 
 def test_absent_scheduler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(clusters, "_PATIENCE", "300ms")
+    distributed = pytest.importorskip("distributed")
+    client = distributed.Client
+    monkeypatch.setattr(  # who waits less
+        distributed, "Client", lambda address, **options: client(address, **options | SOON)
+    )
     with pytest.raises(InputError, match=r"no Dask scheduler answers at tcp://127\.0\.0\.1:9"):
         ns.chart(ORBIT, store=tmp_path / "F.zarr", scheduler="tcp://127.0.0.1:9", **PLANE)
     monkeypatch.setattr("distributed.Client", None)  # one that never began takes long to close

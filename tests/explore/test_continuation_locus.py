@@ -11,9 +11,8 @@ import pytest
 
 import nonsmooth
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.present.files.loci import load_locus
+from tests.cli.test_cli import run
 from tests.explore.test_continuation_forced import branch as impacts
-from tests.present.test_continuation_files import damages, refuses, run
 
 SYMMETRIC = "dry-friction/symmetric"
 
@@ -75,14 +74,6 @@ def test_saved_and_read(tmp_path: Path, locus) -> None:
     read = nonsmooth.load(path)
     same(read, locus())
     assert read.orbit_at(2).trace == locus().orbit_at(2).trace
-
-
-@pytest.mark.parametrize(("change", "message"), damages("nonsmooth locus", "curve"))
-def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None:
-    path = tmp_path / "locus.json"
-    flips().save(path)
-    path.write_text(change(path.read_text()))
-    refuses(path, load_locus, message)
 
 
 def test_picture() -> None:

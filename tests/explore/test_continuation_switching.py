@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import nonsmooth
+from tests.cli.test_cli import run
 from tests.explore.test_continuation_forced import R, W, branch, mirrored, stops, system
 from tests.explore.test_continuation_pairs import pair
 from tests.places import GALLERY
-from tests.present.test_continuation_files import run
 
 SYMMETRIC = "dry-friction/symmetric"
 PAGE = GALLERY / "impact_oscillator.py"

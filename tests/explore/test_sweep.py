@@ -1,6 +1,5 @@
 """Diagrams and maps by brute force, against orbits and against single motions."""
 
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -9,8 +8,6 @@ import sympy as sp
 
 from nonsmooth import InputError, find_orbits, simulate, sweep
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.cli.display_motions import show_sweep
-from nonsmooth.runtime.cli.report_motions import sweep_json
 from nonsmooth.runtime.explore.finding.basins import basins
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import kernels_of
@@ -247,14 +244,3 @@ def test_a_stroboscope_goes_on_from_a_mass_that_rests_on_a_stop(phase):
     assert (diagram.outcomes >= 0).all()
     alone = sweep(system, {}, "gap", places, start, follow=False, **given)
     np.testing.assert_allclose(diagram.samples, alone.samples, rtol=0, atol=1e-9)
-
-
-def test_values_that_an_interrupted_sweep_has_not_looked_at_have_no_outcome(capsys):
-    whole = swept(transient=100)
-    left = whole.outcomes.copy()
-    left[3:] = int(Outcome.UNCLASSIFIED)
-    show_sweep(replace(whole, outcomes=left, done=3))
-    counts = [line.split(": ")[1] for line in capsys.readouterr().out.splitlines()[1:]]
-    assert sum(int(text.split()[0]) for text in counts) == 3
-    told = sweep_json(replace(whole, outcomes=left, done=3))["outcomes"]
-    assert [text is None for text in told] == [False] * 3 + [True] * 2

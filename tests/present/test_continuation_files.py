@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth
-from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.present.files.branches import load_branch
+from tests.cli.test_cli import run
+from tests.core.test_result_files import file_of
 from tests.pictures import figure_in
 
 STICK = "dry-friction/global-stick"
@@ -56,29 +53,10 @@ def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
     same(nonsmooth.load(tmp_path / "branch.json"), found)
 
 
-def damages(form: str, what: str) -> list[tuple[Callable[[str], str], str]]:
-    """Changes of a file of some format that holds such a thing, and what is said of each."""
-    return [
-        (lambda text: text[:-40], "cut, or not JSON"),
-        (lambda text: text.replace('"start": ', '"start": 1'), "the checksum differs"),
-        (lambda text: text.replace(form, "nonsmooth orbit"), f"not a saved {what}"),
-        (lambda text: "[]", f"not a saved {what}"),
-        (lambda text: re.sub('"version": [0-9]+', '"version": 99', text, count=1), "version 99"),
-    ]
-
-
-def refuses(path: Path, load: Callable[[Path], object], message: str) -> None:
-    with pytest.raises(nonsmooth.InputError, match=message) as refusal:
-        load(path)
-    assert str(path) in str(refusal.value)
-
-
-@pytest.mark.parametrize(("change", "message"), damages("nonsmooth branch", "branch"))
-def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None:
-    path = tmp_path / "branch.json"
-    branch().save(path)
-    path.write_text(change(path.read_text()))
-    refuses(path, load_branch, message)
+def test_no_other_file_is_gone_on_with(tmp_path: Path) -> None:
+    locus = str(file_of("nonsmooth locus"))
+    code, _, err = run("continue", STICK, "V=0.9:1.1", "--resume", locus)
+    assert (code, f"{locus}: not a saved branch" in err) == (2, True)
 
 
 def test_as_dataset() -> None:
@@ -118,11 +96,6 @@ def test_a_constant_is_drawn_as_one() -> None:
     low, high = axes.get_ylim()
     assert low < 1.95
     assert high > 2.05
-
-
-def run(*arguments: str) -> tuple[int, str, str]:
-    result = CliRunner().invoke(app, list(arguments))
-    return result.exit_code, result.stdout, result.stderr
 
 
 @pytest.mark.slow
@@ -210,7 +183,7 @@ def test_a_picture_that_fails_does_not_lose_the_branch(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     command = ["continue", "dry-friction/global-stick", "V=0.9:1.1", "--points", "5", "--json",
                "--plot", str(tmp_path / "branch.png"), "--quantity", "energy"]  # fmt: skip
-    found = CliRunner().invoke(app, command)
-    assert found.exit_code == 2
-    assert len(json.loads(found.stdout)["values"]) > 3
-    assert "no picture: " in found.stderr
+    code, out, err = run(*command)
+    assert code == 2
+    assert len(json.loads(out)["values"]) > 3
+    assert "no picture: " in err

@@ -1,46 +1,60 @@
 """What pictures share: labels of levels and of ticks, legends."""
 
 import itertools
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
+import numpy as np
 import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import SoftStop, oscillator
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 
 pytest.importorskip("matplotlib")
 
 from matplotlib.figure import Figure
 
-from nonsmooth.runtime.present.pictures.drawing import (
-    draw_levels,
-    drawn_alone,
-    finish,
-)
 
-
-@pytest.mark.parametrize("upright", [False, True])
-def test_labels_of_near_levels_do_not_overlap(upright: bool) -> None:
-    figure = Figure(figsize=(4, 3))
-    axes = figure.add_subplot()
-    axes.plot([0, 1], [0, 1])
-    draw_levels(axes, {0.01: "$a$", -0.01: "$b$", 0.8: "$c$"}, upright=upright)
-    assert [text.get_text() for text in axes.texts] == ["$a$\n$b$", "$c$"]
-    assert len(axes.lines) == 4  # each level has its line
-    figure.draw_without_rendering()
-    first, second = (text.get_window_extent() for text in axes.texts)
+@pytest.mark.parametrize("kind", ["time", "phase"])
+def test_labels_of_near_levels_do_not_overlap(kind: str) -> None:
+    """Those of positions are horizontal in a history, and upright in a portrait."""
+    places = {"a": sp.Rational(1, 100), "b": -sp.Rational(1, 100), "c": sp.Rational(4, 5)}
+    stops = [SoftStop("x", at=x, stiffness=1, name=name) for name, x in places.items()]
+    system = oscillator("near", ["x"], [[1]], [[0]], [[1]], elements=stops)
+    motion = ns.simulate(system, {}, {"x": -1, "v": 1}, until=9)
+    axes = Figure(figsize=(4, 3)).add_subplot()
+    motion.plot(kind, axes)
+    labels = [text for text in axes.texts if "=" in text.get_text()]
+    assert [x.get_text() for x in labels] == ["$x$ = $0.01$\n$x$ = $-0.01$", "$x$ = $0.8$"]
+    assert sum(line.get_linestyle() == ":" for line in axes.lines) == 3  # each has its line
+    axes.figure.draw_without_rendering()
+    first, second = (text.get_window_extent() for text in labels)
     assert not first.overlaps(second)
+
+
+@cache
+def branch() -> ns.Branch:
+    orbit = ns.solve("dry-friction/global-stick")
+    return ns.continue_orbit(orbit, "V", (0.99, 1.01), step=0.5)
+
+
+def drawn(middle: float, width: float) -> tuple[Figure, Any]:
+    """A branch with other numbers, and its Axes."""
+    parts = np.linspace(-1, 1, len(branch()))
+    figure = replace(
+        branch(), parameter_values=middle + width * parts, period=middle + width * parts, events=()
+    ).plot("period")
+    return figure, figure.axes[0]
 
 
 @pytest.mark.parametrize("middle", [0.0, 1.0, -123.456])
 @pytest.mark.parametrize("width", [1e-9, 1e-5, 0.03, 40.0])
 def test_tick_labels_stand_apart_and_say_all(middle: float, width: float) -> None:
     """None touches another, and nothing is added or multiplied elsewhere."""
-
-    def draw(axes: Any) -> None:
-        axes.set_xlim(middle - width, middle + width)
-        axes.plot([middle - width, middle + width], [middle, middle + width], label="stable")
-        finish(axes, "a title")
-
-    figure = drawn_alone("lines", (5.0, 4.0), draw)
-    (axes,) = figure.axes
+    figure, axes = drawn(middle, width)
     figure.draw_without_rendering()
     for axis in (axes.xaxis, axes.yaxis):
         boxes = [
@@ -57,6 +71,7 @@ def test_tick_labels_stand_apart_and_say_all(middle: float, width: float) -> Non
 
 def test_tick_labels_stand_apart_at_every_draw() -> None:
     """Of a figure that is made narrower, and whose numbers are written longer, once drawn."""
+    figure, axes = drawn(0, 0.5)
 
     def labels() -> list[str]:
         figure.draw_without_rendering()
@@ -65,16 +80,14 @@ def test_tick_labels_stand_apart_at_every_draw() -> None:
         assert all(not a.overlaps(b) for a, b in itertools.pairwise(boxes))
         return [label.get_text() for label in drawn]
 
-    figure = Figure(figsize=(9, 3))
-    axes = figure.add_subplot()
-    finish(axes, "")
+    figure.set_size_inches(9, 3)
     wide = labels()
-    figure.set_size_inches(1.2, 3)
+    figure.set_size_inches(2, 3)
     narrow = labels()
     assert 2 <= len(narrow) < len(wide)
     figure.set_size_inches(9, 3)
     assert labels() == wide
-    axes.xaxis.set_major_formatter(lambda x, _: f"{x:.9f} of a unit")
+    axes.xaxis.set_major_formatter(lambda x, _: f"{x:.20f} of a unit")
     assert 2 <= len(labels()) < len(wide)
 
 
@@ -82,11 +95,11 @@ def test_the_legend_of_a_square_picture_is_within_a_wide_panel() -> None:
     """Of multipliers with many digits beside the unit circle."""
     figure = Figure(figsize=(4.2, 2.4), layout="constrained")
     axes = figure.add_subplot()
-    for number in range(1, 5):
-        axes.plot([0], [number], "o", label=rf"$\mu_{{{number}}} = -0.0799775$")
-    axes.set_aspect("equal")
-    finish(axes, "")
+    orbit = replace(ns.solve("rigid-stop/one-impact"))
+    multipliers = tuple(Multiplier(-0.0799775 * number, 0.0) for number in range(1, 5))
+    vars(orbit.evaluation)["stability"] = Stability(multipliers, -0.8, 4, 0.7, "stable", "")
+    orbit.plot("multipliers", axes)
     figure.draw_without_rendering()
     legend = axes.get_legend()
-    assert legend is not None
+    assert len(legend.get_texts()) == 4
     assert legend.get_window_extent().x1 <= figure.bbox.x1

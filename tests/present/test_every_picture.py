@@ -24,7 +24,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.present.pictures.maps import basin_figure, bifurcation_figure, draw_basins
+from nonsmooth.runtime.present.pictures.maps import draw_basins
 from tests.pictures import figure_in, figure_of, figure_of_saved
 from tests.places import GALLERY
 from tests.shared import FOLDER
@@ -92,14 +92,8 @@ CASES: dict[str, Callable[[], Any]] = {
     "branch in metres": lambda: branch("1.0", "1.05", 1e-6).plot(),
     "locus": lambda: flips().plot(),
     "sweep": lambda: figure_of_saved(swept()),
-    "two sweeps": lambda: bifurcation_figure(
-        "omega",
-        np.linspace(1e5, 1.00001e5, 9),
-        {
-            "up, which has quite a long name": np.full((9, 3), 1e-6),
-            "down": np.full((9, 2), -1e-6),
-        },
-        state="a state of a long name",
+    "narrow sweep of small numbers": lambda: figure_of_saved(
+        replace(swept(), values=np.linspace(1e5, 1.00001e5, 5), samples=1e-6 * swept().samples)
     ),
     "chart": lambda: figure_in(charted(16)),
     "chart along a line": lambda: figure_in(charted()),
@@ -123,23 +117,31 @@ CASES: dict[str, Callable[[], Any]] = {
     "basins of one period": lambda: draw_basins(
         basins(one_period(), ("x", -0.5, 0.5, 12), ("v", -1, 1, 12))
     ),
-    "one point": lambda: bifurcation_figure("omega", [1.0], [[0.5]]),
+    "one point": lambda: figure_of_saved(
+        replace(
+            swept(),
+            values=swept().values[:1],
+            samples=swept().samples[:1, :1],
+            outcomes=swept().outcomes[:1],
+            done=1,
+        )
+    ),
     "at rest": lambda: ns.simulate(
         stop(), {"F": "1e-9", "w": "1.3"}, {"x": 0, "v": 0}, until=1e-7
     ).plot("all"),
     "late": lambda: ns.simulate(
         stop(), {"F": "0.7", "w": "1.3"}, {"x": 1e5, "v": 0}, until=1e-3
     ).plot("all"),
-    "many sweeps": lambda: bifurcation_figure(
-        "F", [1, 2], {f"sweep {k}": [[k], [k]] for k in range(20)}
-    ),
-    "many basins": lambda: basin_figure(
-        np.arange(5),
-        np.arange(5),
-        np.arange(25).reshape(5, 5) % 12,
-        [f"orbit {k}" for k in range(12)],
-    ),
+    "many basins": lambda: draw_basins(many_basins(12)),
 }
+
+
+def many_basins(count: int) -> Any:
+    """A plane of starts that lead to so many orbits, all of one period."""
+    known = found()
+    listed = replace(known, orbits=(known.orbits[0],) * count)
+    plane = basins(known, ("x", -1, 1, 6), ("v", -1, 1, 6))
+    return replace(plane, found=listed, labels=np.arange(36).reshape(6, 6) % count)
 
 
 @cache

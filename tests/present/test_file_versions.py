@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import fields, is_dataclass
 from hashlib import sha256
 from importlib import import_module
+from pkgutil import iter_modules
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
@@ -15,7 +16,6 @@ from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.charting.store import FORMAT
 from nonsmooth.runtime.model.saved_orbit import HeldOrbit
-from nonsmooth.runtime.present.files.loading import READERS
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system
@@ -67,18 +67,19 @@ def name_of(kind: Any) -> str:
 
 
 def formats() -> dict[str, FileFormat[Any]]:
-    modules = {reader.partition(":")[0] for reader in READERS.values()} | {"motions"}
+    """Formats by their names, of all modules that write files."""
+    files = "nonsmooth.runtime.present.files"
     found = [
         entry
-        for module in modules
-        for entry in vars(import_module(f"nonsmooth.runtime.present.files.{module}")).values()
+        for module in iter_modules(import_module(files).__path__)
+        for entry in vars(import_module(f"{files}.{module.name}")).values()
         if isinstance(entry, FileFormat)
     ]
     return {entry.name: entry for entry in found}
 
 
 def test_every_format_is_known() -> None:
-    assert formats().keys() == {*READERS, "nonsmooth trajectory"} == KNOWN.keys()
+    assert formats().keys() == KNOWN.keys()
 
 
 @pytest.mark.parametrize("name", KNOWN)

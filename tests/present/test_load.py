@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
+from tests.cli.test_cli import run
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of
 from tests.places import CHECKOUT
 
@@ -60,9 +59,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def told(command: str) -> tuple[int, str]:
-    result = CliRunner().invoke(app, command.split())
-    assert result.exception is None or isinstance(result.exception, SystemExit), command
-    return result.exit_code, result.stderr
+    code, _, err = run(*command.split())
+    return code, err
 
 
 def test_every_format_that_is_written_is_read() -> None:
@@ -147,6 +145,10 @@ def test_a_design_is_solved_where_it_ends(folder: Path) -> None:
         ('{"format": "nonsmooth fit", "format": "nonsmooth design"}', "'format' is there twice"),
         ('{"format": "nonsmooth fit"}', "version None of the format"),
         ("\x00\xff", "cut, or not JSON"),
+        ("[" * 200_000, "cut, or not JSON"),
+        ("9" * 10_000, "cut, or not JSON"),
+        ("null", "not a saved result"),
+        ('{"format": "nonsmooth orbit", "version": 4}', "is missing"),
     ],
 )
 def test_what_is_no_result_is_refused_in_one_line(

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.browser import inspect_page
-from tests.present.test_report_writers import page, report
+from tests.present.conftest import Paper
 
 pytestmark = pytest.mark.browser
 BROKEN = """<!DOCTYPE html>
@@ -21,16 +21,17 @@ BROKEN = """<!DOCTYPE html>
 
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [1280, 390])
-def test_page_opens_offline_and_fits(width: int, tmp_path: Path) -> None:
-    path = tmp_path / "report.html"
-    path.write_text(page(), encoding="utf-8")
-    facts = inspect_page(path, width)
+def test_page_opens_offline_and_fits(width: int, paper: Paper) -> None:
+    facts = inspect_page(paper.folder / "report.html", width)
     assert facts.width == width
     assert facts.scroll_width <= width
     assert facts.wide == ()
     assert facts.messages == ()
     assert facts.requests == ()
-    assert facts.chapters == tuple(chapter.anchor for chapter in report().chapters)
+    assert facts.chapters == (
+        *("rigid-stop", "elastic-stop", "symmetric", "global-stick", "solution-ii"),
+        *("poincare-map", "proofs", "misprints"),
+    )
 
 
 def test_what_is_broken_is_noticed(tmp_path: Path) -> None:

@@ -4,7 +4,6 @@ import hashlib
 import json
 import os
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -15,9 +14,7 @@ import pytest
 
 import nonsmooth
 from nonsmooth import InputError
-from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.present.files import orbits as saved
 
 ORBIT = "dry-friction/global-stick"
 
@@ -37,6 +34,12 @@ def exchanged() -> nonsmooth.Orbit:
 def checksum(content: dict[str, Any]) -> str:
     covered = {name: entry for name, entry in content.items() if name != "sha256"}
     return hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+
+
+def sealed(path: Path, content: dict[str, Any]) -> Path:
+    """A file of changed content, its checksum made right."""
+    path.write_text(json.dumps({**content, "sha256": checksum(content)}), encoding="utf-8")
+    return path
 
 
 @pytest.fixture
@@ -92,7 +95,6 @@ def test_round_trip(
     assert after.precise is before.precise
     assert after.period == before.period
     assert after.trace == before.trace
-    assert decimal_string(after.trace, after.digits) == decimal_string(before.trace, before.digits)
     assert after.to_json() == before.to_json()
 
 
@@ -111,6 +113,8 @@ def test_every_orbit_comes_back(name: str, digits: int | None, path: Path) -> No
     assert after.dwell_times.tolist() == before.dwell_times.tolist()
     assert after.to_json() == before.to_json()
     assert (after.motion()([0.1, 5]) == before.motion()([0.1, 5])).all()
+    given = next(iter(before.given))
+    assert digits or after.sensitivity(given) == before.sensitivity(given)
     written = path.read_bytes()
     after.save(path)
     assert path.read_bytes() == written
@@ -149,9 +153,7 @@ def test_wrong_content_of_other_orbits_is_refused(
     nonsmooth.solve(name).save(path)
     content = json.loads(path.read_text(encoding="utf-8"))
     put(where, text)(content)
-    content["sha256"] = checksum(content)
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert part in refusal(path)
+    assert part in refusal(sealed(path, content))
 
 
 def test_numbers_keep_their_precision(path: Path) -> None:
@@ -162,15 +164,6 @@ def test_numbers_keep_their_precision(path: Path) -> None:
         assert again.unknowns[name]._mpf_ == number._mpf_
         assert again.unknowns[name].context.prec == number.context.prec
     assert nonsmooth.refine(again, 80).unknowns == nonsmooth.refine(sharp, 80).unknowns
-
-
-def test_a_loaded_orbit_is_an_orbit(path: Path) -> None:
-    orbit().save(path)
-    again = nonsmooth.load(path)
-    assert again.stability == orbit().stability
-    assert again.admissibility == orbit().admissibility
-    assert again.sensitivity("eta") == orbit().sensitivity("eta")
-    assert (again.motion()([0.1, 5]) == orbit().motion()([0.1, 5])).all()
 
 
 @pytest.mark.parametrize(
@@ -203,54 +196,7 @@ def test_the_file_tells_where_it_is_from(content: dict[str, Any]) -> None:
     assert content["sha256"] == checksum(content)
 
 
-def test_saving_again_changes_no_byte(path: Path, content: dict[str, Any]) -> None:
-    first = path.read_bytes()
-    nonsmooth.load(path).save(path)
-    assert path.read_bytes() == first
-    assert os.listdir(path.parent) == [path.name]
-
-
 # --- files that are refused
-
-
-@pytest.mark.parametrize("digits", [None, 50])
-def test_a_cut_file_is_refused(digits: int | None, path: Path) -> None:
-    found = orbit() if digits is None else nonsmooth.refine(orbit(), digits)
-    found.save(path)
-    whole = path.read_bytes()
-    for length in range(0, len(whole) - 1, 10):
-        path.write_bytes(whole[:length])
-        assert refusal(path) == "cut, or not JSON"
-
-
-def test_a_changed_character_is_refused(path: Path, content: dict[str, Any]) -> None:
-    whole = path.read_text(encoding="utf-8")
-    for place in range(0, len(whole), 7):
-        if whole[place].isdigit():
-            other = str(9 - int(whole[place]))
-            path.write_text(whole[:place] + other + whole[place + 1 :], encoding="utf-8")
-            refusal(path)
-
-
-@pytest.mark.parametrize(
-    ("text", "part"),
-    [
-        (b"", "cut, or not JSON"),
-        (b"chi = 0.5\n", "cut, or not JSON"),
-        (b"\xff\xfe\x00", "cut, or not JSON"),
-        (b"[" * 200_000, "cut, or not JSON"),
-        (b"9" * 10_000, "cut, or not JSON"),
-        (b"[]", "not a saved result"),
-        (b"null", "not a saved result"),
-        (b"{}", "not a saved result"),
-        (b'{"format": "nonsmooth chart", "version": 1}', "not a saved result"),
-        (b'{"format": "nonsmooth orbit"}', "version None"),
-        (b'{"format": "nonsmooth orbit", "version": 4}', "is missing"),
-    ],
-)
-def test_foreign_files_are_refused(text: bytes, part: str, path: Path) -> None:
-    path.write_bytes(text)
-    assert part in refusal(path)
 
 
 def test_a_report_is_no_saved_orbit(path: Path) -> None:
@@ -284,17 +230,7 @@ def drop(where: str) -> Callable[[dict[str, Any]], None]:
 @pytest.mark.parametrize(
     ("change", "part"),
     [
-        (put("version", 2), "version 2 of the format, where 4 is known"),
-        (put("version", "1"), "version '1' of the format"),
-        (put("more", 1), "'more' is unknown"),
-        (drop("derivation"), "'derivation' is missing"),
-        (put("digits", "13"), "'digits' is of the wrong type"),
-        (put("digits", 13.0), "'digits' is of the wrong type"),
         (put("digits", True), "'digits' is of the wrong type"),
-        (put("digits", float("nan")), "'digits' is of the wrong type"),
-        (put("unknowns", []), "'unknowns' is of the wrong type"),
-        (put("unknowns/tau", 2.0), "'unknowns/tau' is of the wrong type"),
-        (put("given/eta", None), "'given/eta' is of the wrong type"),
         (put("unknowns/tau", "nan"), "tau is nan, not a finite number"),
         (put("unknowns/tau", "-Infinity"), "tau is -Infinity, not a finite number"),
         (put("unknowns/tau", "two"), "tau is not a decimal number"),
@@ -330,47 +266,33 @@ def test_wrong_content_is_refused(
     change: Callable[[dict[str, Any]], None], part: str, path: Path, content: dict[str, Any]
 ) -> None:
     change(content)
-    content["sha256"] = checksum(content)
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert part in refusal(path)
+    assert part in refusal(sealed(path, content))
 
 
 def test_an_exchange_that_is_none_is_refused(path: Path, content: dict[str, Any]) -> None:
     content["given"]["tau"] = content["unknowns"].pop("tau")
-    content["sha256"] = checksum(content)
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert "the file has" in refusal(path)
-
-
-def test_an_edit_is_refused(path: Path, content: dict[str, Any]) -> None:
-    content["package"] = "9"
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert refusal(path) == "edited or damaged: the checksum differs"
+    assert "the file has" in refusal(sealed(path, content))
 
 
 def test_more_digits_than_there_are_are_refused(path: Path) -> None:
     nonsmooth.refine(orbit(), 30).save(path)
     content = json.loads(path.read_text(encoding="utf-8"))
     content["digits"] = 300
-    content["sha256"] = checksum(content)
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert "not a solution" in refusal(path)
+    assert "not a solution" in refusal(sealed(path, content))
 
 
 def test_kernels_of_another_derivation_serve_if_the_orbit_solves_them(
     path: Path, content: dict[str, Any]
 ) -> None:
     content["derivation"] = "0123456789abcdef"
-    content["sha256"] = checksum(content)
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert nonsmooth.load(path) == orbit()
+    assert nonsmooth.load(sealed(path, content)) == orbit()
 
 
-def test_files_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     assert refusal(tmp_path / "missing.json") == "cannot be read: no such file or directory"
     assert refusal(tmp_path).startswith("cannot be read: ")
-    (tmp_path / "large").write_bytes(b'{"format": "nonsmooth orbit"' + b" " * 101)
-    monkeypatch.setattr(saved, "KERNEL_ORBIT", replace(saved.KERNEL_ORBIT, most=100))
+    (tmp_path / "large").write_bytes(b'{"format": "nonsmooth orbit"')
+    os.truncate(tmp_path / "large", 10**9)  # which takes no place on the disk
     assert refusal(tmp_path / "large") == "too large for a saved orbit"
 
 

@@ -2,15 +2,17 @@
 
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, MissingExtra, Trajectory, observe, simulate
-from nonsmooth.runtime.present.pictures.maps import basin_figure, bifurcation_figure
-from tests.pictures import figure_of
+from nonsmooth import InputError, MissingExtra, Trajectory, find_orbits, observe, simulate, sweep
+from nonsmooth.runtime.explore.finding.basins import basins
+from nonsmooth.runtime.present.pictures.maps import draw_basins
+from tests.pictures import figure_of, figure_of_saved
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -270,62 +272,62 @@ def test_one_mass_alone(masses: list[int]) -> None:
 # --- basins and bifurcations
 
 
+@cache
+def plane():
+    """Starts of the mass before a stop, with labels of their own."""
+    known = find_orbits("dry-friction", FRICTION, 10, transitions=200)
+    return basins(known, ("x1", -1, 2, 7), ("v2", 0, 0.4, 3))
+
+
 def test_a_basin_is_the_labels() -> None:
-    x, y = np.linspace(-1, 2, 7), np.array([0.0, 0.1, 0.4])
     labels = np.arange(21).reshape(3, 7) % 3 - 1
     labels[0] = 0
-    figure = basin_figure(x, y, labels, ["first", "second"], axes_labels=("x1", "start velocity"))
+    known = plane().found
+    twice = replace(known, orbits=known.orbits[:1] * 2)
+    figure = draw_basins(replace(plane(), found=twice, labels=labels))
     figure.draw_without_rendering()
     (axes,) = figure.axes
     (mesh,) = [c for c in axes.collections if isinstance(c, QuadMesh)]
     colors = mesh.to_rgba(mesh.get_array()).reshape(3, 7, 4)[..., :3]
+    corners = mesh.get_coordinates()
+    assert_allclose((corners[0, :-1, 0] + corners[0, 1:, 0]) / 2, plane().x_values)
+    assert_allclose((corners[:-1, 0, 1] + corners[1:, 0, 1]) / 2, plane().y_values)
     handles, names = axes.get_legend_handles_labels()
-    found = {name.split(" (")[0]: to_rgb(h.get_facecolor()[0]) for h, name in
-             zip(handles, names, strict=True)}  # fmt: skip
-    assert list(found) == ["first", "second", "unclassified"]
-    for number, name in enumerate(("unclassified", "first", "second"), -1):
+    found = {name.partition(",")[0].split(" (")[0]: to_rgb(h.get_facecolor()[0])
+             for h, name in zip(handles, names, strict=True)}  # fmt: skip
+    order = ["orbit 1", "orbit 2", "unclassified"]
+    assert list(found) == order
+    for number, name in zip((0, 1, -1), order, strict=True):
         assert_allclose(colors[labels == number], [found[name]] * (labels == number).sum())
-    parts = [float(name.split("(")[1].split()[0]) for name in names]
-    assert sum(parts) == pytest.approx(100, abs=0.2)
-    assert axes.get_xlabel() == "$x_{1}$"
-    assert axes.get_ylabel() == "start velocity"
+    parts = [float(name.rpartition("(")[2].split()[0]) for name in names]
+    assert_allclose(parts, [100 * (labels == number).mean() for number in (0, 1, -1)], atol=0.051)
+    assert axes.get_xlabel() == "$x_{1}$ (nondimensional)"
+    assert axes.get_ylabel() == "$v_{2}$ (nondimensional)"
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "labels", "names", "part"),
-    [
-        ([0, 1], [0, 1], [[0, 1, 0]], "ab", r"the shape \(1, 3\), not \(2, 2\)"),
-        ([0, 1], [0, 1], [[0, 1], [0, 2]], "ab", "not between -1 and 1"),
-        ([0, 1], [0, 1], [[0, 1], [0, -2]], "ab", "not between -1 and 1"),
-        ([0, 1], [0, 1], [[0, 1], [0, 0.5]], "ab", "not integers"),
-        ([1, 0], [0, 1], [[0, 1], [0, 1]], "ab", "x does not increase strictly"),
-        ([0, 1], [0, np.nan], [[0, 1], [0, 1]], "ab", "y is not a row of finite"),
-        ([0, 1], [0, 1], [[0, 1], [0, 1]], "a" * 28, "28 attractors, of which 27"),
-    ],
-)
-def test_wrong_basins(x: list, y: list, labels: list, names: str, part: str) -> None:
-    with pytest.raises(InputError, match=part):
-        basin_figure(x, y, labels, list(names))
+def test_no_more_basins_than_can_be_told_apart() -> None:
+    many = replace(plane().found, orbits=plane().found.orbits[:1] * 28)
+    with pytest.raises(InputError, match="28 attractors, of which 27"):
+        draw_basins(replace(plane(), found=many))
 
 
 def test_a_bifurcation_is_its_samples() -> None:
-    values = [0.1, 0.2, 0.3]
-    samples = {"up": [[1.0], [1.5, np.nan, 2.5], []], "down": np.full((3, 2), 4.0)}
-    figure = bifurcation_figure("V", values, samples, state="x1", title="two sweeps")
+    data = {name: value for name, value in FRICTION.items() if name != "V"}
+    start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
+    diagram = sweep(
+        "dry-friction", data, "V", [0.9, 1.0, 1.1], start, state="x1",
+        configuration="slip-stick", transient=10, samples=3,
+    )  # fmt: skip
+    samples = np.array([[1, np.nan, np.nan], [1.5, np.nan, 2.5], [np.nan] * 3])
+    figure = figure_of_saved(replace(diagram, samples=samples))
     figure.draw_without_rendering()
     (axes,) = figure.axes
-    points = [np.array(line.get_xydata()) for line in axes.get_lines() if len(line.get_xdata())]
-    assert points[0].tolist() == [[0.1, 1.0], [0.2, 1.5], [0.2, 2.5]]
-    assert len(points[1]) == 6
-    assert legend(axes) == ["up", "down"]
-    assert axes.get_xlabel() == "$V$"
-    assert axes.get_ylabel() == "$x_{1}$"
-    single = bifurcation_figure("V", values, np.ones((3, 4))).axes[0]
-    assert single.get_legend() is None
-    with pytest.raises(InputError, match="3 values of V, but 2 samples"):
-        bifurcation_figure("V", values, np.ones((2, 4)))
-    with pytest.raises(InputError, match="not a row of finite numbers"):
-        bifurcation_figure("V", [0.1, np.inf], np.ones((2, 4)))
+    (line,) = axes.get_lines()
+    assert line.get_xydata().tolist() == [[0.9, 1.0], [1.0, 1.5], [1.0, 2.5]]
+    assert axes.get_legend() is None
+    assert axes.get_xlabel() == "$V$ (nondimensional)"
+    assert axes.get_ylabel() == "$x_{1}$ (nondimensional)"
+    assert axes.get_title(loc="left") == "dry-friction: x1 at each entry of slip-stick"
 
 
 # --- wrong input
@@ -353,11 +355,8 @@ def test_wrong_input(kind: str, options: dict, part: str) -> None:
 
 
 def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
+    plane()
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for draw in (
-        lambda: few().plot(),
-        lambda: basin_figure([0], [0], [[0]], ["a"]),
-        lambda: bifurcation_figure("V", [0], [[0]]),
-    ):
+    for draw in (few().plot, lambda: draw_basins(plane())):
         with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
             draw()

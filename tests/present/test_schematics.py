@@ -1,21 +1,13 @@
 """The paper's schematics: what they show, where it lies, and that files do not change."""
 
-import sys
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable
 from itertools import combinations, product
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from nonsmooth import MissingExtra
-from nonsmooth.runtime.present.paper.schematics import (
-    belt_schematic,
-    poincare_schematic,
-    stop_schematic,
-)
-from nonsmooth.runtime.present.pictures import plot
+from tests.present.conftest import Paper
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -29,18 +21,29 @@ from matplotlib.path import Path as Outline
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-SCHEMATICS = [stop_schematic, belt_schematic, poincare_schematic]
+STOP, BELT, SECTIONS = "figure-01", "figure-06", "figure-11"
 LABELS = {
-    stop_schematic: ["m1", "m2", "k1", "k2", "k3", "x1", "x2", "1"],
-    belt_schematic: ["m1", "m2", "k1", "k2", "x1", "x2", "F1", "F2", "V"],
-    poincare_schematic: [
+    STOP: ["m1", "m2", "k1", "k2", "k3", "x1", "x2", "1"],
+    BELT: ["m1", "m2", "k1", "k2", "x1", "x2", "F1", "F2", "V"],
+    SECTIONS: [
         *("Σ0=Σn", "Σ1", "Σk−1", "Σk", "Σn−1", "Φ1", "Φk", "Φn", "⋮", "⋮"),
         *("P1", "Pk", "Pn", "P=Pn∘⋯∘P1", "Z", "P(Z)", "Z0"),
         *("periodicorbit", "neighbouringtrajectory"),
     ],
 }
 
-schematics = pytest.mark.parametrize("schematic", SCHEMATICS, ids=lambda draw: draw.__name__)
+
+@pytest.fixture(params=LABELS)
+def stem(request: pytest.FixtureRequest) -> str:
+    """The name of each schematic."""
+    return str(request.param)
+
+
+@pytest.fixture
+def figure(stem: str, paper: Paper) -> Figure:
+    """Each schematic."""
+    found: Figure = paper.figures[stem]
+    return found
 
 
 def drawn(figure: Figure) -> list[Artist]:
@@ -86,57 +89,33 @@ def read(text: ElementTree.Element) -> str:
 # --- files
 
 
-@schematics
 @pytest.mark.parametrize("ending", ["svg", "png"])
-def test_the_same_schematic_has_the_same_bytes(
-    schematic: Callable[[], Figure], ending: str, tmp_path: Path
-) -> None:
-    paths = [tmp_path / f"{name}.{ending}" for name in ("first", "again", "anew")]
-    figure = schematic()
-    for path, source in zip(paths, (figure, figure, schematic()), strict=True):
-        plot.save_figure(source, path)
-    first, *others = [path.read_bytes() for path in paths]
+def test_the_same_schematic_has_the_same_bytes(stem: str, ending: str, paper: Paper) -> None:
+    first = (paper.folder / f"{stem}.{ending}").read_bytes()
     assert first.startswith({"svg": b"<?xml", "png": b"\x89PNG"}[ending])
-    assert others == [first, first]
+    assert paper.again[f"{stem}.{ending}"] == first
 
 
-@schematics
-def test_the_labels_are_those_of_the_paper(schematic: Callable[[], Figure], tmp_path: Path) -> None:
+def test_the_labels_are_those_of_the_paper(stem: str, figure: Figure, tmp_path: Path) -> None:
     with matplotlib.rc_context({"svg.fonttype": "none"}):
-        plot.save_figure(schematic(), tmp_path / "labels.svg")
+        figure.savefig(tmp_path / "labels.svg")
     tree = ElementTree.parse(tmp_path / "labels.svg")
     found = [read(text) for text in tree.iter("{http://www.w3.org/2000/svg}text")]
-    assert sorted(found) == sorted(LABELS[schematic])
+    assert sorted(found) == sorted(LABELS[stem])
 
 
-@schematics
-def test_the_paper_is_white_and_pyplot_knows_nothing(
-    schematic: Callable[[], Figure], tmp_path: Path
-) -> None:
-    with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
-        figure = schematic()
-        plot.save_figure(figure, tmp_path / "white.png")
+def test_the_paper_is_white_and_pyplot_knows_nothing(stem: str, paper: Paper) -> None:
+    """Though who draws it has black paper."""
     assert not pyplot.get_fignums()
-    pixels = pyplot.imread(tmp_path / "white.png")
+    pixels = pyplot.imread(paper.folder / f"{stem}.png")
     assert (pixels[[0, 0, -1, -1], [0, -1, 0, -1]] == 1).all()
-    assert all(text.get_color() == "black" for text in figure.axes[0].texts)
-
-
-@schematics
-def test_without_matplotlib_the_extra_is_named(
-    schematic: Callable[[], Figure], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
-    with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
-        schematic()
+    assert all(text.get_color() == "black" for text in paper.figures[stem].axes[0].texts)
 
 
 # --- where it lies
 
 
-@schematics
-def test_everything_lies_inside_the_figure(schematic: Callable[[], Figure]) -> None:
-    figure = schematic()
+def test_everything_lies_inside_the_figure(figure: Figure) -> None:
     for artist in drawn(figure):
         box = artist.get_window_extent()
         assert box.width + box.height > 0
@@ -144,17 +123,14 @@ def test_everything_lies_inside_the_figure(schematic: Callable[[], Figure]) -> N
         assert np.all(np.array(box.max) <= np.array(figure.bbox.max)), artist
 
 
-@schematics
-def test_no_label_overlaps_another(schematic: Callable[[], Figure]) -> None:
-    boxes = texts(schematic())
-    assert len(boxes) == len(LABELS[schematic])
+def test_no_label_overlaps_another(stem: str, figure: Figure) -> None:
+    boxes = texts(figure)
+    assert len(boxes) == len(LABELS[stem])
     for (one, first), (other, second) in combinations(boxes.items(), 2):
         assert Bbox.intersection(first, second) is None, (one, other)
 
 
-@schematics
-def test_no_line_crosses_a_label(schematic: Callable[[], Figure]) -> None:
-    figure = schematic()
+def test_no_line_crosses_a_label(figure: Figure) -> None:
     boxes = texts(figure)
     lines, patches = figure.axes[0].lines, figure.axes[0].patches
     dots = [line for line in lines if line.get_linestyle() == "None"]
@@ -170,14 +146,14 @@ def test_no_line_crosses_a_label(schematic: Callable[[], Figure]) -> None:
 # --- what it shows
 
 
-def test_the_second_mass_is_tied_to_the_ground_and_the_stop_faces_the_first() -> None:
-    figure = stop_schematic()
+def test_the_second_mass_is_tied_to_the_ground_and_the_stop_faces_the_first(paper: Paper) -> None:
+    figure = paper.figures[STOP]
     row = [place(figure, label)[0] for label in ("k_2", "m_2", "k_1", "m_1", "1", "k_3")]
     assert (np.diff(row) > 0).all()
 
 
-def test_the_first_mass_is_tied_to_the_ground_on_the_belt() -> None:
-    figure = belt_schematic()
+def test_the_first_mass_is_tied_to_the_ground_on_the_belt(paper: Paper) -> None:
+    figure = paper.figures[BELT]
     row = [place(figure, label)[0] for label in ("k_1", "m_1", "k_2", "m_2")]
     assert (np.diff(row) > 0).all()
     for number in (1, 2):
@@ -185,16 +161,15 @@ def test_the_first_mass_is_tied_to_the_ground_on_the_belt() -> None:
         assert place(figure, "V")[1] < force[1] < mass[1]
 
 
-@pytest.mark.parametrize("schematic", [stop_schematic, belt_schematic])
-def test_each_coordinate_is_above_its_mass(schematic: Callable[[], Figure]) -> None:
-    figure = schematic()
+@pytest.mark.parametrize("stem", [STOP, BELT])
+def test_each_coordinate_is_above_its_mass(figure: Figure) -> None:
     for number in (1, 2):
         across, up = place(figure, f"x_{number}") - place(figure, f"m_{number}")
         assert 0 < across < up + 0.1
 
 
-def test_the_trajectory_returns_nearer_to_the_periodic_orbit() -> None:
-    figure = poincare_schematic()
+def test_the_trajectory_returns_nearer_to_the_periodic_orbit(paper: Paper) -> None:
+    figure = paper.figures[SECTIONS]
     curves = [line for line in figure.axes[0].lines if line.get_marker() == "o"]
     trajectory, orbit = (np.array(curve.get_xydata()) for curve in curves)
     assert len(orbit) == 5
@@ -203,8 +178,8 @@ def test_the_trajectory_returns_nearer_to_the_periodic_orbit() -> None:
     assert 0.1 < image < 0.6 * start
 
 
-def test_the_configurations_and_their_maps_follow_the_clock() -> None:
-    figure = poincare_schematic()
+def test_the_configurations_and_their_maps_follow_the_clock(paper: Paper) -> None:
+    figure = paper.figures[SECTIONS]
     middle = place(figure, r"P = P_n \circ \cdots \circ P_1")
     order = [r"\Sigma_1", r"\Sigma_{k{-}1}", r"\Phi_k", r"\Sigma_k", r"\Sigma_{n{-}1}", r"\Phi_n"]
     for labels in (

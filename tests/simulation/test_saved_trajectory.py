@@ -394,7 +394,7 @@ def cell(name: str, place: int, entry: object) -> Change:
     ("change", "part"),
     [
         (put("format", "nonsmooth orbit"), "not a saved motion, such as --save or save() writes"),
-        (put("version", 3), "version 3 of the format, where 4 is known"),
+        (put("version", 3), "version 3 of the format, where 5 is known"),
         (put("version", "1"), "version '1' of the format"),
         (put("more", 1), "'more' is unknown"),
         (put("end", 60.0), "'end' is of the wrong type"),

@@ -1,0 +1,55 @@
+"""Commands on a terminal, in this process: progress is shown, and questions are asked."""
+
+from __future__ import annotations
+
+import io
+import sys
+from collections.abc import Callable
+from typing import NamedTuple
+
+import pytest
+
+from nonsmooth.runtime.cli.program import app
+
+
+class Terminal(io.StringIO):
+    """A stream of a terminal, on which something may happen when it is read or written."""
+
+    happens: Callable[[], object] | None = None
+
+    def isatty(self) -> bool:
+        """Whether this is a terminal."""
+        return True
+
+    def readline(self, size: int | None = -1, /) -> str:
+        """Read an answer."""
+        if self.happens is not None:
+            self.happens()
+        return super().readline(-1 if size is None else size)
+
+    def write(self, text: str, /) -> int:
+        """Show a text."""
+        if self.happens is not None:
+            self.happens()
+        return super().write(text)
+
+
+class Ended(NamedTuple):
+    """How a command ended, and what it showed."""
+
+    code: int
+    out: str
+    err: str
+
+
+def on_terminal(
+    *arguments: str, answers: Terminal | None = None, shown: Terminal | None = None
+) -> Ended:
+    """Run a command whose three streams are terminals."""
+    streams = answers or Terminal(), shown or Terminal(), Terminal()
+    with pytest.MonkeyPatch.context() as patch:
+        for name, stream in zip(("stdin", "stdout", "stderr"), streams, strict=True):
+            patch.setattr(sys, name, stream)
+        with pytest.raises(SystemExit) as ended:
+            app(list(arguments), prog_name="nonsmooth")
+    return Ended(int(ended.value.code or 0), streams[1].getvalue(), streams[2].getvalue())

@@ -1,0 +1,82 @@
+"""The reproduced paper, made once for all tests that look at it."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.present.paper import writing
+from tests.present.formulas import given_formulas
+
+EMPTY = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'
+DRAWN = (*(0, 5, 10), *range(12, 16))  # pictures that are not empty, by their places
+
+
+@dataclass(frozen=True)
+class Paper:
+    """What is written of the paper, with proofs."""
+
+    folder: Path
+    figures: dict[str, Any]  # by their stems
+    again: dict[str, bytes]  # files of the pictures that are not empty, made a second time
+    steps: tuple[str, ...]
+
+    @property
+    def results(self) -> dict[str, Any]:
+        """Numbers, as they are in the file."""
+        found: dict[str, Any] = json.loads(self.read("results.json"))
+        return found
+
+    def read(self, name: str) -> str:
+        """The text of a file."""
+        return (self.folder / name).read_text(encoding="utf-8")
+
+
+def written(folder: Path, formulas: Callable[..., Any], *, certified: bool = False) -> Paper:
+    """Reproduce the paper with a few of its pictures, which take most of the time."""
+    figure = pytest.importorskip("matplotlib.figure")
+    drawn: list[Any] = []
+    twice: list[bytes] = []
+    steps: list[str] = []
+    save = figure.Figure.savefig
+
+    def saved(own: Any, target: io.BytesIO, **options: Any) -> None:
+        second = io.BytesIO()
+        if len(drawn) // 2 in DRAWN:
+            for file in (target, second):
+                save(own, file, **options)
+        else:
+            target.write(EMPTY)
+        drawn.append(own)
+        twice.append(second.getvalue())
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(figure.Figure, "savefig", saved)
+        paths = writing.reproduce(folder, formulas, steps.append, certified=certified)
+    pictures = [path for path in paths if path.suffix in (".svg", ".png")]
+    figures = {path.stem: own for path, own in zip(pictures, drawn, strict=True)}
+    again = {path.name: file for path, file in zip(pictures, twice, strict=True) if file}
+    return Paper(folder, figures, again, tuple(steps))
+
+
+@pytest.fixture(scope="session")
+def paper(tmp_path_factory: pytest.TempPathFactory) -> Paper:
+    """The whole report, drawn by someone whose paper is black."""
+    matplotlib = pytest.importorskip("matplotlib")
+    for name in ("jinja2", "latex2mathml"):
+        pytest.importorskip(name)
+    with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
+        return written(tmp_path_factory.mktemp("paper"), given_formulas, certified=True)
+
+
+@pytest.fixture(scope="session")
+def orbits() -> dict[str, ns.Orbit]:
+    """The orbits of the paper, to be put in the place of its computation."""
+    return dict(writing.paper_orbits(lambda step: None))

@@ -1,0 +1,38 @@
+"""Formulas and their meanings as a derivation may give them, with all that has to be escaped."""
+
+from __future__ import annotations
+
+import re
+
+ALIGNED = (
+    r"\begin{aligned} m x'' &= -k x + "
+    + " + ".join(["u_{\\mathrm{r}}"] * 40)
+    + r" \\ \text{<i>none</i>} &< \frac{1}{2} \end{aligned}"
+)
+MEANINGS = {
+    "plain": "Plain & *stressed* text with $x_1'' \\le 1$ and <b>no tag</b>.",
+    "list": "- This one is no list.",
+    "long": "$(a+b)^2 + |c-d| = e - f + g$",
+    "short": "$a = b + c$",
+    "leading": "$a = -b$",
+    "between": "$a - b$",
+    "name": r"$2\operatorname{tr}(M)$",
+    "function": r"$\sin x$",
+    "primes": "$x_1''$",
+    "matrix": r"$\begin{pmatrix} 1 & 2 \end{pmatrix}^{-1}$",
+    "bars": r"$\lvert x \rvert^2$",
+    "stops": "Here ($x$) and $y$, and $z$ too.",
+}
+
+
+def given_formulas(orbit: str, section: str) -> tuple[tuple[str, str], ...]:
+    """One formula with a note, and one for each meaning, of one section alone."""
+    if (orbit, section) != ("rigid-stop/one-impact", "The reduction"):
+        return ()
+    return ((ALIGNED, "What $m$ is."), *(("x", text) for text in MEANINGS.values()))
+
+
+def notes(page: str) -> dict[str, str]:
+    """The HTML of each meaning on the page, by its name."""
+    shown = r'<div class="equation">(?:(?!</div>).)*</div>\s*<p>(.*?)</p>'
+    return dict(zip(("aligned", *MEANINGS), re.findall(shown, page, re.DOTALL), strict=False))
