@@ -21,23 +21,20 @@ from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.events import contact_choice
 from nonsmooth.runtime.events.transition_choice import Decider
-from nonsmooth.runtime.model.engine_run import Run, Status
+from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.present.checking.compare_declarations import compare
-from nonsmooth.runtime.simulation.starting import configuration_of
-from nonsmooth.runtime.simulation.stepping import run
+from tests.engines import with_both
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
 SIGN = sp.Symbol("sign", real=True)
 
 
-def both(system: System, data: dict[str, Any], start: list[float], until: float) -> tuple[Any, Run]:
-    """A motion by the engine that is there, and by the one in Python."""
-    motion = ns.simulate(system, data, start, until=until)
-    point = piecewise(system, data)
-    state = np.array(start, dtype=float)
-    return motion, run(point, state, configuration_of(point, state), until=until)
+def both(system: System, data: dict[str, Any], start: list[float], until: float) -> tuple[Any, Any]:
+    """A motion by the compiled engine, and by the one in Python."""
+    motion, other = with_both(ns.simulate, system, data, start, until=until)
+    return motion, other.run
 
 
 def stack(reverse: bool) -> System:

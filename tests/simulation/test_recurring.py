@@ -12,8 +12,8 @@ from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.recurrence import sizes_of
 from tests.handmade import DATA, pair, two_stops
+from tests.two_masses import STICKING
 
-STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 LONG = {**DATA, "Omega": "1.272"}  # an attractor of many impacts
 
 
@@ -25,9 +25,9 @@ def motion():
 
 def test_the_stick_orbit_from_a_motion() -> None:
     found = nonsmooth.itinerary_of(
-        nonsmooth.simulate("dry-friction", STICK, [0, 0, 0, 0], transitions=100)
+        nonsmooth.simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=100)
     )
-    orbit = nonsmooth.solve("dry-friction", STICK, itinerary=found)
+    orbit = nonsmooth.solve("dry-friction", STICKING, itinerary=found)
     known = nonsmooth.solve("dry-friction/global-stick")
     assert orbit.converged
     assert orbit.period == pytest.approx(known.period, abs=1e-12)

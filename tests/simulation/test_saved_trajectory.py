@@ -22,12 +22,10 @@ from nonsmooth import InputError, Trajectory, simulate
 from nonsmooth.runtime.model.engine_run import Grazing, Status
 from nonsmooth.runtime.present.files import motions as saved_trajectory
 from nonsmooth.runtime.present.files.motions import load_trajectory
+from tests.two_masses import CHAIN, RUBBING
 
-FRICTION = {
-    **{"chi": "2/5", "eta": 4, "V": 0.6773, "us1": "0.0127", "ur1": "0.0255"},
-    **{"us2": "0.5", "ur2": "sqrt(2)"},
-}
-STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+FRICTION = RUBBING | {"chi": "2/5", "V": 0.6773, "ur2": "sqrt(2)"}
+STOP = CHAIN | {"r": "0.5"}
 ENDINGS = [".csv", ".npz"]
 
 
@@ -46,7 +44,7 @@ def others() -> dict[str, Trajectory]:
         "no transition": simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=7.7),
         "impacts": grazed,
         "contact": simulate("rigid-stop", {**STOP, "r": 0}, [0.9, 3, 0, 0], transitions=5),
-        "elastic": simulate("elastic-stop", _elastic(), [0, 0, 2, 0], transitions=40),
+        "elastic": simulate("elastic-stop", CHAIN | {"k3": 3}, [0, 0, 2, 0], transitions=40),
         "grazings": Trajectory(grazed.system, replace(grazed.run, grazings=graze)),
         "together": _together(),
         "overflow": Trajectory(
@@ -54,10 +52,6 @@ def others() -> dict[str, Trajectory]:
         ),
         "friction": friction(),
     }
-
-
-def _elastic() -> dict[str, object]:
-    return {**{k: v for k, v in STOP.items() if k != "r"}, "k3": 3}
 
 
 def _together() -> Trajectory:
