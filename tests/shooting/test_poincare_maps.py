@@ -16,11 +16,10 @@ from scipy.optimize import linear_sum_assignment
 
 from nonsmooth import refine, solve, solve_many
 from nonsmooth.derive.equations.linearisation import saltation_matrix
-from nonsmooth.runtime.model.kernels import orbit_names
-from tests.declared import Declared, random_points
+from tests.declared import RANGES, Declared, random_points
 
 PROPERTY = settings(deadline=None, max_examples=40, derandomize=True)
-every_orbit = pytest.mark.parametrize("name", orbit_names())
+every_orbit = pytest.mark.parametrize("name", RANGES)
 
 
 @cache
@@ -154,7 +153,7 @@ def test_multipliers_are_its_other_eigenvalues(name):
         assert orbit.trace == pytest.approx(np.trace(orbit.monodromy) - 1, abs=1e-9)
 
 
-@pytest.mark.parametrize("name", [n for n in orbit_names() if not n.startswith("elastic")])
+@pytest.mark.parametrize("name", [n for n in RANGES if not n.startswith("elastic")])
 def test_without_saltation_the_multipliers_are_wrong(name):
     for orbit in orbits(name):
         wrong = without_one(np.linalg.eigvals(Declared(orbit).monodromy(saltations=False)))
