@@ -3,12 +3,13 @@
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.starting import configuration_of
 from tests.engines import with_engine
@@ -41,7 +42,7 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return program
 
 
-def large(name: str) -> tuple[PiecewiseLinear, np.ndarray]:
+def large(name: str) -> tuple[Any, np.ndarray]:
     """A chain of 12 masses with a stop and friction, also with factors, or 40 stops: and starts."""
     rng = np.random.default_rng(4)
     if name != "stops":
@@ -54,7 +55,7 @@ def large(name: str) -> tuple[PiecewiseLinear, np.ndarray]:
     return masses_apart(20, np.repeat([0.5, 0.4], 20)), states
 
 
-def written(path: Path, system: PiecewiseLinear, states: np.ndarray, transitions: int) -> Path:
+def written(path: Path, system: Any, states: np.ndarray, transitions: int) -> Path:
     layout, numbers = layout_of(system.structure), numbers_of(system)
     sizes = [layout.size, numbers.size, states.shape[1], len(states), transitions]
     with path.open("wb") as file:

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import Decider, choose, first_following
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.structure import Structure, TransitionShape, mode_shapes
+from nonsmooth.runtime.model.structure import TransitionShape, mode_shapes
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
 from nonsmooth.runtime.proof.motion.validate import BallJudge
@@ -149,7 +149,7 @@ def systems() -> dict[str, EnclosedSystem]:
     }
 
 
-def drawn_set(rng: np.random.Generator, structure: Structure) -> tuple[int, frozenset[int]]:
+def drawn_set(rng: np.random.Generator, structure: Any) -> tuple[int, frozenset[int]]:
     """A configuration and a set of its boundaries for which something is listed."""
     source = int(rng.choice([c for c, t in enumerate(structure.transitions) if t]))
     found = structure.transitions[source]

@@ -22,7 +22,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.events import contact_choice
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.present.checking.compare_declarations import compare
 from tests.engines import with_both
 
@@ -214,7 +214,7 @@ def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
     assert "what the contact law says at between-reaches-belt" in str(proof.reason)
 
 
-def least(point: PiecewiseLinear, state: np.ndarray, reached: set[int]) -> list[str]:
+def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
     """What each contact of a system at rest does, by minima of the primal problem."""
     law = point.structure.law
     assert law is not None

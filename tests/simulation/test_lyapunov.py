@@ -12,7 +12,7 @@ from nonsmooth import InputError, Trajectory, lyapunov, simulate, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.explore.finding.stretching import stretching
 from nonsmooth.runtime.model.flows import flow_states
-from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
 from nonsmooth.runtime.simulation.recurrence import scales_of
@@ -141,7 +141,7 @@ def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
 def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None:
     motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
     one = lyapunov(motion, motion.end / 5)
-    kernels = kernels_of(IMPACT)
+    kernels = load_system(IMPACT)
     values = {name: float(value) for name, value in motion.system.parameters.items()}
     many = simulate_many(kernels, values, motion.states[-1:], transitions=200, keep=129)
     found = stretching(kernels, values, many, scales_of(motion.system, many))

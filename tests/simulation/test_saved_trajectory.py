@@ -19,7 +19,7 @@ import pytest
 
 import nonsmooth
 from nonsmooth import InputError, Trajectory, simulate
-from nonsmooth.runtime.model.engine_run import Grazing, Status
+from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.present.files import motions as saved_trajectory
 from nonsmooth.runtime.present.files.motions import load_trajectory
 from tests.two_masses import CHAIN, RUBBING
@@ -37,7 +37,6 @@ def friction() -> Trajectory:
 @cache
 def others() -> dict[str, Trajectory]:
     grazed = simulate("rigid-stop", STOP, [0, 0, 2, 0], until=30)
-    graze = (Grazing(0.1 + 0.2, 0, 0, -1e-17), Grazing(3.0, 0, 0, 0.0))
     wild = grazed.states.copy()
     wild[-1] = [np.inf, -np.inf, np.nan, -0.0]
     return {
@@ -45,13 +44,21 @@ def others() -> dict[str, Trajectory]:
         "impacts": grazed,
         "contact": simulate("rigid-stop", {**STOP, "r": 0}, [0.9, 3, 0, 0], transitions=5),
         "elastic": simulate("elastic-stop", CHAIN | {"k3": 3}, [0, 0, 2, 0], transitions=40),
-        "grazings": Trajectory(grazed.system, replace(grazed.run, grazings=graze)),
+        "grazings": _touching(),
         "together": _together(),
         "overflow": Trajectory(
             grazed.system, replace(grazed.run, states=wild, status=Status.OVERFLOW)
         ),
         "friction": friction(),
     }
+
+
+def _touching() -> Trajectory:
+    found = simulate(
+        "elastic-stop", dict(m1=1, m2=1, k1=2, k2=3, k3=1), [-1, "-0.5", 0, 0], until=9
+    )
+    assert len(found.grazings) == 1
+    return found
 
 
 def _together() -> Trajectory:
