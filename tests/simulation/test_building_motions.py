@@ -15,11 +15,9 @@ import nonsmooth as ns
 from nonsmooth.derive import (
     Friction,
     Harmonic,
-    Regions,
     RigidStop,
     Slider,
     SoftStop,
-    Terms,
     chain_matrices,
     oscillator,
 )
@@ -87,14 +85,6 @@ def test_a_belt_carries_a_mass_against_a_stop(restitution: float) -> None:
         assert np.allclose(motion(60.0), [0.4, 0], atol=1e-12)
     else:
         assert "slip-contact" not in motion.configurations
-
-
-def test_stick_slip_on_a_belt_has_its_closed_period() -> None:
-    excess, V = 0.3, 0.5
-    system = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, 1 + excess, V)])
-    motion = ns.simulate(system, {}, [0, 0], transitions=9)
-    period = 2 * math.pi - 2 * math.atan(excess / V) + 2 * excess / V
-    assert motion.times[-1] - motion.times[-3] == pytest.approx(period, abs=1e-12)
 
 
 @pytest.mark.slow
@@ -180,20 +170,6 @@ def test_a_slider_dissipates_the_area_of_its_loop() -> None:
     assert work - viscous == pytest.approx(loop, rel=1e-6)
     stretched = np.abs(states[:, 0] - states[:, 4]) * stiffness
     assert stretched.max() < limit + 1e-10
-
-
-def test_damping_that_switches_has_its_limit_cycle() -> None:
-    def drag(zeta: float) -> Terms:
-        return Terms(damping=[[2 * zeta]], load=[2 * zeta])
-
-    regions = Regions(sp.Symbol("v") - 1, below=drag(-0.1), above=drag(0.3), name="speed")
-    system = oscillator("switched", ["x"], [[1]], [[1]], elements=[regions])
-    motion = ns.simulate(system, {}, [1, 0], transitions=160)
-    times = motion.times[-9::2]
-    assert np.allclose(np.diff(times), 6.367077, atol=1e-6)
-    # the equilibrium below is x = 2 zeta = -0.2
-    phase = motion(np.linspace(times[0], times[1], 20001))
-    assert phase[:, 0].max() + 0.2 == pytest.approx(2.150651224, abs=1e-7)
 
 
 @pytest.mark.slow

@@ -48,12 +48,17 @@ def test_what_takes_no_time_is_named() -> None:
             nonsmooth.itinerary_of(motion)
 
 
+@cache
+def long_orbit():
+    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
+    return nonsmooth.solve(two_stops(), LONG, itinerary=found)
+
+
 @pytest.mark.compiled
 def test_more_than_twenty_impacts() -> None:
-    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
-    count = len(found.itinerary)
+    orbit = long_orbit()
+    count = len(orbit.itinerary)
     assert count >= 20
-    orbit = nonsmooth.solve(two_stops(), LONG, itinerary=found)
     assert orbit.converged
     assert orbit.admissibility.verdict is True
     assert orbit.stability.verdict == "stable"
@@ -71,8 +76,7 @@ def test_more_than_twenty_impacts() -> None:
 
 @pytest.mark.compiled
 def test_many_impacts_by_matrix_exponentials() -> None:
-    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
-    orbit = nonsmooth.solve(two_stops(), LONG, itinerary=found)
+    orbit = long_orbit()
     field = np.array([[0, 1, 0, 0], [-1, -0.1, 1, 0], [0, 0, 0, -1.272], [0, 0, 1.272, 0]])
     following = np.roll(orbit.states, -1, axis=0)
     for (_, boundary), time, start, after in zip(
