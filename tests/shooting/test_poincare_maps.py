@@ -71,23 +71,6 @@ def test_saltation_matrices_are_those_of_the_declaration(name):
             assert_allclose(found, matrix, rtol=1e-9, atol=1e-9)
 
 
-@every_orbit
-def test_a_saltation_matrix_carries_the_motion_across(name):
-    """S f- = f+, and what lies in the boundary is only reset."""
-    for orbit in orbits(name):
-        declared = Declared(orbit)
-        steps = declared.steps
-        for index, (piece, _, end) in enumerate(steps):
-            following = steps[(index + 1) % len(steps)][0]
-            before = (piece.field @ end)[:-1]
-            behind = (following.field @ piece.jump @ end)[:-1]
-            saltation = orbit.saltations[index]
-            assert_allclose(saltation @ before, behind, rtol=1e-9, atol=1e-9)
-            normal, reset = piece.normal[:, :-1], piece.jump[:-1, :-1]
-            tangent = np.eye(4) - normal.T @ normal / (normal @ normal.T)
-            assert_allclose(saltation @ tangent, reset @ tangent, rtol=1e-9, atol=1e-9)
-
-
 def test_the_field_is_continuous_at_an_elastic_stop():
     """Its spring begins without a force: there is no jump to correct for."""
     for orbit in orbits("elastic-stop/one-contact"):

@@ -269,22 +269,6 @@ def test_the_motion_carries_its_own_direction() -> None:
     assert_allclose(by_start(trajectory) @ fields[0], fields[1], rtol=0, atol=1e-8)
 
 
-def test_nearby_motions_separate_as_the_exponent_says() -> None:
-    """Two motions to the attractor of data B approach each other."""
-    start, step = np.array([0.3, -0.2, 0.1, 0.4]), np.array([1e-5, -2e-5, 1e-5, 1e-5])
-    first, second = (simulate("dry-friction", RUBBING, s, until=400) for s in (start, start + step))
-    rate = lyapunov(first, 60).value
-    assert rate < -0.005
-    late = [np.linalg.norm(first(t) - second(t - delay(first, second))) for t in (60.3, 260.3)]
-    assert late[1] < late[0]
-
-
-def delay(first: Trajectory, second: Trajectory) -> float:
-    """By how much the second motion is ahead at the end."""
-    count = min(first.transitions, second.transitions)
-    return float(first.times[count] - second.times[count])
-
-
 def meeting(system: str, data: dict, time: float, state: list[float], until: float) -> Trajectory:
     """A motion that is in a state of its first configuration at a time, followed backwards."""
     (start,) = flow_states(piecewise(system, data), 0, np.array([-time]), np.array(state))

@@ -8,7 +8,8 @@ import os
 import re
 import tracemalloc
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -83,6 +84,17 @@ def refusal(path: Path) -> str:
     assert "\n" not in message
     assert message.count(str(path)) == 1
     return message.removeprefix(f"{path}: ")
+
+
+@contextmanager
+def little_memory(most: int) -> Iterator[None]:
+    """What is done takes at most so many bytes."""
+    tracemalloc.start()
+    try:
+        yield
+        assert tracemalloc.get_traced_memory()[1] < most
+    finally:
+        tracemalloc.stop()
 
 
 def parts(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -296,12 +308,8 @@ def test_an_archive_whose_directory_lies(tmp_path: Path) -> None:
             bad.writestr(name, bytes(size) if name == "states.npy" else good.read(name))
     lies = content.getvalue().replace(size.to_bytes(4, "little"), told.to_bytes(4, "little"))
     path.write_bytes(lies)
-    tracemalloc.start()
-    try:
+    with little_memory(10_000_000):
         assert refusal(path) == "cut, damaged, or not an .npz file"
-        assert tracemalloc.get_traced_memory()[1] < 10_000_000
-    finally:
-        tracemalloc.stop()
 
 
 def test_an_array_whose_header_lies(tmp_path: Path) -> None:
@@ -316,12 +324,8 @@ def test_an_array_whose_header_lies(tmp_path: Path) -> None:
     with zipfile.ZipFile(path, "w") as bad:
         for name, part in content.items():
             bad.writestr(name, part)
-    tracemalloc.start()
-    try:
+    with little_memory(10_000_000):
         assert refusal(path) == "'times.npy' is not as long as its header says"
-        assert tracemalloc.get_traced_memory()[1] < 10_000_000
-    finally:
-        tracemalloc.stop()
 
 
 @pytest.mark.parametrize("name", ["header", "times", "configurations", "boundaries", "states"])
@@ -338,12 +342,8 @@ def test_a_small_archive_takes_little_memory(name: str, tmp_path: Path) -> None:
         blown = ((5_000_000, *shape[1:]), "f8") if kind == "f" else (shape, "U1000000")
         arrays[name] = np.zeros(*blown)
     np.savez_compressed(path, **arrays)
-    tracemalloc.start()
-    try:
+    with little_memory(30 * path.stat().st_size + 2_000_000):
         assert "'" in refusal(path)
-        assert tracemalloc.get_traced_memory()[1] < 30 * path.stat().st_size + 2_000_000
-    finally:
-        tracemalloc.stop()
 
 
 def test_a_cell_without_end(tmp_path: Path) -> None:

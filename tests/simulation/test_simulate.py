@@ -247,19 +247,8 @@ def test_times_are_real_numbers(wrong):
     ],
 )
 def test_friction_at_the_belts_velocity_follows_the_rules(state, name):
-    chi, limits = 0.5, (4.0195, 1.4831)
-    forces = (state[0] - chi * state[1], chi * (state[1] - state[0]))
-    regimes = []
-    for velocity, force, limit in zip(state[2:], forces, limits, strict=True):
-        if velocity != 1:
-            regimes.append("slip" if velocity < 1 else "overshoot")
-        elif abs(force) < limit:
-            regimes.append("stick")
-        else:
-            regimes.append("slip" if force > 0 else "overshoot")
-    wanted = "-".join(regimes)
-    found = simulate("dry-friction", STICKING, state, transitions=1)
-    assert found.configurations[0] == wanted == name
+    """Below the static limit it sticks; beyond, the force's sign says which way it slips."""
+    assert simulate("dry-friction", STICKING, state, transitions=1).configurations[0] == name
 
 
 def test_a_wanted_configuration_is_checked():
