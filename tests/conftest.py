@@ -59,6 +59,13 @@ def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
         getattr(ctypes.CDLL(None), "malloc_trim", int)(0)  # musl has none
 
 
+@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Both engines, and kernels of both kinds, one after the other."""
+    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
+    return str(request.param)
+
+
 @pytest.fixture
 def committed_derivation(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
     """The committed files by name, in place of a derivation of many seconds.

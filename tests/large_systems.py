@@ -23,12 +23,12 @@ from nonsmooth.runtime.model.structure import (
     mode_shapes,
 )
 
-__all__ = ["GAP", "OMEGA", "chain", "integrated", "masses_apart"]
+__all__ = ["GAP", "OMEGA", "by_tables", "chain", "integrated", "masses_apart"]
 
 GAP, RESTITUTION, LIMIT, OMEGA = 0.3, 0.8, 0.5, 0.7
 
 
-def _system(
+def by_tables(
     name: str,
     fields: np.ndarray,
     rows: np.ndarray,
@@ -38,6 +38,7 @@ def _system(
     modes: list[tuple[Any, np.ndarray, Any]],
     forcing: tuple[tuple[int, int], ...] = (),
 ) -> PiecewiseLinear:
+    """A system of given tables; boundaries are names, rows and whether reaching is enough."""
     size, count = fields.shape[1], len(fields)
     structure = Structure(
         name,
@@ -125,7 +126,7 @@ def chain(count: int, rubbing: int | None = None, factored: bool = False) -> Pie
     strike = TransitionShape(frozenset({0}), (), 1, 0)
     if rubbing is None:
         fields, rows, resets = free[None], stop[None], np.stack([unit, bounce])
-        return _system(
+        return by_tables(
             f"chain-{count}", fields, rows, resets, [[("stop", 0, True)]], [[strike]],
             [_modes(free, factored)], ((2 * count, 2 * count + 1),),
         )  # fmt: skip
@@ -154,7 +155,7 @@ def chain(count: int, rubbing: int | None = None, factored: bool = False) -> Pie
     starts = [TransitionShape(frozenset({b}), (), 0, c) for b, c in ((1, 0), (2, 2))]
     fields = np.stack([forwards, held, backwards])
     rows = np.stack([stop, -velocity, velocity, pushed, pulled])
-    return _system(
+    return by_tables(
         f"rubbing-chain-{count}", fields, rows, np.stack([unit, bounce, rest]), names,
         [[strikes[0], *slides], [strikes[1], *starts], [strikes[2], *slides]],
         [_modes(field, factored) for field in fields],
@@ -195,7 +196,7 @@ def masses_apart(count: int, gaps: np.ndarray) -> PiecewiseLinear:
     shapes = mode_shapes([(1, False), (1, True)])
     flows = np.stack([np.zeros((size, size + 1)), cosine, sine])
     names = [(f"right{b}" if b < count else f"left{b - count}", b, True) for b in range(size)]
-    return _system(
+    return by_tables(
         f"apart-{count}", field[None], rows, np.stack(resets), [names], [transitions],
         [(shapes, np.array([(0.0, 0.0), (0.0, 1.0)]), flows)],
     )  # fmt: skip

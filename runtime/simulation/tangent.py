@@ -15,7 +15,6 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import transitions_behind
 
@@ -23,7 +22,6 @@ __all__ = [
     "TangentPhase",
     "earliest_entry",
     "flow_matrix",
-    "tangent_map",
     "tangent_phases",
 ]
 
@@ -36,31 +34,6 @@ class TangentPhase(NamedTuple):
     configuration: int
     start: np.ndarray
     saltation: np.ndarray | None
-
-
-def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
-    """Derivative (N, N) of the state at the end by the state at `since`.
-
-    Only perturbations that the configuration at `since` allows are perturbations of the
-    motion. An `InputError` is raised if `since` is outside the motion, or if the motion has
-    no derivative: two boundaries are reached at once, or one tangentially.
-
-    Examples
-    --------
-    >>> from nonsmooth.runtime.simulation.simulate import simulate
-    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    >>> motion = simulate("rigid-stop", data, [0, 0, 1.5, 0], until=5)
-    >>> round(float(np.linalg.det(tangent_map(motion))), 6)  # no energy is lost
-    1.0
-    """
-    phases_of(trajectory, since)
-    found = np.eye(len(trajectory.names))
-    for phase in tangent_phases(trajectory, _latest_entry(trajectory, since), since):
-        duration = phase.duration - max(since - phase.begin, 0.0)
-        found = flow_matrix(trajectory.system, phase.configuration, duration) @ found
-        if phase.saltation is not None:
-            found = phase.saltation @ found
-    return found
 
 
 def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator[TangentPhase]:

@@ -4,53 +4,44 @@ import pickle
 
 import pytest
 
-from nonsmooth.runtime.core import errors
+import nonsmooth as ns
+from nonsmooth.derive import Parameter, oscillator
 
 
 @pytest.mark.parametrize(
     ("kind", "usual"),
-    [
-        (errors.InputError, ValueError),
-        (errors.MissingExtra, ImportError),
-        (errors.NoConvergence, Exception),
-    ],
+    [(ns.InputError, ValueError), (ns.MissingExtra, ImportError), (ns.NoConvergence, Exception)],
 )
 def test_one_root_and_the_usual_base(kind: type[Exception], usual: type[Exception]) -> None:
-    assert issubclass(kind, errors.NonsmoothError)
+    assert issubclass(kind, ns.NonsmoothError)
     assert issubclass(kind, usual)
+
+
+KNOWN = "known: chi, eta, V, e1, e2, us1, us2, ur1, ur2"
 
 
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("etta", "unknown parameter 'etta'; did you mean 'eta'? known: chi, eta, V, e1, e2"),
-        ("v", "unknown parameter 'v'; did you mean 'V'? known: chi, eta, V, e1, e2"),
-        ("zzzz", "unknown parameter 'zzzz'; known: chi, eta, V, e1, e2"),
-        ("a\nb", "unknown parameter 'a\\nb'; known: chi, eta, V, e1, e2"),
+        ("etta", f"unknown parameter 'etta'; did you mean 'eta'? {KNOWN}"),
+        ("v", f"unknown parameter 'v'; did you mean 'V'? {KNOWN}"),
+        ("zzzz", f"unknown parameter 'zzzz'; {KNOWN}"),
+        ("a\nb", f"unknown parameter 'a\\nb'; {KNOWN}"),
     ],
 )
-def test_unknown_name_suggests_and_lists(name: str, message: str) -> None:
-    problem = errors.unknown_name("parameter", name, ["chi", "eta", "V", "e1", "e2"])
-    assert isinstance(problem, errors.InputError)
-    assert str(problem) == message
+def test_an_unknown_name_is_answered_with_the_nearest_and_all(name: str, message: str) -> None:
+    with pytest.raises(ns.InputError) as caught:
+        ns.solve("dry-friction/global-stick", {name: 1})
+    assert str(caught.value) == message
+    # exceptions travel between processes
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert type(copy) is ns.InputError
+    assert str(copy) == message
 
 
-def test_unknown_name_keeps_names_that_differ_in_case() -> None:
-    assert "did you mean 'v'?" in str(errors.unknown_name("unknown", "v1", ["v", "V"]))
-
-
-def test_unknown_name_without_any_known_name() -> None:
-    assert str(errors.unknown_name("system", "rigid", [])) == "unknown system 'rigid'"
-
-
-def test_missing_extra_gives_the_command() -> None:
-    problem = errors.missing_extra("plot", "matplotlib")
-    assert str(problem) == 'matplotlib is not installed: pip install "nonsmooth[plot]"'
-    assert problem.name == "matplotlib"
-
-
-def test_exceptions_travel_between_processes() -> None:
-    problem = errors.unknown_name("orbit", "x", ["y"])
-    copy = pickle.loads(pickle.dumps(problem))
-    assert type(copy) is errors.InputError
-    assert str(copy) == str(problem)
+def test_names_that_differ_in_case_are_kept_apart() -> None:
+    parameters = [Parameter("k", "stiffness"), Parameter("K", "mass")]
+    k, mass = (p.symbol for p in parameters)
+    system = oscillator("cases", ["x"], [[mass]], [[k]], parameters=parameters)
+    with pytest.raises(ns.InputError, match=r"did you mean 'k'\? known: k, K"):
+        ns.simulate(system, {"k1": 1}, [0, 1], until=1)

@@ -18,7 +18,8 @@ from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import load_system, system_names
+from nonsmooth.runtime.model.kernels import load_system
+from tests.two_masses import SYSTEMS
 
 
 def of(*texts: str, terms: tuple[str, ...] = (), names: str = "a b") -> Function:
@@ -42,7 +43,7 @@ def flat(numbers: Any) -> Iterator[Any]:
         yield numbers
 
 
-@pytest.mark.parametrize("name", system_names())
+@pytest.mark.parametrize("name", SYSTEMS)
 def test_every_kernel_comes_back_to_the_last_bit(name: str) -> None:
     module = load_system(name).module
     drawn = np.random.default_rng(1)

@@ -3,24 +3,19 @@
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.starting import configuration_of
-from nonsmooth.runtime.simulation.stepping import run
+from tests.engines import with_engine
 from tests.large_systems import chain, masses_apart
 from tests.places import CHECKOUT
-
-SYSTEMS = {
-    "dry-friction": dict(
-        chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1
-    ),
-    "elastic-stop": dict(m1=1, m2=2, k1=1, k2=5, k3=40),
-    "rigid-stop": dict(m1=1, m2=2, k1=1, k2=5, r="0.6"),
-}
+from tests.two_masses import SYSTEMS
 
 compiler = shutil.which("cc")
 pytestmark = [pytest.mark.skipif(compiler is None, reason="no C compiler"), pytest.mark.compiled]
@@ -47,7 +42,7 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return program
 
 
-def large(name: str) -> tuple[PiecewiseLinear, np.ndarray]:
+def large(name: str) -> tuple[Any, np.ndarray]:
     """A chain of 12 masses with a stop and friction, also with factors, or 40 stops: and starts."""
     rng = np.random.default_rng(4)
     if name != "stops":
@@ -60,7 +55,7 @@ def large(name: str) -> tuple[PiecewiseLinear, np.ndarray]:
     return masses_apart(20, np.repeat([0.5, 0.4], 20)), states
 
 
-def written(path: Path, system: PiecewiseLinear, states: np.ndarray, transitions: int) -> Path:
+def written(path: Path, system: Any, states: np.ndarray, transitions: int) -> Path:
     layout, numbers = layout_of(system.structure), numbers_of(system)
     sizes = [layout.size, numbers.size, states.shape[1], len(states), transitions]
     with path.open("wb") as file:
@@ -72,40 +67,35 @@ def written(path: Path, system: PiecewiseLinear, states: np.ndarray, transitions
     return path
 
 
+def answered(harness: Path, file: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [harness, file, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", SYSTEMS)
+@pytest.mark.parametrize("name", [*SYSTEMS, "chain", "factors", "stops"])
 def test_the_engine_is_clean_and_follows_the_reference(
     harness: Path, name: str, tmp_path: Path
 ) -> None:
-    system = piecewise(name, SYSTEMS[name])
-    rng = np.random.default_rng(3)
-    states = rng.normal(size=(40, 4))
-    states[:, 0] = np.minimum(states[:, 0], 0.9) if "stop" in name else states[:, 0]
-    file = written(tmp_path / "motions", system, states, 12)
-    told = subprocess.run([harness, file], capture_output=True, text=True, check=False)
-    assert told.returncode == 0, told.stderr
-    lines = [line.split() for line in told.stdout.splitlines()]
-    assert len(lines) == len(states)
-    for state, (status, transitions, configuration, _, *end) in zip(states, lines, strict=True):
-        known = run(system, state, configuration_of(system, state), transitions=12)
-        assert (int(status), int(transitions)) == (known.status, len(known.times) - 1)
-        assert int(configuration) == known.configurations[-1]
-        np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-6)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["chain", "factors", "stops"])
-def test_the_engine_is_clean_on_large_systems(harness: Path, name: str, tmp_path: Path) -> None:
-    system, states = large(name)
-    file = written(tmp_path / "motions", system, states, 30)
-    told = subprocess.run([harness, file], capture_output=True, text=True, check=False)
+    small = name in SYSTEMS
+    if small:
+        system, states = (
+            piecewise(name, SYSTEMS[name]),
+            np.random.default_rng(3).normal(size=(40, 4)),
+        )
+        states[:, 0] = np.minimum(states[:, 0], 0.9) if "stop" in name else states[:, 0]
+    else:
+        system, states = large(name)
+    transitions, error = (12, 1e-6) if small else (30, 1e-9)
+    told = answered(harness, written(tmp_path / "motions", system, states, transitions))
     assert told.returncode == 0, told.stderr
     for state, line in zip(states, told.stdout.splitlines(), strict=True):
-        status, transitions, configuration, _, *end = line.split()
-        known = run(system, state, configuration_of(system, state), transitions=30)
-        assert (int(status), int(transitions)) == (known.status, len(known.times) - 1)
+        status, count, configuration, _, *end = line.split()
+        begin = configuration_of(system, state)
+        known = with_engine("numpy", follow, system, state, begin, transitions=transitions)
+        assert (int(status), int(count)) == (known.status, len(known.times) - 1)
         assert int(configuration) == known.configurations[-1]
-        np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-9)
+        np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=error)
 
 
 def test_where_there_is_no_memory_nothing_is_lost(harness: Path, tmp_path: Path) -> None:
@@ -113,12 +103,7 @@ def test_where_there_is_no_memory_nothing_is_lost(harness: Path, tmp_path: Path)
     system, states = large("chain")
     file = written(tmp_path / "motions", system, states[:1], 3)
     failed = 0
-    while True:
-        told = subprocess.run(
-            [harness, file, str(failed)], capture_output=True, text=True, check=False
-        )
-        if told.returncode == 0:
-            break
+    while (told := answered(harness, file, str(failed))).returncode:
         assert (told.returncode, told.stderr) == (3, "no memory\n")
         failed += 1
     assert failed == 11
@@ -146,9 +131,7 @@ def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path)
             rows = b"".join(np.array([0]).tobytes() + state.tobytes() for state in starts)
             file = tmp_path / "hostile"
             file.write_bytes(head.tobytes() + layout.tobytes() + changed.tobytes() + rows)
-            told = subprocess.run(
-                [harness, file], capture_output=True, text=True, check=False, timeout=120
-            )
+            told = answered(harness, file)
             assert told.returncode == 0, told.stderr
             assert len(told.stdout.splitlines()) == len(states)
 

@@ -17,8 +17,7 @@ import numpy as np
 import pytest
 
 from nonsmooth import solve, solve_many
-from nonsmooth.runtime.core.files import PARTIAL
-from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
+from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background, caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.background import KernelLibrary
@@ -54,7 +53,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for _ in range(2)
     ]  # fmt: skip
     assert [process.communicate()[0].strip() for process in both] == ["True", "True"]
-    assert not list((folder / "cache").glob(f"*{PARTIAL}"))
+    assert not list((folder / "cache").glob("*.partial"))
     return folder / "cache"
 
 
@@ -101,7 +100,7 @@ def test_tables_numpy_and_compiled_kernels_agree(
         0 * values["k"],
         1 / (1 - values["r"]),
     ]
-    system = kernels_of(orbit.removesuffix(":loop"))
+    system = orbit.removesuffix(":loop")
     tables = solve_many(system, values, np.stack(near, axis=-1), itinerary=phases)
     assert fast.converged.all()
     assert fast.admissible is not None
@@ -213,9 +212,9 @@ def waiting(monkeypatch: pytest.MonkeyPatch, cache: Path) -> KernelLibrary:
     assert library.wanted(1.0) is None
     assert library._building is not None
     until = time.monotonic() + 30
-    while not list(cache.glob(f"*{PARTIAL}")) and time.monotonic() < until:
+    while not list(cache.glob("*.partial")) and time.monotonic() < until:
         time.sleep(0.02)
-    assert list(cache.glob(f"*{PARTIAL}"))
+    assert list(cache.glob("*.partial"))
     return library
 
 

@@ -158,10 +158,9 @@ def first_impact(motion) -> tuple[float, list[float]]:
     return float(time), [float(x) for x in list(end)[:size]]
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.usefixtures("backend")
 @pytest.mark.parametrize("small", SMALL[::2])
-def test_an_impact(small: float, backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+def test_an_impact(small: float) -> None:
     x = {"x": 0, "v": 0.5}
     for system, parameters, start in (
         (FORCED, {"k": small, "b": 0, "c": 0, "w": 1.7, "s": 1}, {**x, "c1": 1, "s1": 0}),
@@ -179,13 +178,10 @@ def test_an_impact(small: float, backend: str, monkeypatch: pytest.MonkeyPatch) 
         np.testing.assert_allclose(motion.before[1], end, rtol=0, atol=1e-13 * max(map(abs, end)))
 
 
-@pytest.mark.parametrize(
-    ("small", "backend"),
-    [*((s, "c") for s in (1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-2)), (1e-7, "numpy"), (1e-4, "numpy")],
-)
-def test_a_long_motion(small: float, backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.usefixtures("backend")
+@pytest.mark.parametrize("small", [1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-2])
+def test_a_long_motion(small: float) -> None:
     """Up to 1000 without an impact: the search gets on, and the end is that of the flow."""
-    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     start = {"x": 0, "v": 0.5, "c1": 1, "s1": 0}
     for stiffness, frequency in ((small, 1.7), (1.0, 1 + small)):
         parameters = {"k": stiffness, "b": 1, "c": 0, "w": frequency, "s": 1e9}
@@ -196,11 +192,10 @@ def test_a_long_motion(small: float, backend: str, monkeypatch: pytest.MonkeyPat
         )
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.usefixtures("backend")
 @pytest.mark.parametrize("small", [1e-6, 1e-5, 1e-4])
-def test_a_composed_orbit(small: float, backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_composed_orbit(small: float) -> None:
     """The response of a soft spring about its equilibrium, whose closing is worth 1/k digits."""
-    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     parameters = {"k": small, "b": 1, "c": 0, "w": 1.7, "s": 1e9}
     wanted = np.array([1 / small + 5 / (small - 1.7**2), 0, 1, 0])
     period = 2 * math.pi / 1.7

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.model import piecewise as module
-from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.shooting.shooting_map import finite_at, itinerary_shape, numbers_in
 from tests.declared_documents import chain
@@ -15,7 +15,7 @@ from tests.declared_documents import chain
 def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
     visited: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    kernels = kernels_of(chain())
+    kernels = load_system(chain())
     points = np.array([[1.0, 20.0], [1.1, 25.0], [1.2, 31.0]])
     whole = numbers_at(kernels, points)
     known = {place: k for group in whole for k, place in enumerate(group.places.tolist())}
@@ -40,7 +40,7 @@ def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
 
 
 def test_what_a_cycle_needs_is_finite() -> None:
-    kernels = kernels_of(chain())
+    kernels = load_system(chain())
     points = np.array([[1.0, 20.0], [np.inf, 20.0]])
     phases = [("free", "left-reaches"), ("left", "left-leaves")]
     for visited, sound in (((0, 2), True), ((0,), False)):

@@ -336,22 +336,6 @@ def test_at_a_fold_the_multiplier_is_one(n: int) -> None:
 # --- impacts with the ground --------------------------------------------------------------
 
 
-@pytest.mark.parametrize("r", [0.3, 0.5, 0.9])
-def test_the_bounces_of_a_ball_sum_up(r: float) -> None:
-    gravity, height = 9.81, 0.7
-    first = math.sqrt(2 * height / gravity)
-    end = first * (1 + 2 * r / (1 - r))
-    motion = ns.simulate(
-        page("bouncing_ball"), {"gravity": gravity, "r": r}, {"x": height, "v": 0}, until=2 * end
-    )
-    assert motion.configurations[-1] == "contact"
-    bounces = first * (1 + 2 * np.cumsum(r ** np.arange(1, 9)))
-    np.testing.assert_allclose(motion.times[2:10], bounces, rtol=1e-13)
-    resting = motion.times[list(motion.configurations).index("contact")]
-    assert resting == pytest.approx(end, rel=1e-9)
-    assert np.all(motion(2 * end) == 0)
-
-
 def test_a_ball_without_rebound_stays() -> None:
     motion = ns.simulate(page("bouncing_ball"), {"gravity": 2, "r": 0}, [1, 0], until=3.0)
     assert motion.configurations[-1] == "contact"

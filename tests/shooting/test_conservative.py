@@ -27,8 +27,8 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.equations.energy import energy_of, is_conservative
 from nonsmooth.derive.systems import SYSTEMS, declaration, elastic_stop, rigid_stop
-from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
-from tests.declared import Declared, itinerary_of, random_points
+from nonsmooth.runtime.model.kernels import load_orbit
+from tests.declared import RANGES, Declared, itinerary_of, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 POINTS: list[tuple[str, dict[str, str]]] = [
@@ -61,7 +61,7 @@ def matrix_of(rows: Any) -> Any:
 # --- the first integral -----------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", orbit_names())
+@pytest.mark.parametrize("name", RANGES)
 def test_which_orbits_are_conservative(name: str) -> None:
     itinerary = itinerary_of(name)
     if name == RIGID:

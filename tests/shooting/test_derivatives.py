@@ -1,16 +1,17 @@
 """Shooting maps with their derivatives, against the exponential in many digits."""
 
+from typing import Any
+
 import mpmath
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.model.kernels import compiled_engine, kernels_of
-from nonsmooth.runtime.model.piecewise import tables_at
-from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.shooting import derivatives
+from nonsmooth.runtime.model.kernels import compiled_engine, load_system
+from nonsmooth.runtime.model.piecewise import piecewise, tables_at
 from nonsmooth.runtime.shooting.derivatives import dependent_variational, shooting_derivatives
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
 from tests.declared_documents import chain
+from tests.engines import with_both
 
 PHASES = [("free", "left-reaches"), ("left", "left-leaves")]
 POINT = np.array([1.1, 25.0])
@@ -18,12 +19,13 @@ PLACE = 1  # the parameter that changes
 DWELL = np.array([0.83, 0.41])
 
 
-def cycle() -> ItineraryShape:
-    return itinerary_shape(structure_of(kernels_of(chain())), PHASES)
+def cycle() -> Any:
+    system = piecewise(chain(), {"k": POINT[0], "kappa": POINT[1]})
+    return itinerary_shape(system.structure, PHASES)
 
 
 def tables(points: np.ndarray) -> Numbers:
-    return Numbers(*tables_at(kernels_of(chain()), points))
+    return Numbers(*tables_at(load_system(chain()), points))
 
 
 def changes(point: np.ndarray, tiny: float = 1e-30) -> Numbers:
@@ -32,13 +34,13 @@ def changes(point: np.ndarray, tiny: float = 1e-30) -> Numbers:
     return Numbers(*(part.imag / tiny for part in tables(moved[None])[:3]))
 
 
-def start_of(shape: ItineraryShape) -> np.ndarray:
+def start_of(shape: Any) -> np.ndarray:
     return np.random.default_rng(4).normal(size=len(shape.structure.states))
 
 
-def exact(shape: ItineraryShape, dwell: list, start: list, point: list) -> tuple[list, list]:
+def exact(shape: Any, dwell: list, start: list, point: list) -> tuple[list, list]:
     """Boundary functions at the ends of the phases and the last state, at many digits."""
-    kernels, mp = kernels_of(chain()), mpmath.mp
+    kernels, mp = load_system(chain()), mpmath.mp
     size = len(start)
     fields, rows, resets = (
         kernels.source(name)(point, lib=Lib) for name in ("fields", "rows", "resets")
@@ -96,7 +98,7 @@ def test_they_are_the_derivatives_of_the_exponential() -> None:
 
 
 @pytest.mark.compiled
-def test_c_and_numpy_agree(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_c_and_numpy_agree() -> None:
     shape = cycle()
     random = np.random.default_rng(8)
     points = POINT + 0.1 * random.normal(size=(5, 2))
@@ -104,10 +106,9 @@ def test_c_and_numpy_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     start = random.normal(size=(5, len(shape.structure.states)))
     varied = Numbers(*(np.concatenate([changes(p)[k] for p in points]) for k in range(3)))
     for given in (None, varied):
-        compiled = shooting_derivatives(shape, tables(points), dwell, start, given)
-        with monkeypatch.context() as patch:
-            patch.setattr(derivatives, "compiled_engine", lambda: None)
-            plain = shooting_derivatives(shape, tables(points), dwell, start, given)
+        compiled, plain = with_both(
+            shooting_derivatives, shape, tables(points), dwell, start, given
+        )
         for mine, other in zip(compiled, plain, strict=True):
             assert mine.shape == other.shape
             np.testing.assert_allclose(mine, other, rtol=1e-11, atol=1e-11 * np.abs(other).max())

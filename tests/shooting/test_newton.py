@@ -12,17 +12,7 @@ import pytest
 from nonsmooth import InputError, NoConvergence
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.shooting.kernel_newton import solve_full, solve_reduced
-from nonsmooth.runtime.shooting.newton import (
-    CONVERGED,
-    GOING,
-    INVALID,
-    NEGATIVE,
-    STALLED,
-    climb,
-    damping,
-    iterate,
-    precisions,
-)
+from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, climb, damping, precisions
 
 
 @pytest.mark.parametrize("growth", [3.0, math.inf])
@@ -41,22 +31,6 @@ def test_a_damped_step_is_the_longest_that_keeps_dwell_times_within_bounds(growt
     assert (held[~whole] < 1e-12).all()
     assert (part > 0).all()
     assert damping(np.zeros((2, 0)), np.zeros((2, 0))).tolist() == [1, 1]
-
-
-def test_points_run_until_each_has_a_status_of_its_own() -> None:
-    """Point k ends at its k-th step; one that never does has taken them all."""
-    calls: list[int] = []
-    ends = np.array([3, 1, 99, 2, 3])
-    statuses = np.array([CONVERGED, INVALID, CONVERGED, CONVERGED, INVALID])
-
-    def advance(running: np.ndarray) -> np.ndarray:
-        calls.append(len(running))
-        return np.where(ends[running] == len(calls), statuses[running], GOING)
-
-    taken, status = iterate(5, advance)
-    assert taken.tolist() == [3, 1, 32, 2, 3]
-    assert status.tolist() == [CONVERGED, INVALID, STALLED, CONVERGED, INVALID]
-    assert calls == [5, 4, 3, *[1] * 29]
 
 
 class Line:
@@ -97,6 +71,21 @@ class Line:
 
     def durations(self, values: Any) -> dict[str, Any]:
         return {"tau": values["tau"] - self.ahead}
+
+
+def test_points_of_a_batch_end_as_each_alone() -> None:
+    """After steps of their own number, converged or not."""
+    kernels: Any = Line()
+    roots = np.array([[0.5], [40.0], [-20.0], [1e-3], [np.nan], [3.0], [-1e-6], [1e9]])
+    many = solve_reduced(kernels, roots, np.ones((8, 1)))
+    alone = [solve_reduced(kernels, root, np.array([1.0])) for root in roots]
+    assert many.status.tolist() == [one.status for one in alone]
+    assert many.iterations.tolist() == [one.iterations for one in alone]
+    assert len(set(many.iterations.tolist())) > 4
+    np.testing.assert_array_equal(many.unknowns, [one.unknowns for one in alone])
+    sound = many.status == CONVERGED
+    assert sound.tolist() == [True, True, False, True, False, True, False, True]
+    np.testing.assert_allclose(many.unknowns[sound], roots[sound], rtol=1e-8)
 
 
 @pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])

@@ -1,99 +1,40 @@
-"""Stability against a simulated Poincare map, which knows Coulomb's law and no itinerary."""
+"""Stability against the simulated Poincare map, which knows Coulomb's law and no itinerary."""
 
 from functools import cache
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import expm
-from scipy.optimize import brentq
 
-from nonsmooth import refine, solve, solve_many
+from nonsmooth import poincare_map, refine, simulate, solve, solve_many
+from tests.two_masses import RUBBING
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
 LOWER, UPPER = np.array([0.15, 0.3, 0.3, 1.5, 0.1]), np.array([0.85, 3.0, 1.5, 5.0, 1.5])
 
 
-class Friction:
-    """Two masses on the belt (Sec. 3), from one event to the next by matrix exponentials.
-
-    The next phase follows from Coulomb's law alone: at the belt's velocity a mass sticks if
-    the force on it is at most ur, and a force beyond ur lets it slip.
-    """
-
-    step = 0.02
-
-    def __init__(self, values, us1, us2):
-        self.chi, self.eta, self.speed = values["chi"], values["eta"], values["V"]
-        self.sliding = np.array([us1, us2])
-        self.sticking = np.array([us1 + values["e1"], us2 + values["e2"]])
-
-    def centre(self):
-        """The paper's shift d = x - z."""
-        us1, us2 = self.sliding
-        first = (us1 + us2) / (1 - self.chi)
-        return np.array([first, first + us2 / self.chi])
-
-    def generator(self, slips):
-        matrix = np.zeros((5, 5))  # the last coordinate is 1
-        matrix[:2, 2:4] = np.eye(2)
-        if slips[0]:
-            matrix[2, [0, 1, 4]] = -1, self.chi, self.sliding[0]
-        if slips[1]:
-            coupling = self.chi * self.eta
-            matrix[3, [0, 1, 4]] = coupling, -coupling, self.eta * self.sliding[1]
-        return matrix
-
-    def forces(self, y):
-        return np.array([y[0] - self.chi * y[1], self.chi * (y[1] - y[0])])
-
-    def excess(self, y, slips):
-        """What is positive where a phase has ended: r of a slipping mass, |f| - ur of another."""
-        return np.where(slips, y[2:4] - self.speed, np.abs(self.forces(y)) - self.sticking)
-
-    def advance(self, y, slips, times):
-        """State and which masses slip after the next event; its time is appended to times."""
-        matrix = self.generator(slips)
-        stride, elapsed = expm(matrix * self.step), 0.0
-        while not (self.excess(following := stride @ y, slips) > 0).any():
-            y, elapsed = following, elapsed + self.step
-            assert elapsed < 100
-        events = []
-        for mass in np.flatnonzero(self.excess(following, slips) > 0):
-
-            def crossing(t, y=y, mass=mass):
-                return self.excess(expm(matrix * t) @ y, slips)[mass]
-
-            begin = 0.0 if crossing(0.0) < 0 else 1e-9  # a phase may begin on its boundary
-            events.append((brentq(crossing, begin, self.step, xtol=1e-15, rtol=1e-15), mass))
-        time, mass = min(events)
-        y, slips = expm(matrix * time) @ y, slips.copy()
-        if slips[mass]:
-            y[2 + mass] = self.speed
-            slips[mass] = abs(self.forces(y)[mass]) > self.sticking[mass]
-        else:
-            assert self.forces(y)[mass] > 0, "pulled forward"
-            slips[mass] = True
-        times.append(elapsed + time)
-        return y, slips
-
-    def poincare_map(self, positions, times=None):
-        """Positions where both masses begin to stick, from those where they last did."""
-        times = [] if times is None else times
-        y = np.array([*positions, self.speed, self.speed, 1.0])
-        y, slips = self.advance(y, np.array([False, False]), times)
-        while slips.any():
-            y, slips = self.advance(y, slips, times)
-        return y[:2]
-
-
 def simulated(orbit, margin=0.3):
-    """A simulator with forces of friction that allow the orbit, and where the orbit starts."""
+    """Data whose forces of friction allow the orbit, and where it starts.
+
+    Simulation goes by Coulomb's law alone, in physical coordinates.
+    """
     bounds = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
-    friction = Friction(orbit.values, bounds["us1"] + margin, bounds["us2"] + margin)
-    start = np.array([orbit.values["z10"], orbit.values["z20"]]) + friction.centre()
-    return friction, start
+    data = {name: orbit.values[name] for name in ("chi", "eta", "V")}
+    data |= {name: bounds[name] + margin for name in ("us1", "us2")}
+    data |= {f"ur{k}": data[f"us{k}"] + orbit.values[f"e{k}"] for k in (1, 2)}
+    # the paper's shift d = x - z
+    first = (data["us1"] + data["us2"]) / (1 - data["chi"])
+    centre = np.array([first, first + data["us2"] / data["chi"], 0, 0])
+    start = [orbit.values["z10"], orbit.values["z20"], data["V"], data["V"]]
+    return data, start + centre
+
+
+def simulated_map(orbit):
+    """From where both masses begin to stick to where they next do, and where the orbit starts."""
+    data, start = simulated(orbit)
+    section = ("stick-slip", "second-reaches-belt", "stick-stick")
+    return poincare_map("dry-friction", data, section), start
 
 
 @cache
@@ -130,24 +71,17 @@ def unstable():
 
 def test_the_simulated_motion_is_the_orbit(orbits, unstable):
     for orbit in (*orbits, *unstable):
-        friction, start = simulated(orbit)
-        times = []
-        assert_allclose(friction.poincare_map(start, times), start, atol=1e-10)
-        assert_allclose(times, orbit.dwell_times.tolist(), atol=1e-10)
+        motion = simulate("dry-friction", *simulated(orbit), "stick-stick", transitions=4)
+        assert_allclose(motion.states[-1], motion.states[0], atol=1e-10)
+        assert motion.configurations[-1] == "stick-stick"
+        assert_allclose(np.diff(motion.times), orbit.dwell_times, atol=1e-10)
 
 
 def test_the_jacobian_is_that_of_the_simulated_map(orbits, unstable):
     for orbit in (*orbits, *unstable):
-        friction, start = simulated(orbit)
-        columns = []
-        for step in 1e-4 * np.eye(2):
-            near, far = (
-                (friction.poincare_map(start + k * step) - friction.poincare_map(start - k * step))
-                / (2e-4 * k)
-                for k in (1, 2)
-            )
-            columns.append((4 * near - far) / 3)
-        found = np.array(columns).T
+        mapped, start = simulated_map(orbit)
+        basis = mapped.basis[:2]  # velocities are the belt's
+        found = basis @ mapped.jacobian(start) @ basis.T
         jacobian = orbit.evaluate("poincare_jacobian")
         scale = np.abs(jacobian).max()
         assert_allclose(jacobian, found, atol=1e-6 * scale)
@@ -156,16 +90,20 @@ def test_the_jacobian_is_that_of_the_simulated_map(orbits, unstable):
         assert abs(np.linalg.det(found)) < 1e-6 * scale**2
 
 
+def distances(orbit, moved, count):
+    """From the orbit, after each of so many turns from a moved start."""
+    mapped, start = simulated_map(orbit)
+    there, found = start + np.array([*moved, 0, 0]), []
+    for _ in range(count):
+        there = mapped(there)
+        found.append((there - start)[0])
+    return np.array(found)
+
+
 def test_perturbations_change_by_the_trace_each_period(orbits, unstable):
     for orbit in (*orbits, *unstable):
-        friction, start = simulated(orbit)
-        there = start + np.array([1e-6, 2e-6])
-        distances = []
-        for _ in range(6):
-            there = friction.poincare_map(there)
-            distances.append((there - start)[0])
-        ratios = np.array(distances[1:]) / np.array(distances[:-1])
-        assert_allclose(ratios, orbit.trace, rtol=1e-3)
+        found = distances(orbit, (1e-6, 2e-6), 6)
+        assert_allclose(found[1:] / found[:-1], orbit.trace, rtol=1e-3)
 
 
 @pytest.mark.slow
@@ -173,11 +111,8 @@ def test_the_verdict_is_what_becomes_of_a_perturbation(unstable):
     stable = orbits_where(lambda many: np.abs(many.trace) < 0.7, 3)
     for orbit, verdict in [(o, "stable") for o in stable] + [(o, "unstable") for o in unstable]:
         assert orbit.stability.verdict == verdict
-        friction, start = simulated(orbit)
-        there = first = friction.poincare_map(start + np.array([1e-6, 0]))
-        for _ in range(12):
-            there = friction.poincare_map(there)
-        growth = np.abs(there - start).max() / np.abs(first - start).max()
+        found = np.abs(distances(orbit, (1e-6, 0), 13))
+        growth = found[-1] / found[0]
         assert growth == pytest.approx(abs(orbit.trace) ** 12, rel=0.01, abs=1e-3)
         assert (growth < 1) == (verdict == "stable")
 
@@ -264,11 +199,10 @@ def test_multipliers_come_by_decreasing_size(name, digits):
 
 
 def test_multipliers_of_composed_orbits_come_by_decreasing_size():
-    data = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
     named = solve("dry-friction/symmetric")
     composed = solve(
         "dry-friction",
-        data,
+        RUBBING,
         [*named.dwell_times],
         itinerary=named.itinerary,
     )

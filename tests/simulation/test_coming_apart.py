@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,7 +20,6 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
-from nonsmooth.runtime.simulation.coming_apart import DirectedMotion
 from tests.moved_motions import MovedMotion
 
 BY = ("p", "q", "s", "a0", "b0", "c0")
@@ -76,7 +77,7 @@ APART = {"one": (2, 3), "other": (1, 2), "high": (1, 1)}
 
 
 def one_sided_digits(
-    system: System, part: DirectedMotion, name: str, sign: int, times: np.ndarray
+    system: System, part: Any, name: str, sign: int, times: np.ndarray
 ) -> np.ndarray:
     """States' one-sided derivatives by differences in fifty digits along the part's sequence.
 
@@ -244,7 +245,7 @@ def test_configurations_that_were_not_visited_are_made() -> None:
         np.testing.assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
 
 
-def _part(motion: ns.Trajectory, name: str, sign: int) -> DirectedMotion:
+def _part(motion: ns.Trajectory, name: str, sign: int) -> Any:
     (part,) = motion.derivatives([name], one_sided="+" if sign > 0 else "-").parts
     return part
 

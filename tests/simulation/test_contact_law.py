@@ -21,23 +21,20 @@ from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.events import contact_choice
 from nonsmooth.runtime.events.transition_choice import Decider
-from nonsmooth.runtime.model.engine_run import Run, Status
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.present.checking.compare_declarations import compare
-from nonsmooth.runtime.simulation.starting import configuration_of
-from nonsmooth.runtime.simulation.stepping import run
+from tests.engines import with_both
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
 SIGN = sp.Symbol("sign", real=True)
 
 
-def both(system: System, data: dict[str, Any], start: list[float], until: float) -> tuple[Any, Run]:
-    """A motion by the engine that is there, and by the one in Python."""
-    motion = ns.simulate(system, data, start, until=until)
-    point = piecewise(system, data)
-    state = np.array(start, dtype=float)
-    return motion, run(point, state, configuration_of(point, state), until=until)
+def both(system: System, data: dict[str, Any], start: list[float], until: float) -> tuple[Any, Any]:
+    """A motion by the compiled engine, and by the one in Python."""
+    motion, other = with_both(ns.simulate, system, data, start, until=until)
+    return motion, other.run
 
 
 def stack(reverse: bool) -> System:
@@ -217,7 +214,7 @@ def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
     assert "what the contact law says at between-reaches-belt" in str(proof.reason)
 
 
-def least(point: PiecewiseLinear, state: np.ndarray, reached: set[int]) -> list[str]:
+def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
     """What each contact of a system at rest does, by minima of the primal problem."""
     law = point.structure.law
     assert law is not None
@@ -379,18 +376,29 @@ system = oscillator(
 """
 
 
-def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path) -> None:
-    file = tmp_path / "sliding.py"
-    file.write_text(SLIDING)
+def settled(folder: Path, text: str) -> tuple[ns.Orbit, list[float]]:
+    """The orbit of a file's system to which its motion comes, and a guess of it."""
+    file = folder / "declared.py"
+    file.write_text(text)
     motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
     itinerary, dwell, start = itinerary_of(motion)
-    orbit = ns.solve(str(file), {}, [*dwell.tolist(), *start.tolist()], itinerary=itinerary)
-    assert orbit.admissibility.verdict is True
-    proof = ns.certify(orbit)
+    guess = [*dwell, *start]
+    return ns.solve(str(file), {}, guess, itinerary=itinerary), guess
+
+
+def saved(proof: ns.Certificate, file: Path) -> Any:
+    """What the file of a proof holds."""
     assert set(proof.claims.values()) == {"proved"}
-    proof.save(tmp_path / "proof.json")
-    content = json.loads((tmp_path / "proof.json").read_text())
+    proof.save(file)
+    content = json.loads(file.read_text())
     check(content)
+    return content
+
+
+def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path) -> None:
+    orbit, _ = settled(tmp_path, SLIDING)
+    assert orbit.admissibility.verdict is True
+    content = saved(ns.certify(orbit), tmp_path / "proof.json")
     assert compare(content) is True
     taken = content["declaration"]["transitions"][0]
     assert len(taken["steps"]) == 2
@@ -412,15 +420,13 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path)
 
 
 def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path: Path) -> None:
-    file = tmp_path / "sliding.py"
-    file.write_text(SLIDING)
-    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
-    itinerary, dwell, start = itinerary_of(motion)
-    whole = ns.solve(str(file), {}, [*dwell, *start], itinerary=itinerary)
-    count = len(itinerary) // 2
+    whole, guess = settled(tmp_path, SLIDING)
+    itinerary, phases = whole.itinerary, len(whole.itinerary)
+    count = phases // 2
     turned = {name: f"-{name}" for name in ("x1", "x2", "v1", "v2", "c1", "s1")}
-    guess = [*dwell[:count], *start]
-    half = ns.solve(str(file), {}, guess, itinerary=itinerary[:count], symmetry=turned)
+    guess = [*guess[:count], *guess[phases:]]
+    file = str(tmp_path / "declared.py")
+    half = ns.solve(file, {}, guess, itinerary=itinerary[:count], symmetry=turned)
     assert half.itinerary == whole.itinerary
     assert half.admissibility.verdict is True
     np.testing.assert_allclose(half.states, whole.states, atol=1e-12)
@@ -435,16 +441,9 @@ CRAWLING = (
 
 
 def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path: Path) -> None:
-    file = tmp_path / "crawling.py"
-    file.write_text(CRAWLING)
-    motion = ns.simulate(str(file), {}, [0, 0.1, 0.1, 0, 1, 0], transitions=300)
-    itinerary, dwell, start = itinerary_of(motion)
-    proof = ns.certify(ns.solve(str(file), {}, [*dwell, *start], itinerary=itinerary))
-    assert set(proof.claims.values()) == {"proved"}
-    proof.save(tmp_path / "proof.json")
-    content = json.loads((tmp_path / "proof.json").read_text())
+    orbit, _ = settled(tmp_path, CRAWLING)
+    content = saved(ns.certify(orbit), tmp_path / "proof.json")
     assert content["closing"]["translations"] == [["1", "1", "0", "0", "0", "0"]]
-    check(content)
     law = content["declaration"]["law"]
     rows = [c[name] for c in law["contacts"] for name in ("static", "kinetic", "slipping")]
     reasons = []

@@ -9,11 +9,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import simulate_many
 from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
-from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.starting import configuration_of, start_state
-from nonsmooth.runtime.simulation.stepping import run
+from tests.engines import ENGINES, with_both, with_engine
 
 
 def stopped(
@@ -50,40 +46,31 @@ CASES = {  # the system, the start, until, the status
 }
 
 
+def followed(system: System, start: tuple[float, float], until: float) -> ns.Trajectory:
+    return ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=until, transitions=5)
+
+
+@pytest.mark.compiled
 @pytest.mark.parametrize("name", CASES)
-def test_every_motion_ends(name: str) -> None:
+def test_every_motion_ends_and_both_engines_say_how(name: str) -> None:
     system, start, until, status = CASES[name]
-    names = ("x", "v")
-    state = dict(zip(names, start, strict=True))
-    motion = ns.simulate(system, {}, state, until=until, transitions=5)
-    many = simulate_many(
-        system, {}, [start_state(motion.structure, state)] * 2, until=until, transitions=5
-    )
-    assert (many.status == motion.status).all()
-    if status is not None:
-        assert motion.status.name == status
-        assert motion.transitions == 0
-    if motion.status.name == "OVERFLOW":
-        assert "larger" in motion.message
+    ends = []
+    for engine in ENGINES[: 2 if status else 1]:  # what is shaken lasts in Python
+        motion = with_engine(engine, followed, system, start, until)
+        many = with_engine(
+            engine, simulate_many, system, {}, motion.states[:1], until=until, transitions=5
+        )
+        assert (many.status == motion.status).all()
+        if status is not None:
+            assert motion.status.name == status
+            assert motion.transitions == 0
+        if motion.status.name == "OVERFLOW":
+            assert "larger" in motion.message
+        ends.append(motion.end)
+    assert ends[-1] == pytest.approx(ends[0], rel=1e-12)
 
 
-@pytest.mark.parametrize("name", [name for name in CASES if CASES[name][3]])
-def test_the_reference_says_the_same(name: str) -> None:
-    system, start, until, status = CASES[name]
-    found = reference(system, start, until)
-    assert found.status.name == status
-    if compiled_engine() is not None:
-        motion = ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=until,
-                             transitions=5)  # fmt: skip
-        assert found.end == pytest.approx(motion.end, rel=1e-12)
-
-
-def reference(system: System, start: tuple[float, float], until: float) -> Run:
-    pieces = piecewise(system, {})
-    state = start_state(pieces.structure, dict(zip("xv", start, strict=True)))
-    return run(pieces, state, configuration_of(pieces, state), until, 5)
-
-
+@pytest.mark.compiled
 def test_random_motions_that_grow_agree_in_both_engines() -> None:
     """Negative stiffness, negative damping: impacts first, an escape in the end."""
     generator = np.random.default_rng(3)
@@ -91,8 +78,6 @@ def test_random_motions_that_grow_agree_in_both_engines() -> None:
         stiffness, damping = generator.uniform([-2, -1], [2, 0.5])
         start = (-float(generator.uniform(0, 2)), float(generator.normal()))
         system = stopped(sp.Float(stiffness), sp.Float(damping))
-        motion = ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=1e4,
-                             transitions=5)  # fmt: skip
-        found = reference(system, start, 1e4)
+        motion, found = with_both(followed, system, start, 1e4)
         assert (found.status, len(found.times)) == (motion.status, len(motion.times))
         np.testing.assert_allclose(found.times, motion.times, rtol=1e-9)

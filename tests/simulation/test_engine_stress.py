@@ -24,26 +24,15 @@ from stressing_motions import (
 from stressing_steps import broken_step
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, Status
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import follow
-from nonsmooth.runtime.simulation.stepping import run
+from tests.two_masses import STICKING
 
-DATA = {
-    "A": dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831"),
-    "B": dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1),
-}
-LIMITS = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1=2, ur2=2)
-SLOW = dict(chi="0.5", eta=1, V=10, us1=1, us2=1, ur1=2, ur2=2)
+LIMITS = STICKING | {"ur1": 2, "ur2": 2}
+SLOW = LIMITS | {"V": 10}
 compiled = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
-
-
-@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
-def backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
-    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
-    return request.param
 
 
 def friction(kind: str, *values: float) -> Motion:
@@ -117,8 +106,8 @@ def test_what_led_an_engine_astray(name: str) -> None:
 
 
 def test_a_step_that_does_not_follow_is_seen() -> None:
-    system = piecewise("dry-friction", DATA["A"])
-    found = run(system, np.array([0.1, 0.2, 0.3, -0.1]), 0, transitions=6)
+    system = piecewise("dry-friction", STICKING)
+    found = follow(system, np.array([0.1, 0.2, 0.3, -0.1]), 0, transitions=6)
     assert broken_step(system, found, 1.0) == ""
     for field, entry, change in (("times", 3, 1e-6), ("configurations", 4, 1), ("states", 2, 1e-6)):
         array = getattr(found, field).copy()
@@ -143,64 +132,6 @@ def test_a_wait_up_to_the_last_radian_ends_quietly() -> None:
         assert later.status == Status.UNTIL or len(later.times) > 1
 
 
-@compiled
-@pytest.mark.slow
-@pytest.mark.parametrize("name", DATA)
-def test_event_times_at_forty_digits(name: str) -> None:
-    """A thousand transitions by exact flows and Newton's method, from the same doubles."""
-    system, start = piecewise("dry-friction", DATA[name]), np.array([0.1, 0.2, 0.3, -0.1])
-    found = follow(system, start, 0, transitions=1000)
-    assert len(found.times) == 1001
-    lib = Mpmath(40)
-    mp, exact = lib.mp, piecewise_in("dry-friction", DATA[name], lib)
-    state, now = [*map(mp.mpf, start.tolist()), mp.mpf(1)], mp.mpf(0)
-    for k in range(1, 1001):
-        c = int(found.configurations[k - 1])
-        boundary = int(found.sets[k]).bit_length() - 1
-        row = exact.rows[exact.structure.boundaries[c][boundary].row]
-        parts = [
-            [sum(a * x for a, x in zip(r, state, strict=True)) for r in flow]
-            for flow in exact.flows[c]
-        ]
-
-        def after(t: object, c: int = c, parts: list = parts) -> list:
-            values = []
-            for (_, frequency), mode in zip(
-                exact.exponents[c], exact.structure.modes[c], strict=True
-            ):
-                angle = frequency * t
-                for power in range(mode.length):
-                    values.append(t**power * mp.cos(angle))
-                    if mode.oscillates:
-                        values.append(t**power * mp.sin(angle))
-            return [
-                *(sum(f * p[i] for f, p in zip(values, parts, strict=True)) for i in range(4)),
-                mp.mpf(1),
-            ]
-
-        dwell = mp.mpf(float(found.times[k] - found.times[k - 1]))
-        for _ in range(4):
-            there = after(dwell)
-            value = sum(a * x for a, x in zip(row, there, strict=True))
-            rate = [sum(a * x for a, x in zip(r, there, strict=True)) for r in exact.fields[c]]
-            slope = sum(a * x for a, x in zip(row[:-1], rate, strict=True))
-            dwell -= value / slope
-        now += dwell
-        assert abs(found.times[k] / now - 1) < 1e-12
-        there = after(dwell)
-        resets = {
-            t.reset
-            for t in exact.structure.transitions[c]
-            if sum(1 << b for b in t.boundaries) == found.sets[k]
-            and t.target == found.configurations[k]
-        }
-        matrix = exact.resets[resets.pop()]
-        state = [
-            *(sum(a * x for a, x in zip(r, there, strict=True)) for r in matrix),
-            mp.mpf(1),
-        ]
-
-
 @pytest.mark.parametrize(
     ("state", "expected"),
     [
@@ -218,33 +149,17 @@ def test_event_times_at_forty_digits(name: str) -> None:
         ([-9, -9, "0.9", 0], ("slip-slip", "overshoot-slip")),
     ],
 )
-def test_starts_on_boundaries(backend: str, state: list, expected: tuple[str, ...]) -> None:
+@pytest.mark.usefixtures("backend")
+def test_starts_on_boundaries(state: list, expected: tuple[str, ...]) -> None:
     motion = ns.simulate("dry-friction", LIMITS, state, transitions=1)
     assert motion.configurations == expected
     assert motion.times[1] > 0
 
 
-@pytest.mark.parametrize("r", ["0", "0.5", "0.9"])
-def test_impacts_end_in_a_contact_that_is_released(backend: str, r: str) -> None:
-    """The second mass pulls the first against the stop until it has swung back to x2 = 1."""
-    data = dict(m1=1, m2=1, k1=1, k2="0.05", r=r)
-    motion = ns.simulate("rigid-stop", data, ["0.999", 3, 0, 0], until=2)
-    contact = motion.configurations.index("contact")
-    assert motion.configurations[contact + 1] == "free"
-    state, before = motion.states[contact], motion.before[contact + 1]
-    assert state[0] == 1
-    assert state[2] == 0
-    assert state[1] > 1
-    assert before[1] == pytest.approx(1, abs=1e-12)
-    assert motion.times[contact] < 1 < motion.times[contact + 1]
-    dwell = np.diff(motion.times[1 : contact + 1])
-    assert (dwell >= 0).all()
-    assert dwell.size == 1 or dwell[-1] < 1e-12
-
-
 @pytest.mark.parametrize("system", ["elastic-stop", "rigid-stop"])
 @pytest.mark.parametrize("miss", [0.0, 1e-9, -1e-9])
-def test_grazing_within_rounding_and_a_miss(backend: str, system: str, miss: float) -> None:
+@pytest.mark.usefixtures("backend")
+def test_grazing_within_rounding_and_a_miss(system: str, miss: float) -> None:
     """Both masses in the slow mode, x1 = (1 - miss) cos wt."""
     data = dict(m1=1, m2=1, k1=2, k2=3) | ({"r": 1} if system == "rigid-stop" else {"k3": 1})
     ratio = 0.5  # of the slow mode, w^2 = 1
@@ -262,33 +177,18 @@ def test_grazing_within_rounding_and_a_miss(backend: str, system: str, miss: flo
         assert (motion.transitions > 0) == (miss < 0)
 
 
-def test_each_maximum_may_graze(backend: str) -> None:
+@pytest.mark.usefixtures("backend")
+def test_each_maximum_may_graze() -> None:
     data = dict(m1=1, m2=1, k1=2, k2=3, k3=1)
     motion = ns.simulate("elastic-stop", data, [-1, "-0.5", 0, 0], until=600)
     times = [g.time for g in motion.grazings]
     np.testing.assert_allclose(times, math.pi * np.arange(1, 191, 2), rtol=0, atol=1e-5)
 
 
-def test_what_never_comes(backend: str) -> None:
+@pytest.mark.usefixtures("backend")
+def test_what_never_comes() -> None:
     """At the centre of slip-slip it rests; around it no boundary is reached."""
     rest = ns.simulate("dry-friction", SLOW, [4, 6, 0, 0], until=1e9)
     assert (rest.status, rest.end, rest.transitions) == (Status.UNTIL, 1e9, 0)
     for state in ([4, 6, 0, 0], ["4.1", 6, 0, 0]):
         assert ns.simulate("dry-friction", SLOW, state, transitions=9).status == Status.QUIET
-
-
-@compiled
-def test_the_energy_of_elastic_impacts() -> None:
-    """Each impact errs by a few roundings, and they add up no faster than their number."""
-    data = dict(m1=1, m2=2, k1=1, k2=5, r=1)
-    system = piecewise("rigid-stop", data)
-    found = follow(system, np.array([0.2, -0.3, 1.5, 0.7]), 0, transitions=100_000)
-    x1, x2, v1, v2 = found.states.T
-    energy = (v1**2 + 2 * v2**2 + (x2 - x1) ** 2 + 5 * x2**2) / 2
-    drift = np.abs(energy / energy[0] - 1)
-    count = np.arange(1, len(energy))
-    assert len(energy) == 100_001
-    assert (drift[1:] <= 1e-15 + 5e-16 * count).all()
-    y1, y2, w1, w2 = found.before.T
-    before = (w1**2 + 2 * w2**2 + (y2 - y1) ** 2 + 5 * y2**2) / 2
-    assert np.abs(energy / before - 1).max() <= 5e-16

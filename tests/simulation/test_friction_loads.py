@@ -13,7 +13,6 @@ from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, RigidStop, SoftStop, System, oscillator
-from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -25,6 +24,7 @@ ROW = np.array([1, -0.25])  # of the direction along which friction acts
 NAMES = ("mu", "excess", "V", "phi", "N0", "a", "b", "A", "w")
 
 
+@cache
 def pad(*, load: bool, falling: bool, side: int = 1, image: int = 1) -> System:
     """A pad on a belt that is pressed by N0 - a y - b y'.
 
@@ -42,11 +42,6 @@ def pad(*, load: bool, falling: bool, side: int = 1, image: int = 1) -> System:
     return oscillator(
         "pad", ["x", "y"], MASS, STIFFNESS, DAMPING, forcing=[forcing], elements=[friction]
     )
-
-
-@cache
-def kernels(**kind: Any) -> Any:
-    return kernels_of(pad(**kind))
 
 
 def drawn(rng: np.random.Generator, *, load: bool, falling: bool) -> dict[str, float]:
@@ -162,7 +157,7 @@ def test_pads_move_as_an_integrator_with_events_says(load: bool, falling: bool) 
         hand = ByHand(values)
         start = rng.uniform(-0.3, 0.3, 4)
         motion = ns.simulate(
-            kernels(load=load, falling=falling), values, [*start, 1, 0], until=times[-1]
+            pad(load=load, falling=falling), values, [*start, 1, 0], until=times[-1]
         )
         assert motion.end == times[-1]
         seen |= set(motion.configurations)
@@ -201,11 +196,9 @@ def rubbing(what: str) -> Any:
         "two": [pad(normal=load), Friction("y", 0.1, normal=0.3 + 2 * x - 0.2 * v, name="guide")],
     }
     forcing = Harmonic(1.3, {"x": between(-1, 1), "y": between(1.5, 2)})
-    return kernels_of(
-        oscillator(
-            "rubbing", ["x", "y"], np.eye(2), STIFFNESS, DAMPING,
-            forcing=[forcing], elements=elements[what],
-        )
+    return oscillator(
+        "rubbing", ["x", "y"], np.eye(2), STIFFNESS, DAMPING,
+        forcing=[forcing], elements=elements[what],
     )  # fmt: skip
 
 
@@ -220,12 +213,12 @@ RUBBING = ("exhausted pad and wall", "soft stop", "damped soft stop", "released 
     ],
 )
 def test_friction_stays_within_the_cone_of_its_load_and_brakes(what: str) -> None:
-    kernels, rng = rubbing(what), np.random.default_rng(len(what))
-    system = piecewise(kernels, {})
+    rng = np.random.default_rng(len(what))
+    system = piecewise(rubbing(what), {})
     seen = set[str]()
     for _ in range(4):
         start = rng.uniform([-0.3, -0.3, -1, -1], [0, 0, 1, 1])
-        motion = ns.simulate(kernels, {}, [*start, 1, 0], until=12.0)
+        motion = ns.simulate(rubbing(what), {}, [*start, 1, 0], until=12.0)
         assert motion.end == 12.0
         seen |= set(motion.configurations)
         times = np.sort(rng.uniform(0, 12, 100))
@@ -271,11 +264,9 @@ def test_a_soft_stop_bears_the_load(falling: bool) -> None:
         dict(zip("xy", ROW.tolist(), strict=True)), mu, mu + excess,
         velocity=V, falling=phi if falling else 0, normal=stop, name="pad",
     )  # fmt: skip
-    system = kernels_of(
-        oscillator(
-            "borne", ["x", "y"], MASS, STIFFNESS, DAMPING,
-            forcing=[Harmonic(w, {"y": A})], elements=[stop, friction],
-        )
+    system = oscillator(
+        "borne", ["x", "y"], MASS, STIFFNESS, DAMPING,
+        forcing=[Harmonic(w, {"y": A})], elements=[stop, friction],
     )  # fmt: skip
     rng, times, seen = np.random.default_rng(3), np.linspace(0, 15, 61), set[str]()
     for _ in range(4):
@@ -298,11 +289,11 @@ def test_mirrored_declarations_have_mirrored_motions() -> None:
     for _ in range(2):
         values = drawn(rng, load=True, falling=True)
         start = rng.uniform(-0.5, 0.5, 4)
-        given = ns.simulate(kernels(load=True, falling=True), values, [*start, 1, 0], until=15.0)
+        given = ns.simulate(pad(load=True, falling=True), values, [*start, 1, 0], until=15.0)
         names = ["-".join(exchanged.get(w, w) for w in n.split("-")) for n in given.configurations]
         for side, image in ((-1, 1), (1, -1)):
             other = ns.simulate(
-                kernels(load=True, falling=True, side=side, image=image),
+                pad(load=True, falling=True, side=side, image=image),
                 values, [*(image * start), 1, 0], until=15.0,
             )  # fmt: skip
             assert list(other.configurations) == names
@@ -315,9 +306,7 @@ def test_a_block_without_a_force_along_its_belt_lifts_and_lands_at_rest() -> Non
     c = sp.Symbol("c1")
     pads = [Friction(x, 0.3, 0.4, velocity=1, normal=1 + 2 * c, name=f"{x}-pad") for x in "xy"]
     zero = np.zeros((2, 2))
-    system = kernels_of(
-        oscillator("blocks", ["x", "y"], MASS, zero, forcing=[Harmonic(1)], elements=pads)
-    )
+    system = oscillator("blocks", ["x", "y"], MASS, zero, forcing=[Harmonic(1)], elements=pads)
     motion = ns.simulate(system, {}, [0, 0, 1, 1, 1, 0], until=10.0)
     assert motion.configurations == tuple(["stick-stick", "lifted-lifted"] * 2)
     assert np.allclose(motion.times[1:], np.array([2, 4, 8]) * math.pi / 3, atol=1e-12)
@@ -329,7 +318,7 @@ def test_behind_an_impact_the_load_tells_the_regime() -> None:
     rate, eye = sp.Symbol("v_y"), np.eye(2)
     pad = Friction("x", 0.3, velocity=1, normal=0.5 + 0.4 * rate, name="pad")
     stop = RigidStop("y", at=0, restitution=1, name="stop")
-    system = kernels_of(oscillator("struck", ["x", "y"], eye, eye, elements=[pad, stop]))
+    system = oscillator("struck", ["x", "y"], eye, eye, elements=[pad, stop])
     motion = ns.simulate(system, {}, [0, -0.5, 0, 2], transitions=2)
     assert motion.configurations == ("slip-free", "lifted-free", "slip-free")
     assert motion.boundaries[1:] == (("stop-reaches-stop",), ("pad-lands",))
@@ -342,7 +331,7 @@ def test_a_plastic_impact_leaves_a_contact_at_rest() -> None:
     """On the ground, against a stop without rebound: the pad is at rest, then held."""
     pad = Friction("x", 0.3, 0.4, normal=1 + sp.Symbol("x"), falling=0.1, name="pad")
     stop = RigidStop("x", at=0.2, restitution=0, name="stop")
-    system = kernels_of(oscillator("held", ["x"], [[1]], [[1]], load=[2], elements=[pad, stop]))
+    system = oscillator("held", ["x"], [[1]], [[1]], load=[2], elements=[pad, stop])
     motion = ns.simulate(system, {}, [0, 0], until=5.0)
     assert motion.configurations[-1].endswith("contact")
     assert np.allclose(motion(5.0), [0.2, 0], atol=1e-14)
@@ -351,7 +340,7 @@ def test_a_plastic_impact_leaves_a_contact_at_rest() -> None:
 def test_an_orbit_with_exhausted_friction_is_certified() -> None:
     """Self-excited: the slope is above the damping, until no friction is left."""
     belt = Friction("x", 1, 1.2, velocity=1, falling=0.6, name="belt")
-    system = kernels_of(oscillator("falling", ["x"], [[1]], [[1]], [[0.05]], elements=[belt]))
+    system = oscillator("falling", ["x"], [[1]], [[1]], [[0.05]], elements=[belt])
     found = ns.itinerary_of(ns.simulate(system, {}, [0, 1], until=60.0))
     assert found.itinerary[:3] == (
         ("slip", "belt-exhausts"),

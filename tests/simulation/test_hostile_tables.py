@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,22 +21,15 @@ from nonsmooth import InputError
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
-from nonsmooth.runtime.simulation.stepping import run
+from tests.engines import with_both, with_engine
 from tests.places import CHECKOUT
+from tests.two_masses import SYSTEMS
 
-DATA = {
-    "dry-friction": dict(
-        chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1
-    ),
-    "rigid-stop": dict(m1=1, m2=2, k1=1, k2=5, r="0.6"),
-    "elastic-stop": dict(m1=1, m2=2, k1=1, k2=5, k3=40),
-}
 HOSTILE = (math.inf, -math.inf, math.nan, 1e308, -1e308, 5e-324, -5e-324, 1e150, 1e-150, 1e30, 0.0)
 LIMIT = 20.0  # seconds of one motion
-COMPILED = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
 
 
 class Late(BaseException):
@@ -56,7 +50,7 @@ def limited() -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-def tables(rng: np.random.Generator, system: PiecewiseLinear) -> np.ndarray:
+def tables(rng: np.random.Generator, system: Any) -> np.ndarray:
     """Numbers of a system with a few that are hostile, anywhere or among the exponents."""
     numbers = numbers_of(system).copy()
     before = system.fields.size + system.rows.size + system.resets.size
@@ -71,7 +65,7 @@ def tables(rng: np.random.Generator, system: PiecewiseLinear) -> np.ndarray:
     return numbers
 
 
-def of_numbers(system: PiecewiseLinear, numbers: np.ndarray) -> PiecewiseLinear:
+def of_numbers(system: Any, numbers: np.ndarray) -> Any:
     shaped, place = [], 0
     for part in (*system.numbers, *system.exponents, *system.flows):
         shaped.append(numbers[place : place + part.size].reshape(part.shape))
@@ -85,12 +79,12 @@ def of_numbers(system: PiecewiseLinear, numbers: np.ndarray) -> PiecewiseLinear:
     )
 
 
-@COMPILED
 @pytest.mark.compiled
-@pytest.mark.parametrize("name", DATA)
+@pytest.mark.parametrize("name", SYSTEMS)
 def test_every_table_has_an_answer_or_a_status(name: str) -> None:
-    system, rng = piecewise(name, DATA[name]), np.random.default_rng([*name.encode()])
+    system, rng = piecewise(name, SYSTEMS[name]), np.random.default_rng([*name.encode()])
     engine, told = compiled_engine(), set()
+    assert engine is not None
     for _ in range(60):
         numbers, state = tables(rng, system), rng.normal(size=(1, 4))
         if rng.random() < 0.3:
@@ -105,28 +99,27 @@ def test_every_table_has_an_answer_or_a_status(name: str) -> None:
     assert {Status.OVERFLOW, Status.UNTIL} <= told
 
 
-@pytest.mark.parametrize("name", DATA)
+@pytest.mark.parametrize("name", SYSTEMS)
 def test_the_engine_in_python_ends_too(name: str) -> None:
-    system, rng = piecewise(name, DATA[name]), np.random.default_rng([*name.encode()])
+    system, rng = piecewise(name, SYSTEMS[name]), np.random.default_rng([*name.encode()])
     for _ in range(20):
         changed = of_numbers(system, tables(rng, system))
         until = float(rng.choice([10.0, 1e-300, 100.0]))
         with limited(), np.errstate(all="ignore"):
-            found = run(changed, rng.normal(size=4), 0, until, 5)
+            found = with_engine("numpy", follow, changed, rng.normal(size=4), 0, until, 5)
         assert found.status in Status
 
 
-@COMPILED
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", ["rigid-stop", "elastic-stop"])
 def test_both_engines_tell_the_same_of_hostile_parameters(name: str) -> None:
     """Parameters over 40 decades: tables that a system may have."""
-    rng, names = np.random.default_rng([*name.encode(), 1]), [n for n in DATA[name] if n != "r"]
+    rng, names = np.random.default_rng([*name.encode(), 1]), [n for n in SYSTEMS[name] if n != "r"]
     compared = 0
     for _ in range(40):
         data = {n: float(10.0 ** rng.uniform(-1, 1)) for n in names}
         data[str(rng.choice(names))] = float(10.0 ** rng.uniform(-20, 20))
-        data |= {"r": 0.6} if "r" in DATA[name] else {}
+        data |= {"r": 0.6} if "r" in SYSTEMS[name] else {}
         try:
             system = piecewise(name, data)
         except InputError:
@@ -137,8 +130,7 @@ def test_both_engines_tell_the_same_of_hostile_parameters(name: str) -> None:
         fastest = max(float(np.hypot(*part.T).max()) for part in system.exponents)
         until = float(30 / fastest)
         with limited(), np.errstate(all="ignore"):
-            known = run(system, state, 0, until, 3)
-            found = follow(system, state, 0, until, 3)
+            found, known = with_both(follow, system, state, 0, until, 3)
         assert found.status == known.status, data
         assert len(found.times) == len(known.times), data
         compared += 1

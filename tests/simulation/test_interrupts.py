@@ -15,15 +15,14 @@ import nonsmooth as ns
 from nonsmooth.runtime.core.threads import check_called_off, thread_pool
 from nonsmooth.runtime.explore.charting.threads import run_threads
 from nonsmooth.runtime.model.kernels import load_orbit
+from tests.two_masses import CHAIN, RUBBING
 
 pytestmark = [
     pytest.mark.compiled,
     pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer that sends signals"),
 ]
-FRICTION = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
 GRAZING = dict(m1=1, m2=1, k1=2, k2=3, k3=1)
 STARTS = np.random.default_rng(0).normal(size=(40_000, 4))
-STOP = dict(m1=1, m2=2, k1=1, k2=5, k3=40)
 CONTACTS = [("free", "first-reaches-stop"), ("contact", "first-leaves-stop")]
 MANY = 1_000_000
 AFTER = 0.4  # seconds
@@ -45,20 +44,20 @@ def admissible(count: int) -> object:
 
 def chart_threads() -> None:
     def work(number: int) -> None:
-        ns.simulate_many("dry-friction", FRICTION, STARTS, until=1e9, transitions=10**9, threads=1)
+        ns.simulate_many("dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=1)
 
     run_threads(work, range(4), 2, lambda done: None)
 
 
 CASES: dict[str, Callable[[], object]] = {
     "a motion": lambda: ns.simulate(
-        "dry-friction", FRICTION, [0.1, 0.2, 0.3, -0.1], until=1e9, transitions=10**8
+        "dry-friction", RUBBING, [0.1, 0.2, 0.3, -0.1], until=1e9, transitions=10**8
     ),
     "a motion without events": lambda: ns.simulate(
         "elastic-stop", GRAZING, [-1, "-0.5", 0, 0], until=1e9
     ),
     "many motions": lambda: ns.simulate_many(
-        "dry-friction", FRICTION, STARTS, until=1e9, transitions=10**9, threads=2
+        "dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=2
     ),
     "orbits in one call": lambda: ns.solve_many(
         "dry-friction/global-stick", {"eta": np.linspace(0.9, 1.1, MANY)}, threads=1, chunk=MANY
@@ -68,7 +67,7 @@ CASES: dict[str, Callable[[], object]] = {
     ),
     "long orbits": lambda: admissible(2000),
     "orbits of an itinerary": lambda: ns.solve_many(
-        "elastic-stop", {**STOP, "k3": np.linspace(5, 40, MANY // 2)}, [1.0, 1.0],
+        "elastic-stop", {**CHAIN, "k3": np.linspace(5, 40, MANY // 2)}, [1.0, 1.0],
         itinerary=CONTACTS, admissibility=False, threads=2,
     ),
     "chunks of a chart": chart_threads,

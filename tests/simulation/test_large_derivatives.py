@@ -10,8 +10,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
-from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
-from nonsmooth.runtime.simulation.flow_derivatives import configuration_flows
+from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from tests.moved_motions import MovedMotion
 
 DATA = {"k": 2.0, "F": 1.0, "w": 1.1, "gap": 0.05, "r": 0.8}
@@ -89,24 +88,36 @@ def test_chains_agree_with_fifty_digits(count: int) -> None:
 
 
 def test_factors_and_matrices_have_the_same_derivatives() -> None:
-    system = chain(9)
-    start = {name: 0.0 for name in (f"{a}{i}" for a in "xv" for i in range(1, 10))}
-    motion = ns.simulate(system, DATA, start, transitions=8)
-    factored = motion.system
-    dense = replace(factored, flows=tuple(matrices_of(flows) for flows in factored.flows))
-    own = motion.run.configurations[:-1].astype(int), np.diff(motion.times), motion.states[:-1]
-    (one,), (other,) = (
-        [flows for *_, flows in configuration_flows(each, *own)] for each in (factored, dense)
-    )
-    np.testing.assert_allclose(one.matrices, other.matrices, atol=1e-12)
-    rng = np.random.default_rng(1)
-    fields = rng.normal(size=(3, *factored.fields.shape[1:]))
-    np.testing.assert_allclose(one.changes(fields), other.changes(fields), atol=1e-11)
-    factors = rng.normal(size=(8, len(motion.names)))
-    found, expected = one.gradients(factors), other.gradients(factors)
-    np.testing.assert_allclose(found, expected, atol=1e-11)
-    moved = np.einsum("nij,ni->j", one.changes(fields), factors)
-    np.testing.assert_allclose(np.tensordot(fields, found), moved, rtol=1e-11)
+    motion = ns.simulate(chain(9), DATA, [0.0] * 18 + [1.0, 0.0], transitions=8)
+    flows = tuple(flows.all() for flows in motion.system.flows)
+    dense = replace(motion, system=replace(motion.system, flows=flows))
+    one, other = (each.derivatives(times=[0.5, motion.end / 2]) for each in (motion, dense))
+    for name in ("states", "event_times", "before", "behind"):
+        np.testing.assert_allclose(getattr(one, name), getattr(other, name), atol=1e-10)
+    factors = np.random.default_rng(1).normal(size=one.states.shape[:2])
+    found, expected = one.vjp(states=factors), other.vjp(states=factors)
+    np.testing.assert_allclose(found, expected, atol=1e-10)
+    np.testing.assert_allclose(found, np.tensordot(factors, one.states, 2), atol=1e-10)
+
+
+def test_factors_and_matrices_have_the_same_exponent() -> None:
+    motion = ns.simulate(chain(9), DATA, [0.0] * 18 + [1.0, 0.0], transitions=150)
+    flows = tuple(flows.all() for flows in motion.system.flows)
+    dense = replace(motion, system=replace(motion.system, flows=flows))
+    one, other = (ns.lyapunov(each, motion.end / 4).value for each in (motion, dense))
+    assert one == pytest.approx(other, rel=1e-9)
+
+
+@pytest.mark.usefixtures("backend")
+def test_motions_at_many_points_are_those_at_each() -> None:
+    system, start = chain(9), [0.0] * 18 + [1.0, 0.0]
+    stiffness = np.array([2.0, 2.5, 3.0])
+    many = ns.simulate_many(system, DATA | {"k": stiffness}, start, transitions=4)
+    for k, time, state in zip(stiffness, many.times, many.states, strict=True):
+        one = ns.simulate(system, DATA | {"k": k}, start, transitions=4)
+        assert isinstance(one.system.flows[0], FactoredFlows)
+        assert time == pytest.approx(one.end, rel=1e-12)
+        np.testing.assert_allclose(state, one.states[-1], atol=1e-11)
 
 
 @pytest.mark.slow

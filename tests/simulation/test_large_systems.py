@@ -11,19 +11,15 @@ import sympy as sp
 
 from nonsmooth import simulate
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
-from nonsmooth.runtime.model.engine_run import Run, Status
+from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.modes import numeric_modes
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.structure import ModeShape
-from nonsmooth.runtime.simulation.engines import run_compiled, run_motions
+from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
-from nonsmooth.runtime.simulation.stepping import run
+from tests.engines import with_both, with_engine
 from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
 
-compiled = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+pytestmark = pytest.mark.compiled
 
 
 def start_of(count: int, seed: int) -> np.ndarray:
@@ -33,29 +29,7 @@ def start_of(count: int, seed: int) -> np.ndarray:
     return np.array([*place, *rng.normal(size=count), np.cos(phase), np.sin(phase)])
 
 
-def chain_of(kind: str, count: int, rubbing: int | None) -> PiecewiseLinear:
-    """A chain with modes from eigenvectors found here, or by the package."""
-    system = chain(count, rubbing, kind != "matrices")
-    if kind != "modes of the package":
-        return system
-    modes = [numeric_modes(field) for field in system.fields]
-    return replace(
-        system,
-        structure=replace(system.structure, modes=tuple(m.shapes for m in modes)),
-        exponents=tuple(m.exponents for m in modes),
-        flows=tuple(m.flows for m in modes),
-    )
-
-
-def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tuple[Run, Run]:
-    engine = compiled_engine()
-    assert engine is not None
-    found = run_compiled(engine, system, state, 0, transitions=transitions)
-    return found, run(system, state, 0, transitions=transitions)
-
-
-@compiled
-@pytest.mark.parametrize("kind", ["matrices", "factors", "modes of the package"])
+@pytest.mark.parametrize("factored", [False, True])
 @pytest.mark.parametrize(
     ("count", "rubbing", "transitions"),
     [
@@ -69,14 +43,12 @@ def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tup
     ],
 )
 def test_chains_follow_matrix_exponentials(
-    count: int, rubbing: int | None, transitions: int, kind: str
+    count: int, rubbing: int | None, transitions: int, factored: bool
 ) -> None:
-    system, state = chain_of(kind, count, rubbing), start_of(count, 3)
+    system, state = chain(count, rubbing, factored), start_of(count, 3)
     if rubbing is not None:
         state[count + rubbing] = abs(state[count + rubbing])
-    engine = compiled_engine()
-    assert engine is not None
-    found = run_compiled(engine, system, state, 0, transitions=transitions)
+    found = with_engine("c", follow, system, state, 0, transitions=transitions)
     times, places, states = integrated(system, state, 0, transitions)
     assert found.configurations.tolist() == places
     assert rubbing is None or set(places) == {0, 1, 2}
@@ -84,41 +56,41 @@ def test_chains_follow_matrix_exponentials(
     np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-11)
 
 
-@compiled
 @pytest.mark.parametrize("factored", [False, True])
 @pytest.mark.parametrize(("count", "rubbing"), [(9, None), (20, None), (12, 5)])
 def test_chains_follow_the_other_engine(count: int, rubbing: int | None, factored: bool) -> None:
-    found, known = engines(chain(count, rubbing, factored), start_of(count, 5), 20)
+    system = chain(count, rubbing, factored)
+    found, known = with_both(follow, system, start_of(count, 5), 0, transitions=20)
     assert (found.status, found.sets.tolist()) == (known.status, known.sets.tolist())
     assert found.configurations.tolist() == known.configurations.tolist()
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
     np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
 
 
-@compiled
 @pytest.mark.parametrize("count", [15, 16, 17, 40])
 def test_stops_reached_one_by_one(count: int) -> None:
     """30 to 80 boundaries: each mass by itself meets its next stop after half a swing."""
     rng = np.random.default_rng(count)
     gaps = rng.uniform(0.3, 0.6, 2 * count)
     state = np.array([*np.zeros(count), *rng.uniform(0.9, 1.1, count)])
-    found, known = engines(masses_apart(count, gaps), state, count + 5)
+    system = masses_apart(count, gaps)
+    found, known = with_both(follow, system, state, 0, transitions=count + 5)
     assert found.sets.dtype == (np.int32 if 2 * count < 32 else object)
     assert found.sets.tolist() == known.sets.tolist()
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-12)
     for mass in range(count):
-        place = next(k for k, mask in enumerate(found.sets) if mass in members_of(mask))
+        place = next(k for k, mask in enumerate(found.sets) if mask >> mass & 1)
         assert found.times[place] == pytest.approx(math.asin(gaps[mass] / state[count + mass]))
 
 
-@compiled
 def test_many_stops_reached_together() -> None:
     """Forty masses go as one: sets of forty boundaries, in words that differ."""
     count, gap = 40, 0.5
     system = masses_apart(count, np.full(2 * count, gap))
     state = np.array([*np.zeros(count), *np.ones(count)])
-    found, known = engines(system, state, 8)
-    right, left = mask_of(range(count)), mask_of(range(count, 2 * count))
+    found, known = with_both(follow, system, state, 0, transitions=8)
+    right = (1 << count) - 1
+    left = right << count
     assert found.sets.tolist() == known.sets.tolist() == [0, *[right, left] * 4]
     speed, time = 1.0, 0.0
     for k in range(8):
@@ -128,7 +100,6 @@ def test_many_stops_reached_together() -> None:
         assert found.times[k + 1] == pytest.approx(time, abs=1e-12)
 
 
-@compiled
 def test_what_is_kept_of_many_motions() -> None:
     count, kept = 20, 5
     rng = np.random.default_rng(1)
@@ -140,36 +111,10 @@ def test_what_is_kept_of_many_motions() -> None:
     numbers = numbers_of(system)[None]
     ends = run_motions(engine, system.structure, numbers, zeros, states, zeros, until, 44, kept)
     for state, sets in zip(states, ends.kept_sets, strict=True):
-        known = run(system, state, 0, transitions=44)
+        known = with_engine("numpy", follow, system, state, 0, transitions=44)
         assert [sets[k % kept] for k in range(40, 45)] == known.sets[40:].tolist()
 
 
-def test_masks_are_words_and_back() -> None:
-    rng = np.random.default_rng(2)
-    for count in (15, 16, 17, 40):
-        structure = masses_apart(count, np.ones(2 * count)).structure
-        sets = [frozenset(rng.choice(2 * count, 3).tolist()) for _ in range(20)]
-        masks = [mask_of(s) for s in sets]
-        words = words_of(structure, masks)
-        assert words.shape == (20, -(-2 * count // 32))
-        assert masks_of(structure, words).tolist() == masks
-        assert [members_of(mask) for mask in masks] == sets
-
-
-@compiled
-def test_the_compiled_engine_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A motion of 40 masses ends as it would in Python, whichever engine is asked for."""
-    system, state = chain(40), start_of(40, 7)
-    monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
-    found = follow(system, state, 0, transitions=200)
-    assert len(found.times) == 201
-    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
-    known = follow(system, state, 0, transitions=2)
-    assert found.sets[:3].tolist() == known.sets.tolist()
-    np.testing.assert_allclose(found.states[:3], known.states, rtol=0, atol=1e-11)
-
-
-@compiled
 def test_a_declared_chain() -> None:
     """Twelve masses through the declaration, derived in a second: the motion of the matrices."""
     count = 12
@@ -188,12 +133,11 @@ def test_a_declared_chain() -> None:
         parameters=[place],
     )
     found = simulate(declared, {"place": "0.3"}, start_of(count, 9), transitions=15)
-    known = run(chain(count), start_of(count, 9), 0, transitions=15)
+    known = with_engine("numpy", follow, chain(count), start_of(count, 9), 0, transitions=15)
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
     np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
 
 
-@compiled
 def test_factors_that_no_mode_has_are_refused() -> None:
     """A layout that says of a mode that it has factors, and does not count them, or of a chain."""
     engine = compiled_engine()
@@ -201,7 +145,7 @@ def test_factors_that_no_mode_has_are_refused() -> None:
     system = chain(10)
     structure = system.structure
     (shapes,) = structure.shapes
-    longer = ModeShape(2, False, (0, 1), factored=True)
+    longer = replace(shapes[0], length=2, places=(0, 1), factored=True)
     joined = replace(shapes[1], joined=True, factored=True)
     layouts = [
         layout_of(replace(structure, modes=(modes,)))
@@ -217,7 +161,6 @@ def test_factors_that_no_mode_has_are_refused() -> None:
             engine.compose(layout, np.zeros(3, dtype=np.int32), *real * 6, none, none, 0)
 
 
-@compiled
 @pytest.mark.parametrize(("count", "growing"), [(12, False), (20, False), (12, True)])
 def test_rounding_by_factors_is_bounded_as_by_matrices(count: int, growing: bool) -> None:
     """What a decider is told of an event: never less than by matrices, and not much more."""
@@ -275,7 +218,6 @@ for states, length in ((30000, 1), (1 << 28, 1), (1 << 28, 1 << 28)):
 """
 
 
-@compiled
 @pytest.mark.skipif(sys.platform != "linux", reason="limits of address space are Linux's")
 def test_too_little_memory_is_an_error_and_no_crash() -> None:
     told = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True)

@@ -12,28 +12,16 @@ from nonsmooth import InputError, Trajectory, lyapunov, simulate, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.explore.finding.stretching import stretching
 from nonsmooth.runtime.model.flows import flow_states
-from nonsmooth.runtime.model.kernels import kernels_of
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
 from nonsmooth.runtime.simulation.recurrence import scales_of
-from nonsmooth.runtime.simulation.tangent import tangent_map
+from tests.two_masses import CHAIN, RUBBING, STICKING
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
-DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-DATA_B = {
-    **{"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"},
-    **{"us2": "0.5", "ur2": 1},
-}
-ELASTIC = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 3}
-RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+ELASTIC, RIGID = CHAIN | {"k3": 3}, CHAIN | {"r": 1}
 IMPACT = "docs/gallery/impact_oscillator.py"
-
-
-@cache
-def friction(name: str = "B") -> Trajectory:
-    data = DATA_A if name == "A" else DATA_B
-    return simulate("dry-friction", data, [0.3, -0.2, 0.1, 0.4], until=200)
 
 
 # --- exponents of periodic orbits
@@ -128,7 +116,7 @@ def test_the_impact_oscillator(r: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(("system", "data", "start"), [
     ("docs/gallery/mass_on_belt.py", {"u": 1, "e": "0.3", "V": "0.5"}, {"x": 0, "v": 0}),
-    ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4]),
+    ("dry-friction", RUBBING, [0.3, -0.2, 0.1, 0.4]),
 ])  # fmt: skip
 def test_exponents_without_forcing(system: str, data: dict, start: object) -> None:
     law(system, ns.simulate(system, data, start, transitions=1000))
@@ -153,7 +141,7 @@ def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
 def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None:
     motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
     one = lyapunov(motion, motion.end / 5)
-    kernels = kernels_of(IMPACT)
+    kernels = load_system(IMPACT)
     values = {name: float(value) for name, value in motion.system.parameters.items()}
     many = simulate_many(kernels, values, motion.states[-1:], transitions=200, keep=129)
     found = stretching(kernels, values, many, scales_of(motion.system, many))
@@ -242,14 +230,10 @@ def test_the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() -> None:
     assert spectrum == (lyapunov(trajectory, since), *[(-math.inf, 0.0)] * 2)
 
 
-@pytest.mark.parametrize("since", [0.0, 7.0, 23.4])
-def test_cutting_a_phase_changes_nothing(since: float) -> None:
-    whole, rest = tangent_map(friction()), tangent_map(friction(), since)
-    if since:
-        cut = simulate("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4], until=since)
-        whole_again = rest @ tangent_map(cut)
-        assert_allclose(whole_again, whole, rtol=1e-7, atol=1e-9 * np.abs(whole).max())
-    assert whole.shape == rest.shape == (4, 4)
+def by_start(trajectory: Trajectory) -> np.ndarray:
+    """Derivative (N, N) of the state at the end by that at the start."""
+    names = [f"{name}0" for name in trajectory.names]
+    return trajectory.derivatives(names, times=[trajectory.end]).states[0]
 
 
 @pytest.mark.parametrize(
@@ -257,8 +241,8 @@ def test_cutting_a_phase_changes_nothing(since: float) -> None:
     [
         ("rigid-stop", {**RIGID, "r": "0.7"}, [0.2, 0.3, 1.5, 0.1], range(4)),
         ("elastic-stop", ELASTIC, [0.2, 0.3, 1.5, 0.1], range(4)),
-        ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4], range(4)),
-        ("dry-friction", DATA_A, [5.0, 3.0, 1.0, 1.0], range(2)),  # stuck: positions alone
+        ("dry-friction", RUBBING, [0.3, -0.2, 0.1, 0.4], range(4)),
+        ("dry-friction", STICKING, [5.0, 3.0, 1.0, 1.0], range(2)),  # stuck: positions alone
     ],
 )
 def test_derivatives_are_differences_of_nearby_motions(
@@ -266,7 +250,7 @@ def test_derivatives_are_differences_of_nearby_motions(
 ) -> None:
     trajectory = simulate(system, data, start, until=25.0)
     assert trajectory.transitions > 4
-    derivative = tangent_map(trajectory)
+    derivative = by_start(trajectory)
     for direction in directions:
         step = 1e-6 * np.eye(4)[direction]
         ends = [simulate(system, data, start + s * step, until=25.0)(25.0) for s in (1, -1)]
@@ -276,63 +260,36 @@ def test_derivatives_are_differences_of_nearby_motions(
 
 
 def test_the_motion_carries_its_own_direction() -> None:
-    trajectory = friction("A")
+    trajectory = simulate("dry-friction", STICKING, [0.3, -0.2, 0.1, 0.4], until=200)
     system, run = trajectory.system, trajectory.run
     fields = [
         system.fields[run.configurations[i]] @ np.append(trajectory(t), 1)
         for i, t in ((0, 0.0), (-1, trajectory.end))
     ]
-    assert_allclose(tangent_map(trajectory) @ fields[0], fields[1], rtol=0, atol=1e-8)
+    assert_allclose(by_start(trajectory) @ fields[0], fields[1], rtol=0, atol=1e-8)
 
 
-def test_nearby_motions_separate_as_the_exponent_says() -> None:
-    """Two motions to the attractor of data B approach each other."""
-    start, step = np.array([0.3, -0.2, 0.1, 0.4]), np.array([1e-5, -2e-5, 1e-5, 1e-5])
-    first, second = (simulate("dry-friction", DATA_B, s, until=400) for s in (start, start + step))
-    rate = lyapunov(first, 60).value
-    assert rate < -0.005
-    late = [np.linalg.norm(first(t) - second(t - delay(first, second))) for t in (60.3, 260.3)]
-    assert late[1] < late[0]
+def meeting(system: str, data: dict, time: float, state: list[float], until: float) -> Trajectory:
+    """A motion that is in a state of its first configuration at a time, followed backwards."""
+    (start,) = flow_states(piecewise(system, data), 0, np.array([-time]), np.array(state))
+    return simulate(system, data, start, until=until)
 
 
-def delay(first: Trajectory, second: Trajectory) -> float:
-    """By how much the second motion is ahead at the end."""
-    count = min(first.transitions, second.transitions)
-    return float(first.times[count] - second.times[count])
-
-
-def together() -> Trajectory:
-    """Both masses reach the belt's velocity at one time: that instant, followed backwards."""
-    system = piecewise("dry-friction", DATA_A)
-    meeting = np.array([1.0, 1.5, 1.0, 1.0])
-    (start,) = flow_states(system, 0, np.array([-0.75]), meeting)
-    return simulate("dry-friction", DATA_A, start, until=40)
-
-
-def test_no_derivative_where_two_boundaries_are_reached_at_once() -> None:
-    trajectory = together()
+def test_no_exponent_where_two_boundaries_are_reached_at_once() -> None:
+    """Both masses reach the belt's velocity at one time."""
+    trajectory = meeting("dry-friction", STICKING, 0.75, [1.0, 1.5, 1.0, 1.0], 400)
     assert set(trajectory.boundaries[1]) == {"first-reaches-belt", "second-reaches-belt"}
-    time = float(trajectory.times[1])
     with pytest.raises(InputError, match=r"are reached together at t = 0\.7"):
-        tangent_map(trajectory)
-    with pytest.raises(InputError, match="reached together"):
-        lyapunov(trajectory, time / 2)
-    # behind it there is one
-    assert np.isfinite(tangent_map(trajectory, time)).all()
+        lyapunov(trajectory, float(trajectory.times[1]) / 2)
+    assert lyapunov(trajectory, 40).value < 0  # behind it there is one
 
 
-def test_no_derivative_where_a_boundary_is_touched() -> None:
-    """A free motion whose peak is at the stop."""
-    trajectory = grazing()
-    assert trajectory.grazings
-    assert not trajectory.transitions
-    time = trajectory.grazings[0].time
+def test_no_exponent_where_a_boundary_is_touched() -> None:
+    """The first peak of a free motion is at the stop."""
+    trajectory = meeting("rigid-stop", RIGID, 1.0, [1.0, 0.25, 0.0, 0.0], 40)
+    (grazing,) = trajectory.grazings
+    assert grazing.time < trajectory.times[1]
     with pytest.raises(InputError, match="is reached tangentially at t = "):
         lyapunov(trajectory)
-    assert np.isfinite(tangent_map(trajectory, time + 0.1)).all()
-
-
-def grazing() -> Trajectory:
-    system = piecewise("rigid-stop", RIGID)
-    (start,) = flow_states(system, 0, np.array([-1.0]), np.array([1.0, 0.25, 0.0, 0.0]))
-    return simulate("rigid-stop", RIGID, start, until=2)
+    with pytest.raises(InputError, match="too short"):  # behind it nothing else is missing
+        lyapunov(trajectory, grazing.time + 0.1)

@@ -3,6 +3,7 @@
 import math
 from functools import cache
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,21 +12,14 @@ from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
 from nonsmooth import InputError, Trajectory, lyapunov, observe, simulate
-from nonsmooth.runtime.simulation.observables import Observables
-from nonsmooth.runtime.simulation.tangent import tangent_map
+from tests.two_masses import CHAIN, RUBBING, STICKING
 
-DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-DATA_B = {
-    **{"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"},
-    **{"us2": "0.5", "ur2": 1},
-}
-ELASTIC = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 3}
-RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+ELASTIC, RIGID = CHAIN | {"k3": 3}, CHAIN | {"r": 1}
 
 
 @cache
 def friction(name: str = "B") -> Trajectory:
-    data = DATA_A if name == "A" else DATA_B
+    data = STICKING if name == "A" else RUBBING
     return simulate("dry-friction", data, [0.3, -0.2, 0.1, 0.4], until=200)
 
 
@@ -52,7 +46,7 @@ def stop_energy(states: np.ndarray, stop: float = 0.0) -> np.ndarray:
     return chain + stop * np.maximum(x1 - 1, 0) ** 2 / 2
 
 
-def integral(found: Observables, function: object) -> float:
+def integral(found: Any, function: object) -> float:
     """Of a function of time, phase by phase, by adaptive quadrature."""
     trajectory = found.trajectory
     inner = trajectory.times[trajectory.times > found.since]
@@ -228,15 +222,6 @@ def test_the_elastic_stop_conserves_and_pushes_back() -> None:
     assert_allclose(stop.dissipated, -stop.work, rtol=1e-14)
 
 
-def test_elastic_impacts_conserve_energy() -> None:
-    trajectory = simulate("rigid-stop", RIGID, [0, 0, 2, 0], transitions=5_000)
-    energies = stop_energy(trajectory.states)
-    impacts = np.arange(len(energies))
-    assert (np.abs(energies / energies[0] - 1) <= 5e-16 * (impacts + 4)).all()
-    before = stop_energy(trajectory.before)
-    assert_allclose(before, energies, rtol=4e-16)
-
-
 def test_the_stop_holds_a_resting_mass() -> None:
     """After the impacts have accumulated the stop carries the spring's force."""
     trajectory = simulate("rigid-stop", {**RIGID, "r": 0}, [0.9, 3.0, 0, 0], until=1)
@@ -253,13 +238,13 @@ def test_the_stop_holds_a_resting_mass() -> None:
 
 @pytest.mark.parametrize("since", [-1, 200.0, 1e9, math.nan, "soon", None])
 def test_a_wrong_beginning(since: object) -> None:
-    for function in (observe, lyapunov, tangent_map):
+    for function in (observe, lyapunov):
         with pytest.raises(InputError, match="since = "):
             function(friction(), since)
 
 
 def test_a_motion_that_never_reaches_a_boundary_is_followed_until_a_time() -> None:
-    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
+    data = CHAIN | {"k3": 1}
     with pytest.raises(InputError, match="no boundary is reached any more: follow it until a time"):
         observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], transitions=10))
     found = observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], until=50))

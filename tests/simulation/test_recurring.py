@@ -12,8 +12,8 @@ from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.recurrence import sizes_of
 from tests.handmade import DATA, pair, two_stops
+from tests.two_masses import STICKING
 
-STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 LONG = {**DATA, "Omega": "1.272"}  # an attractor of many impacts
 
 
@@ -25,9 +25,9 @@ def motion():
 
 def test_the_stick_orbit_from_a_motion() -> None:
     found = nonsmooth.itinerary_of(
-        nonsmooth.simulate("dry-friction", STICK, [0, 0, 0, 0], transitions=100)
+        nonsmooth.simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=100)
     )
-    orbit = nonsmooth.solve("dry-friction", STICK, itinerary=found)
+    orbit = nonsmooth.solve("dry-friction", STICKING, itinerary=found)
     known = nonsmooth.solve("dry-friction/global-stick")
     assert orbit.converged
     assert orbit.period == pytest.approx(known.period, abs=1e-12)
@@ -48,12 +48,17 @@ def test_what_takes_no_time_is_named() -> None:
             nonsmooth.itinerary_of(motion)
 
 
+@cache
+def long_orbit():
+    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
+    return nonsmooth.solve(two_stops(), LONG, itinerary=found)
+
+
 @pytest.mark.compiled
 def test_more_than_twenty_impacts() -> None:
-    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
-    count = len(found.itinerary)
+    orbit = long_orbit()
+    count = len(orbit.itinerary)
     assert count >= 20
-    orbit = nonsmooth.solve(two_stops(), LONG, itinerary=found)
     assert orbit.converged
     assert orbit.admissibility.verdict is True
     assert orbit.stability.verdict == "stable"
@@ -71,8 +76,7 @@ def test_more_than_twenty_impacts() -> None:
 
 @pytest.mark.compiled
 def test_many_impacts_by_matrix_exponentials() -> None:
-    found = nonsmooth.itinerary_of(motion(), since=0.8 * motion().end)
-    orbit = nonsmooth.solve(two_stops(), LONG, itinerary=found)
+    orbit = long_orbit()
     field = np.array([[0, 1, 0, 0], [-1, -0.1, 1, 0], [0, 0, 0, -1.272], [0, 0, 1.272, 0]])
     following = np.roll(orbit.states, -1, axis=0)
     for (_, boundary), time, start, after in zip(

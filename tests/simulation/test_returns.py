@@ -4,18 +4,12 @@ import numpy as np
 import pytest
 
 from nonsmooth import InputError, NoConvergence, find_orbits, poincare_map, solve
-from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.piecewise import piecewise
+from tests.engines import with_both
+from tests.two_masses import CHAIN, RUBBING, STICKING
 
-STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-SYMMETRIC = {
-    **{"chi": "0.4", "eta": 4, "V": "0.6773"},
-    **{"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": 1},
-}
-CHAIN = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
 ORBITS = {
     "dry-friction/global-stick": (
-        STICK,
+        STICKING,
         [
             ("stick-stick", "first-breaks-forward"),
             ("slip-stick", "second-breaks-forward"),
@@ -24,7 +18,7 @@ ORBITS = {
         ],
     ),
     "dry-friction/symmetric": (
-        SYMMETRIC,
+        RUBBING,
         [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")],
     ),
     "rigid-stop/one-impact": (CHAIN | {"r": 1}, [("free", "first-reaches-stop")]),
@@ -120,11 +114,11 @@ def test_an_impact_that_loses_energy_shrinks_volumes_by_its_square():
 @pytest.mark.compiled
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_every_orbit_that_is_found_is_a_fixed_point(seed):
-    found = find_orbits("dry-friction", SYMMETRIC, 60, seed=seed, transitions=600)
+    found = find_orbits("dry-friction", RUBBING, 60, seed=seed, transitions=600)
     assert len(found.orbits) >= 4
     for entry in found.orbits:
         orbit = entry.orbit
-        mapped = poincare_map("dry-friction", SYMMETRIC, section(entry.itinerary))
+        mapped = poincare_map("dry-friction", RUBBING, section(entry.itinerary))
         # one turn of the orbit may pass the section more than once
         state, time, phases = orbit.states[0], 0.0, 0
         while phases < len(entry.itinerary):
@@ -136,17 +130,13 @@ def test_every_orbit_that_is_found_is_a_fixed_point(seed):
         assert orbit.admissibility.verdict is True
 
 
-@pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
-def test_both_engines_map_alike(monkeypatch):
+@pytest.mark.compiled
+def test_both_engines_map_alike():
     data, itinerary = ORBITS["elastic-stop/one-contact"]
     state = solve("elastic-stop/one-contact").states[0] + np.array([0, 0.01, -0.02, 0.03])
     mapped = poincare_map("elastic-stop", data, section(itinerary))
-    found = []
-    for backend in ("c", "numpy"):
-        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
-        found.append((mapped(state), mapped.jacobian(state)))
-    np.testing.assert_allclose(found[0][0], found[1][0], rtol=0, atol=1e-12)
-    np.testing.assert_allclose(found[0][1], found[1][1], rtol=0, atol=1e-7)
+    np.testing.assert_allclose(*with_both(mapped, state), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(*with_both(mapped.jacobian, state), rtol=0, atol=1e-7)
 
 
 def test_a_motion_that_does_not_come_back():
@@ -156,9 +146,8 @@ def test_a_motion_that_does_not_come_back():
 
 
 def test_the_names_are_those_of_the_system():
-    structure = piecewise("rigid-stop", CHAIN | {"r": 1}).structure
     mapped = poincare_map("rigid-stop", CHAIN | {"r": 1}, ("free", "first-reaches-stop", "contact"))
-    assert structure.configurations[mapped.target] == "contact"
+    assert mapped.system.structure.configurations[mapped.target] == "contact"
     # where it rests on the stop only the second mass moves
     assert mapped.basis.shape == (4, 2)
     assert not np.abs(mapped.basis[[0, 2]]).max() > 1e-15
@@ -175,13 +164,15 @@ def test_the_names_are_those_of_the_system():
 )
 def test_bad_sections(section, match):
     with pytest.raises(InputError, match=match):
-        poincare_map("dry-friction", STICK, section)
+        poincare_map("dry-friction", STICKING, section)
 
 
 @pytest.mark.parametrize(
     "state", [[0, 0, 0], [0, 0, 0, np.nan], np.zeros((2, 4)), "abcd", None, 1j]
 )
 def test_bad_states(state):
-    mapped = poincare_map("dry-friction", STICK, ("slip-slip", "first-reaches-belt", "stick-slip"))
+    mapped = poincare_map(
+        "dry-friction", STICKING, ("slip-slip", "first-reaches-belt", "stick-slip")
+    )
     with pytest.raises(InputError, match="finite numbers"):
         mapped(state)

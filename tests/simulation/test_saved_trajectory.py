@@ -8,7 +8,8 @@ import os
 import re
 import tracemalloc
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -19,15 +20,13 @@ import pytest
 
 import nonsmooth
 from nonsmooth import InputError, Trajectory, simulate
-from nonsmooth.runtime.model.engine_run import Grazing, Status
+from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.present.files import motions as saved_trajectory
 from nonsmooth.runtime.present.files.motions import load_trajectory
+from tests.two_masses import CHAIN, RUBBING
 
-FRICTION = {
-    **{"chi": "2/5", "eta": 4, "V": 0.6773, "us1": "0.0127", "ur1": "0.0255"},
-    **{"us2": "0.5", "ur2": "sqrt(2)"},
-}
-STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+FRICTION = RUBBING | {"chi": "2/5", "V": 0.6773, "ur2": "sqrt(2)"}
+STOP = CHAIN | {"r": "0.5"}
 ENDINGS = [".csv", ".npz"]
 
 
@@ -39,15 +38,14 @@ def friction() -> Trajectory:
 @cache
 def others() -> dict[str, Trajectory]:
     grazed = simulate("rigid-stop", STOP, [0, 0, 2, 0], until=30)
-    graze = (Grazing(0.1 + 0.2, 0, 0, -1e-17), Grazing(3.0, 0, 0, 0.0))
     wild = grazed.states.copy()
     wild[-1] = [np.inf, -np.inf, np.nan, -0.0]
     return {
         "no transition": simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=7.7),
         "impacts": grazed,
         "contact": simulate("rigid-stop", {**STOP, "r": 0}, [0.9, 3, 0, 0], transitions=5),
-        "elastic": simulate("elastic-stop", _elastic(), [0, 0, 2, 0], transitions=40),
-        "grazings": Trajectory(grazed.system, replace(grazed.run, grazings=graze)),
+        "elastic": simulate("elastic-stop", CHAIN | {"k3": 3}, [0, 0, 2, 0], transitions=40),
+        "grazings": _touching(),
         "together": _together(),
         "overflow": Trajectory(
             grazed.system, replace(grazed.run, states=wild, status=Status.OVERFLOW)
@@ -56,8 +54,12 @@ def others() -> dict[str, Trajectory]:
     }
 
 
-def _elastic() -> dict[str, object]:
-    return {**{k: v for k, v in STOP.items() if k != "r"}, "k3": 3}
+def _touching() -> Trajectory:
+    found = simulate(
+        "elastic-stop", dict(m1=1, m2=1, k1=2, k2=3, k3=1), [-1, "-0.5", 0, 0], until=9
+    )
+    assert len(found.grazings) == 1
+    return found
 
 
 def _together() -> Trajectory:
@@ -82,6 +84,17 @@ def refusal(path: Path) -> str:
     assert "\n" not in message
     assert message.count(str(path)) == 1
     return message.removeprefix(f"{path}: ")
+
+
+@contextmanager
+def little_memory(most: int) -> Iterator[None]:
+    """What is done takes at most so many bytes."""
+    tracemalloc.start()
+    try:
+        yield
+        assert tracemalloc.get_traced_memory()[1] < most
+    finally:
+        tracemalloc.stop()
 
 
 def parts(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -295,12 +308,8 @@ def test_an_archive_whose_directory_lies(tmp_path: Path) -> None:
             bad.writestr(name, bytes(size) if name == "states.npy" else good.read(name))
     lies = content.getvalue().replace(size.to_bytes(4, "little"), told.to_bytes(4, "little"))
     path.write_bytes(lies)
-    tracemalloc.start()
-    try:
+    with little_memory(10_000_000):
         assert refusal(path) == "cut, damaged, or not an .npz file"
-        assert tracemalloc.get_traced_memory()[1] < 10_000_000
-    finally:
-        tracemalloc.stop()
 
 
 def test_an_array_whose_header_lies(tmp_path: Path) -> None:
@@ -315,12 +324,8 @@ def test_an_array_whose_header_lies(tmp_path: Path) -> None:
     with zipfile.ZipFile(path, "w") as bad:
         for name, part in content.items():
             bad.writestr(name, part)
-    tracemalloc.start()
-    try:
+    with little_memory(10_000_000):
         assert refusal(path) == "'times.npy' is not as long as its header says"
-        assert tracemalloc.get_traced_memory()[1] < 10_000_000
-    finally:
-        tracemalloc.stop()
 
 
 @pytest.mark.parametrize("name", ["header", "times", "configurations", "boundaries", "states"])
@@ -337,12 +342,8 @@ def test_a_small_archive_takes_little_memory(name: str, tmp_path: Path) -> None:
         blown = ((5_000_000, *shape[1:]), "f8") if kind == "f" else (shape, "U1000000")
         arrays[name] = np.zeros(*blown)
     np.savez_compressed(path, **arrays)
-    tracemalloc.start()
-    try:
+    with little_memory(30 * path.stat().st_size + 2_000_000):
         assert "'" in refusal(path)
-        assert tracemalloc.get_traced_memory()[1] < 30 * path.stat().st_size + 2_000_000
-    finally:
-        tracemalloc.stop()
 
 
 def test_a_cell_without_end(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from tests.engines import ENGINES, with_both, with_engine
 from tests.scaled_systems import Scaled, random_scaled
 
 # units of length, inverse units of time, units of mass
@@ -55,20 +56,12 @@ def compare(found: Any, rate: Any, wanted: Any, wanted_rate: Any = 1) -> None:
     np.testing.assert_allclose(times, expected, rtol=0, atol=1e-8)
 
 
-@pytest.fixture
-def engine(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
-    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
-    return str(request.param)
-
-
-ENGINES = [pytest.param("c", marks=pytest.mark.compiled), "numpy"]
 SEEDS = [*(pytest.param(k, marks=[pytest.mark.slow] * (k not in (0, 3))) for k in range(24))]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("engine", ENGINES, indirect=True)
 @pytest.mark.parametrize("seed", SEEDS)
-def test_motions_do_not_depend_on_units(seed: int, engine: str) -> None:
+def test_motions_do_not_depend_on_units(seed: int, backend: str) -> None:
     scaled = scaled_by(seed)
     try:
         wanted = motion(scaled, 1, 1, 1)
@@ -81,21 +74,19 @@ def test_motions_do_not_depend_on_units(seed: int, engine: str) -> None:
         found = motion(scaled, *units)
         assert found.configurations == wanted.configurations
         np.testing.assert_array_equal(found.times * float(units[1]), wanted.times)
-    for units in OTHERS if engine == "c" else OTHERS[seed % len(OTHERS) :: len(OTHERS)]:
+    for units in OTHERS if backend == "c" else OTHERS[seed % len(OTHERS) :: len(OTHERS)]:
         compare(motion(scaled, *units), units[1], wanted)
 
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("seed", SEEDS)
-def test_engines_agree(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    scaled = scaled_by(seed)
+def test_engines_agree(seed: int) -> None:
     units = OTHERS[seed % len(OTHERS)]
-    found = []
-    for backend in ("c", "numpy"):
-        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
-        try:
-            found.append(motion(scaled, *units))
-        except ns.InputError:
-            assert not found
-            return
-    compare(found[0], units[1], found[1], units[1])
+    try:
+        found, other = with_both(motion, scaled_by(seed), *units)
+    except ns.InputError:
+        for engine in ENGINES:
+            with pytest.raises(ns.InputError):
+                with_engine(engine, motion, scaled_by(seed), *units)
+        return
+    compare(found, units[1], other, units[1])

@@ -27,7 +27,7 @@ from nonsmooth.derive.document.describe import describe_system
 from nonsmooth.runtime.model.engine_run import Status
 
 
-def rubbing(seed: int) -> tuple[System, dict[str, float]]:
+def rubbing(seed: int) -> System:
     """Three masses in a row on three belts."""
     rng = np.random.default_rng(seed)
     mass, stiffness, damping = chain_matrices(
@@ -41,10 +41,10 @@ def rubbing(seed: int) -> tuple[System, dict[str, float]]:
     ]
     return oscillator(
         f"rubbing-{seed}", ["x1", "x2", "x3"], mass, stiffness, damping, elements=elements
-    ), {}
+    )
 
 
-def striking(seed: int) -> tuple[System, dict[str, float]]:
+def striking(seed: int) -> System:
     """Three masses in a row, each between its neighbours and a stop; the first is shaken."""
     rng = np.random.default_rng(seed)
     mass, stiffness, damping = chain_matrices(
@@ -58,10 +58,10 @@ def striking(seed: int) -> tuple[System, dict[str, float]]:
     return oscillator(
         f"striking-{seed}", ["x1", "x2", "x3"], mass, stiffness, damping, elements=elements,
         forcing=[Harmonic("1.3", [int(rng.integers(4, 9)), 0, 0])],
-    ), {}  # fmt: skip
+    )  # fmt: skip
 
 
-def mixed(seed: int) -> tuple[System, dict[str, float]]:
+def mixed(seed: int) -> System:
     """A slider, and a contact that lifts."""
     rng = np.random.default_rng(seed)
     mass, stiffness, _ = chain_matrices([1, 2, 3], rng.integers(1, 9, 3).tolist())
@@ -72,105 +72,109 @@ def mixed(seed: int) -> tuple[System, dict[str, float]]:
     return oscillator(
         f"mixed-{seed}", ["x1", "x2", "x3"], mass, stiffness, elements=elements,
         forcing=[Harmonic(2, [0, 3, 0])],
-    ), {}  # fmt: skip
+    )  # fmt: skip
+
+
+def alike(_: int) -> System:
+    """Three equal masses, each with a stop."""
+    elements = [RigidStop(x, at=1, restitution="0.5", name=f"s{x}") for x in ("x1", "x2", "x3")]
+    return oscillator("alike", ["x1", "x2", "x3"], *([np.eye(3)] * 2), elements=elements)
 
 
 @cache
-def listed(make, seed: int) -> tuple[System, dict[str, float]]:
+def listed(make, seed: int) -> System:
     """One for all tests, with what was derived of it."""
-    return make(seed)
+    found = make(seed)
+    assert not isinstance(found, GrowingSystem)
+    return found
+
+
+def visited(make, seed: int) -> System:
+    """The same as a system of its own, in which nothing was visited."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(growing, "_LARGEST", 0)
+        found = make(seed)
+    assert isinstance(found, GrowingSystem)
+    return found
+
+
+def compared(make, seed: int, made: System, state, until: float) -> ns.Trajectory:
+    """The motion of a listed system, which is that of the visited one."""
+    expected, found = (
+        ns.simulate(system, {}, state, until=until) for system in (listed(make, seed), made)
+    )
+    assert found.configurations == expected.configurations
+    assert found.boundaries == expected.boundaries
+    assert found.status == expected.status == Status.UNTIL
+    np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
+    np.testing.assert_allclose(found.states, expected.states, rtol=1e-9, atol=1e-10)
+    return expected
+
+
+def named(system: System, start: np.ndarray) -> dict[str, float]:
+    """A start by names, in which a slider is where its mass is."""
+    names = [str(s) for s in system.states]
+    state = dict(zip(names, start.tolist(), strict=False))
+    return state | ({"s_slider": state["x2"]} if "s_slider" in names else {})
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
+@pytest.mark.parametrize("seed", range(3))
+def test_motions_are_those_of_the_listed_system(make, seed) -> None:
+    made, rng = visited(make, seed), np.random.default_rng(seed)
+    starts = [named(made, rng.uniform(-1, 1, 6) * 0.4) for _ in range(3)]
+    assert sum(len(compared(make, seed, made, s, 30).boundaries) for s in starts) >= 20
+
+
 @pytest.mark.parametrize(
-    "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
+    ("make", "start"),
+    [
+        *((rubbing, [2 * scale, -scale, scale, 1, 0.5, -1]) for scale in (0.0, 0.3, 3.0)),
+        (striking, [1, -0.5, 0.7, 0, 0, 0]),
+        (alike, [0, 0, 0, 4, 4, 4]),
+    ],
+    ids=["at rest", "sticking", "pulled", "on all stops", "together"],
 )
-def test_motions_are_those_of_the_listed_system(make, seed, monkeypatch) -> None:
-    whole, data = listed(make, seed)
-    monkeypatch.setattr(growing, "_LARGEST", 0)
-    made, _ = make(seed)
-    assert isinstance(made, GrowingSystem)
-    assert not isinstance(whole, GrowingSystem)
-    rng = np.random.default_rng(seed)
-    transitions = 0
-    for _ in range(3):
-        start = rng.uniform(-1, 1, 6) * 0.4
-        names = [str(s) for s in whole.states]
-        state = dict(zip(names, start.tolist(), strict=False))
-        state |= {"s_slider": state["x2"]} if "s_slider" in names else {}
-        expected = ns.simulate(whole, data, state, until=30)
-        found = ns.simulate(made, data, state, until=30)
-        transitions += len(expected.boundaries)
-        assert found.configurations == expected.configurations
-        assert found.boundaries == expected.boundaries
-        assert found.status == expected.status == Status.UNTIL
-        np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
-        np.testing.assert_allclose(found.states, expected.states, rtol=1e-9, atol=1e-10)
-    assert transitions >= 20
-
-
-def test_starts_at_rest_belong_where_the_listed_system_puts_them(monkeypatch) -> None:
-    whole, data = listed(rubbing, 0)
-    monkeypatch.setattr(growing, "_LARGEST", 0)
-    made, _ = rubbing(0)
-    for scale in (0.0, 0.3, 3.0):
-        state = {"x1": 2 * scale, "x2": -scale, "x3": scale, "v1": 1, "v2": 0.5, "v3": -1}
-        expected = ns.simulate(whole, data, state, until=5)
-        found = ns.simulate(made, data, state, until=5)
-        assert found.configurations == expected.configurations
-        np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
-
-
-def test_starts_on_all_stops_belong_where_the_listed_system_puts_them(monkeypatch) -> None:
-    whole, data = listed(striking, 0)
-    monkeypatch.setattr(growing, "_LARGEST", 0)
-    made, _ = striking(0)
-    state = {"x1": 1, "x2": -0.5, "x3": 0.7, "v1": 0, "v2": 0, "v3": 0}
-    expected = ns.simulate(whole, data, state, until=5)
-    found = ns.simulate(made, data, state, until=5)
-    assert found.configurations == expected.configurations
-    np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
+def test_special_starts_belong_where_the_listed_system_puts_them(make, start) -> None:
+    made, until = visited(make, 0), 20 if make is alike else 5
+    expected = compared(make, 0, made, named(made, np.array(start)), until)
+    if make is alike:
+        assert len(expected.boundaries[1]) == 3
+        many = ns.simulate_many(visited(make, 0), {}, [start, start], until=until)
+        np.testing.assert_allclose(many.states[0], expected(until), atol=1e-11)
 
 
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
-def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make, monkeypatch) -> None:
+def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make) -> None:
     """Each with a system of its own, in which nothing was visited before."""
-    whole, data = listed(make, 0)
-    monkeypatch.setattr(growing, "_LARGEST", 0)
-    rng = np.random.default_rng(11)
-    names = [str(s) for s in whole.states]
-    visited = set()
+    rng, configurations = np.random.default_rng(11), set()
     for number in range(4):
-        state = dict(zip(names, rng.uniform(-2, 2, 6).tolist(), strict=False))
+        made = visited(make, 0)
+        object.__setattr__(made, "name", f"{made.name}-{number}")
+        state = named(made, rng.uniform(-2, 2, 6))
         state["x1"] = -abs(state["x1"])  # the stop of the first mass is rigid
         state["x2"] = abs(state["x2"])
-        state |= {"s_slider": state["x2"]} if "s_slider" in names else {}
-        expected = ns.simulate(whole, data, state, until=0.5)
-        made = make(0)[0]
-        object.__setattr__(made, "name", f"{made.name}-{number}")
-        found = ns.simulate(made, data, state, until=0.5)
-        assert found.configurations == expected.configurations
-        visited.add(expected.configurations[0])
-    assert len(visited) > 1
+        state |= {"s_slider": state["x2"]} if "s_slider" in state else {}
+        configurations.add(compared(make, 0, made, state, 0.5).configurations[0])
+    assert len(configurations) > 1
 
 
 @pytest.mark.slow
-def test_many_motions_are_those_of_the_listed_system(monkeypatch) -> None:
-    whole, data = listed(striking, 2)
-    monkeypatch.setattr(growing, "_LARGEST", 0)
-    made, _ = striking(2)
-    rng = np.random.default_rng(3)
+def test_many_motions_are_those_of_the_listed_system() -> None:
+    made, rng = visited(striking, 2), np.random.default_rng(3)
     starts = np.zeros((60, 8))
     starts[:, :6], starts[:, 6] = rng.uniform(-0.45, 0.45, (60, 6)), 1.0
-    expected = ns.simulate_many(whole, data, starts, until=20, keep=5, threads=2)
-    found = ns.simulate_many(made, data, starts, until=20, keep=5, threads=2)
+    expected, found = (
+        ns.simulate_many(system, {}, starts, until=20, keep=5, threads=2)
+        for system in (listed(striking, 2), made)
+    )
     names = [np.array(many.structure.configurations) for many in (expected, found)]
     np.testing.assert_array_equal(names[0][expected.configurations], names[1][found.configurations])
     np.testing.assert_array_equal(found.transitions, expected.transitions)
     np.testing.assert_allclose(found.last_times, expected.last_times, rtol=1e-9)
     # indices of an earlier result stay good where more was visited
-    again = ns.simulate_many(made, data, found.states, found.configurations, until=1.0, threads=2)
+    again = ns.simulate_many(made, {}, found.states, found.configurations, until=1.0, threads=2)
     assert (again.status == Status.UNTIL).all()
 
 
@@ -226,20 +230,3 @@ def test_names_of_configurations_are_regimes_that_go_together() -> None:
             system.configuration(wrong)
     with pytest.raises(DeclarationError, match="no transition leads"):
         system.transition(name, "x1-reaches-belt", name.replace("slip", "stick"))
-
-
-def test_boundaries_reached_together_follow_as_in_the_listed_system(monkeypatch) -> None:
-    def make() -> System:
-        elements = [RigidStop(x, at=1, restitution="0.5", name=f"s{x}") for x in ("x1", "x2", "x3")]
-        return oscillator("alike", ["x1", "x2", "x3"], *([np.eye(3)] * 2), elements=elements)
-
-    whole = make()
-    monkeypatch.setattr(growing, "_LARGEST", 0)
-    start = [0.0, 0.0, 0.0, 4.0, 4.0, 4.0]
-    expected = ns.simulate(whole, {}, start, until=20)
-    found = ns.simulate(make(), {}, start, until=20)
-    assert len(expected.boundaries[1]) == 3
-    assert found.boundaries == expected.boundaries
-    np.testing.assert_allclose(found.states, expected.states, atol=1e-12)
-    many = ns.simulate_many(make(), {}, [start, start], until=20)
-    np.testing.assert_allclose(many.states[0], expected([20.0])[0], atol=1e-11)
