@@ -9,9 +9,9 @@ import numpy as np
 from nonsmooth.runtime.core.matrices import sorted_by_size
 from nonsmooth.runtime.shooting.newton import LEAST
 
-__all__ = ["ROUNDING", "Multiplier", "Stability", "family_margins", "reciprocal_pair"]
+__all__ = ["Multiplier", "Stability", "family_margins", "margins", "reciprocal_pair"]
 
-ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
+_ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,34 @@ def _pair_margins(trace: np.ndarray) -> np.ndarray:
     half = np.abs(trace - 1) / 2
     root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
     return np.where(half <= 1, 0.0, 1 - (half + root))
+
+
+def margins(maps: np.ndarray, trace: np.ndarray, rank: int, *, family: bool) -> np.ndarray:
+    """Return 1 less the largest nontrivial |multiplier| (n,) of orbits with section maps (n, k, k).
+
+    One multiplier of each orbit of a family is 1; there the margin is 0 where the others lie on
+    the unit circle. No more than `rank` multipliers differ from zero. The margin is NaN where
+    a map is not finite.
+    """
+    found = np.full(len(maps), np.nan)
+    sound = np.isfinite(maps).all(axis=(-2, -1))
+    if family:
+        found[sound] = family_margins(np.linalg.eigvals(maps[sound]), trace[sound], rank)
+    else:
+        found[sound] = 1 - _largest_sizes(maps[sound])
+    return np.where(np.abs(found) <= _ROUNDING, 0.0, found)
+
+
+def _largest_sizes(matrices: np.ndarray) -> np.ndarray:
+    """Return the largest absolute eigenvalue of each of the matrices (n, k, k)."""
+    if matrices.shape[-1] != 2:
+        return np.asarray(np.abs(np.linalg.eigvals(matrices)).max(axis=-1, initial=0.0))
+    # in closed form, far quicker: no difference of large numbers but in the discriminant
+    (a, b), (c, d) = np.moveaxis(matrices, 0, -1)
+    mean, discriminant = (a + d) / 2, ((a - d) / 2) ** 2 + b * c
+    real = np.abs(mean) + np.sqrt(np.maximum(discriminant, 0))
+    turning = np.sqrt(mean**2 + np.abs(discriminant))
+    return np.asarray(np.where(discriminant < 0, turning, real))
 
 
 def family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
