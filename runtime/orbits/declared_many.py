@@ -25,12 +25,12 @@ from nonsmooth.runtime.model.parameter_batches import (
 )
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NEITHER
-from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.orbits.kernel_many import KernelPoints, solve_kernels_many
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.table_many import TableBatch, section_of, solve_itineraries
+from nonsmooth.runtime.orbits.table_solve import solve_declared, unknowns_of
 from nonsmooth.runtime.shooting.multipliers import margins
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.table_newton import sizes

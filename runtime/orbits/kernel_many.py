@@ -22,7 +22,7 @@ from nonsmooth.runtime.orbits.admissible import (
     admissible_points,
     first_violations,
 )
-from nonsmooth.runtime.orbits.kernel_equations import KernelEquations
+from nonsmooth.runtime.orbits.equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits, reshaped

@@ -21,7 +21,6 @@ from nonsmooth.runtime.orbits.derivatives import (
     orbit_derivatives,
     sensitivity,
 )
-from nonsmooth.runtime.orbits.kernel_values import evaluate
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
     import os
 
     from nonsmooth.runtime.orbits.admissible import Admissibility
-    from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
+    from nonsmooth.runtime.orbits.kernel_problem import Evaluation, OrbitProblem
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
 __all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged"]
@@ -307,7 +306,20 @@ class Orbit(Shown):
             If the orbit has no kernels, or they give no such quantities together; the message
             lists those that there are.
         """
-        return evaluate(self, *quantities)
+        kernels, values = self.kernels, self.values
+        for quantity in quantities:
+            if quantity not in kernels.of_equations and kernels.has(quantity):
+                raise InputError(
+                    f"{quantity!r} is of the reduced equations, which `kernels.evaluate` takes at"
+                    f" {', '.join(kernels.reduced) or 'no unknowns'}; at all unknowns there are:"
+                    f" {', '.join(kernels.of_equations)}"
+                )
+        lib = self.arithmetic if self.precise else None
+        parameters = [values[name] for name in kernels.parameter_names]
+        unknowns = [values[name] for name in kernels.unknowns]
+        spectrum, derivatives = kernels.spectrum(parameters, lib)
+        at = (parameters, spectrum, unknowns, derivatives)
+        return kernels.evaluate(*quantities, at=at, lib=lib)
 
     def sensitivity(self, parameter: str) -> Sensitivity:
         """Differentiate unknowns, period and trace by one given parameter.

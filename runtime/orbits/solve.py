@@ -10,11 +10,10 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.orbits.declared_solve import solve_declared
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import DOUBLE, PERIOD, Orbit
 from nonsmooth.runtime.orbits.refine import check_digits, refine
-from nonsmooth.runtime.orbits.table_solve import Symmetries, solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import Symmetries, solve_declared, solve_itinerary
 from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
 __all__ = ["Itinerary", "guess_along", "period_in", "solve"]

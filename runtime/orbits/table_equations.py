@@ -25,10 +25,9 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-from nonsmooth.runtime.orbits.table_limits import limits_at
-from nonsmooth.runtime.orbits.table_motion import motion_along
+from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
+from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, motion_along
 from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
 from nonsmooth.runtime.shooting.derivatives import (
     ShootingDerivatives,
@@ -52,7 +51,7 @@ _IMAGINARY = 1e-30  # of the parameter, in units of max(1, |it|)
 
 
 class TableEquations:
-    """The equations of an orbit without kernels, near it; see `OrbitEquations`.
+    """The equations of an orbit without kernels, near it; see `KernelEquations`.
 
     The period is one of the numbers where it was given and no other number determines it.
     """
@@ -88,13 +87,13 @@ class TableEquations:
 
     @cached_property
     def sizes(self) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         count = len(self._cycle)
         dwell = self.values[:count]
         return np.concatenate([np.full(count, dwell.sum()), sizes_along(self._now, dwell)])
 
     def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
         numbers, changes = self._changing(x, place)
         dwell, start = self._unknowns(x)
@@ -120,11 +119,11 @@ class TableEquations:
         return residual, np.concatenate([jacobian, row[None]])
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         return x[:, : len(self._cycle)]
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         if not self._repeated:
             return []
         start = self._unknowns(x)[1]
@@ -132,7 +131,7 @@ class TableEquations:
         return [np.asarray((starts[count] - start) / sizes) for count in self._repeated]
 
     def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         found = []
         starts, dwell = self._shot(x).starts, self.dwell(x)
         system, visited = self.orbit.system, self._cycle.configurations
@@ -147,7 +146,10 @@ class TableEquations:
         return found
 
     def conditions(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`: the lowest derivative along a flow that is not zero there."""
+        """Return numbers (k, c) that keep their sign while transitions lead where they do.
+
+        Each is the lowest derivative along a flow that is not zero there.
+        """
         now, numbers = self._shot(x), self._tables(x)
         values = [condition.value(numbers, now.ends) for condition in self._conditions.rows]
         return np.stack(values, axis=-1) if values else np.empty((len(x), 0))
@@ -158,15 +160,15 @@ class TableEquations:
 
     @property
     def condition_places(self) -> Sequence[int]:
-        """See `OrbitEquations`."""
+        """The phase at whose end each of these conditions is asked."""
         return [condition.place for condition in self._conditions.rows]
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         return self._conditions.taken(conditions)
 
     def multipliers(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         matrices = dependent_variational(self._shot(x))
         if self._driven is not None:
             field = self._tables(x).fields[:, self._cycle.configurations[0]]
@@ -180,12 +182,12 @@ class TableEquations:
         return np.asarray(values[:, : self._rank - self.conservative])
 
     def traces(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         powers = self.multipliers(x) ** self.order
         return np.asarray(powers.sum(axis=-1).real + self._trivial)
 
     def admissible(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         found = np.full(len(x), False)
         told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(x) > 0).all(axis=-1))
         if not len(told):
@@ -199,7 +201,7 @@ class TableEquations:
         return found
 
     def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         orbit, symmetry = self.orbit, self.orbit.symmetry
         dwell, start = self._unknowns(x)
         parameters = {name: given[name] for name in orbit.parameters}
@@ -220,7 +222,7 @@ class TableEquations:
         return labelled(found, orbit.problem.label, orbit.problem.names)
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Trajectory:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         system = piecewise_at(self.orbit.system, x[self._given])
         cycle = self.orbit.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(x)

@@ -19,8 +19,8 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
 from nonsmooth.runtime.orbits.routes import with_routes
+from nonsmooth.runtime.orbits.table_admissible import first_limits
 from nonsmooth.runtime.orbits.table_digits import without_digits
-from nonsmooth.runtime.orbits.table_limits import first_limits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
