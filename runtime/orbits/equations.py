@@ -19,7 +19,7 @@ from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
     equations_at,
-    error_bound,
+    error_bounds,
     natural_scales,
 )
 from nonsmooth.runtime.shooting.newton import judged
@@ -194,7 +194,7 @@ class KernelEquations:
         `given` has the parameters, and the period where it is given.
         """
         equations = equations_at(self._kernels, x)
-        errors = error_bound(self._kernels, x, self._places, equations)
+        errors = error_bounds(self._kernels, x, self._places, equations)
         error = errors.largest
         digits = math.floor(-math.log10(max(error, 1e-300))) if math.isfinite(error) else 0
         return replace(

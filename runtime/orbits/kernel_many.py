@@ -28,6 +28,7 @@ from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits, reshaped
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
+    equations_at,
     error_bounds,
     frequency_spread,
     solve_reduced,
@@ -295,9 +296,12 @@ def _count_digits(
     places = np.flatnonzero((solved.status == CONVERGED) & looked)
     if not len(places):
         return
-    spread = frequency_spread(kernels, kernels.spectrum(points[places])[0])
+    x = np.concatenate([solved.unknowns[places], points[places]], axis=-1)
+    with np.errstate(all="ignore"):
+        equations = equations_at(kernels, x)
+    spread = frequency_spread(kernels, equations.spectrum)
     lost = np.finfo(float).eps * np.minimum(spread, 1e9) ** 2
-    errors = error_bounds(kernels, solved.unknowns[places], points[places])
+    errors = error_bounds(kernels, x, slice(len(kernels.unknowns)), equations)
     largest = np.maximum(errors.largest, lost)
     solved.status[places] = judged(errors.dwell, errors.of_dwell, largest, _MOST_ERROR)
 

@@ -26,7 +26,7 @@ from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
     Full,
     equations_at,
-    error_bound,
+    error_bounds,
     frequency_spread,
     solve_full,
     solve_reduced,
@@ -168,7 +168,7 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
         x = np.concatenate([solved.unknowns, parameters])
         equations = equations_at(kernels, x)
         residual = float(np.abs(equations.residual).max())
-        errors = error_bound(kernels, x, slice(len(kernels.unknowns)), equations)
+        errors = error_bounds(kernels, x, slice(len(kernels.unknowns)), equations)
         spread = float(frequency_spread(kernels, equations.spectrum))
         error = max(errors.largest, 4 * float(np.finfo(float).eps) * spread)
         digits = _digits(error)
