@@ -30,10 +30,9 @@ from nonsmooth.runtime.shooting.multiplier_derivatives import (
 )
 from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, itinerary_shape
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle
 from nonsmooth.runtime.shooting.translations import (
     deciding_rows,
-    directions_of,
     projection_along,
     taken_resets,
 )
@@ -78,21 +77,12 @@ def table_directions_many(
     """
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))
-    shifts = _shifts(cycle, numbers) if len(points) else 0
     if engine is not None and len(cycle.structure.forcing) < 2:
         rates = table_rates(system, points, places)
-        closed = _closed(cycle, numbers, rates) if shifts else _Closed(cycle, numbers, rates)
+        closed = _closed(cycle, numbers, rates)
         if closed is not None:
-            found = _compiled(engine, closed, dwell, start, len(places), timed, maps)
-            return found._replace(shifts=shifts)
-    found = _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
-    return found._replace(shifts=shifts)
-
-
-def _shifts(cycle: ItineraryShape, numbers: Numbers) -> int:
-    """Return along how many directions the system does not change, judged at the first point."""
-    fields, rows, resets = (part[0] for part in (numbers.fields, numbers.rows, numbers.resets))
-    return len(directions_of(cycle.structure, fields, rows, resets))
+            return _compiled(engine, closed, dwell, start, len(places), timed, maps)
+    return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
 
 
 class _Closed(NamedTuple):
@@ -101,6 +91,7 @@ class _Closed(NamedTuple):
     cycle: ItineraryShape
     numbers: Numbers
     rates: TableRates
+    shifts: int = 0
     projections: np.ndarray | None = None
 
 
@@ -109,14 +100,14 @@ def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Clos
 
     None is returned where the directions of the translations change with a parameter.
     """
-    structure, (count, _, size, width) = cycle.structure, numbers.fields.shape
-    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
-    along = np.array([directions_of(structure, *each) for each in arrays])
+    count, _, size, width = numbers.fields.shape
+    closed, moved, along = closed_cycle(cycle, numbers)
+    if not along.shape[1]:
+        return _Closed(cycle, numbers, rates)
     if _turn(cycle, numbers, rates, along):
         return None
     projections = np.array([projection_along(directions) for directions in along])
     place = cycle.transitions[-1].reset
-    added = (projections @ numbers.resets[:, place])[:, None]
     ends = np.cumsum([part[0].size for part in numbers[:3]])
     first = ends[1] + place * size * width
     there = np.flatnonzero((rates.entries >= first) & (rates.entries < first + size * width))
@@ -128,8 +119,8 @@ def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Clos
     driven = mechanical_states(cycle)
     kept = slice(None) if driven is None else driven
     return _Closed(
-        closed_shape(cycle, len(cycle)),
-        numbers._replace(resets=np.concatenate([numbers.resets, added], axis=1)),
+        closed,
+        moved,
         TableRates(
             np.concatenate([rates.directions, np.repeat(moving, size * width)]),
             np.concatenate(
@@ -137,6 +128,7 @@ def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Clos
             ),
             np.concatenate([rates.values, changes.reshape(count, -1)], axis=1),
         ),
+        along.shape[1],
         projections[:, kept][:, :, kept],
     )
 
@@ -169,7 +161,7 @@ def _compiled(
     timed: bool,
     maps: bool,
 ) -> ManyDirections:
-    cycle, numbers, rates, projections = closed
+    cycle, numbers, rates, shifts, projections = closed
     (points, size), count = start.shape, len(cycle)
     shape = (points if maps else 0, size, size)
     found = ManyDirections(
@@ -178,6 +170,7 @@ def _compiled(
         np.empty((points, directions)),
         np.empty(shape),
         np.empty((shape[0], directions, size, size)),
+        shifts,
     )
     engine.move(
         points, count, size, directions, rates.values.shape[1], timed,
@@ -251,6 +244,7 @@ def _in_python(
         np.trace(changed, axis1=-2, axis2=-1),
         real_parts(along[: k if maps else 0, 0]),
         changed[: k if maps else 0],
+        moved.directions.shape[1],
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -23,9 +23,9 @@ from nonsmooth.runtime.shooting.derivatives import flows_over
 from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
 from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape, closing_matrix
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle
 from nonsmooth.runtime.shooting.table_newton import sizes
-from nonsmooth.runtime.shooting.translations import directions_of, projection_along
+from nonsmooth.runtime.shooting.translations import projection_along
 from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map, shooting_map
 
 if TYPE_CHECKING:
@@ -125,6 +125,7 @@ class MovedCycles:
 
     cycle: ItineraryShape  # closed up to translations
     numbers: Numbers  # (k q, ...), with those of the closure
+    directions: np.ndarray  # (k q, m, N), of translations
     dwell: np.ndarray  # (k q, p), with steps
     start: np.ndarray  # (k q, N), with steps
     reasons: np.ndarray  # (k, q), why there are no changes, as `solve_linear` tells it
@@ -163,7 +164,7 @@ def moved_cycles(
     everywhere for members of a `family`.
     """
     (k, size), q = start.shape, len(numbers.fields) // len(start)
-    cycle, closed = closed_along(cycle, numbers)
+    cycle, closed, directions = closed_cycle(cycle, numbers)
     times, states = (np.repeat(part, q, axis=0) for part in (dwell, start))
     plain_times = stepped(times, 0, lib)
     with np.errstate(all="ignore"):
@@ -198,7 +199,8 @@ def moved_cycles(
         waits = (starts @ np.swapaxes(rates, 1, 2)).reshape(k * q, -1)
         waits = waits + imaginary_parts(now.rates[..., size].T, lib)
         start = stepped(states, starts.reshape(k * q, size), lib)
-    return MovedCycles(cycle, closed, stepped(times, waits, lib), start, reasons, lib)
+    waits = stepped(times, waits, lib)
+    return MovedCycles(cycle, closed, directions, waits, start, reasons, lib)
 
 
 def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directions:
@@ -253,18 +255,6 @@ def relative_changes(
     return relative_rates(values, changes, size_of.astype(float))
 
 
-def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
-    """Return the cycle closed up to translations, where there are any, and its numbers."""
-    structure = cycle.structure
-    if closing_matrix(structure, *next(iter(_arrays(numbers))), None) is None:
-        return cycle, numbers
-    matrices = [closing_matrix(structure, *arrays, None) for arrays in _arrays(numbers)]
-    last = numbers.resets[:, cycle.transitions[-1].reset]
-    added = np.array([m @ reset for m, reset in zip(matrices, last, strict=True)])
-    resets = np.concatenate([numbers.resets, added[:, None]], axis=1)
-    return closed_shape(cycle, len(cycle)), numbers._replace(resets=resets)
-
-
 def section_along(moved: MovedCycles) -> np.ndarray:
     """Return the map (k q, m, m), with steps, on the section at the start, or the stroboscopic one.
 
@@ -282,10 +272,9 @@ def section_along(moved: MovedCycles) -> np.ndarray:
     maps = np.eye(len(driven), dtype=int)
     for part in zip(phases, now.flows, now.velocities[..., None], behind, strict=True):
         maps = section_map(ARRAYS, *part)[..., driven, :][..., driven] @ maps
-    if not len(directions_of(cycle.structure, *next(iter(_arrays(numbers))))):
+    if not moved.directions.shape[1]:
         return np.asarray(maps)
-    directions = [directions_of(cycle.structure, *a) for a in _arrays(numbers)]
-    along = [projection_along(d)[np.ix_(driven, driven)] for d in directions]
+    along = (projection_along(each)[np.ix_(driven, driven)] for each in moved.directions)
     return np.array([p @ m for p, m in zip(along, maps, strict=True)])
 
 
@@ -300,8 +289,3 @@ def _section(evaluation: TableEvaluation, moved: MovedCycles) -> MapDerivatives:
         return found
     rounded = np.frompyfunc(evaluation.orbit.arithmetic.mp.mpf, 1, 1)
     return found._replace(matrix=rounded(found.matrix), rates=rounded(found.rates))
-
-
-def _arrays(numbers: Numbers) -> Iterator[tuple[Any, Any, Any]]:
-    """Yield fields, rows and resets of each direction."""
-    return zip(numbers.fields, numbers.rows, numbers.resets, strict=True)

@@ -41,7 +41,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closing, closing_matrix
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle, closing
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -248,8 +248,12 @@ class TableEquations:
         )
 
     def _tables(self, x: np.ndarray) -> Numbers:
-        """Return fields, rows and resets at many points."""
-        return self._closed(*tables_at(self.orbit.system, x[:, self._given]))
+        """Return fields, rows and resets at many points, with that of the part's closure."""
+        numbers = Numbers(*tables_at(self.orbit.system, x[:, self._given]))
+        cycle = self.orbit.tables.cycle
+        if self._cycle.structure is cycle.structure:
+            return numbers
+        return closed_cycle(cycle, numbers, self.orbit.symmetry)[1]
 
     def _shot(self, x: np.ndarray) -> ShootingDerivatives:
         """Return the passages of many points, with derivatives."""
@@ -258,21 +262,6 @@ class TableEquations:
             found = shooting_derivatives(self._cycle, self._tables(x), *self._unknowns(x))
             self._passed = x.tobytes(), found
         return found
-
-    def _closed(self, fields: np.ndarray, rows: np.ndarray, resets: np.ndarray) -> Numbers:
-        """Return numbers of many points, with the reset of the part's closure as the last one."""
-        if self._cycle.structure is not self.orbit.tables.cycle.structure:
-            arrays = zip(fields, rows, resets, strict=True)
-            resets = np.stack([self._closed_resets(*each) for each in arrays])
-        return Numbers(fields, rows, resets)
-
-    def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
-        """Return the resets, and behind them the one with which the part closes."""
-        orbit, cycle = self.orbit, self.orbit.tables.cycle
-        matrix = closing_matrix(cycle.structure, fields, rows, resets, orbit.symmetry)
-        last = resets[cycle.transitions[len(self._cycle) - 1].reset]
-        found = last if matrix is None else matrix @ last
-        return np.concatenate([resets, found[None]])
 
 
 def _parts(itinerary: tuple[tuple[str, str], ...]) -> list[int]:

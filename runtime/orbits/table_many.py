@@ -39,10 +39,9 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle
 from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 from nonsmooth.runtime.shooting.translations import (
-    directions_of,
     gauges_of,
     projection_along,
     translations_of,
@@ -291,7 +290,11 @@ class TableBatch:
         """Solve the points at some rows, whose numbers `flat` have the same modes."""
         closed, directions = cycle, np.empty((len(flat), 0, len(cycle.structure.states)))
         if self.translates:
-            closed, flat, directions = _up_to_translations(cycle, flat)
+            numbers = numbers_in(cycle.structure, flat)
+            place = sum(part[0].size for part in numbers[:3])
+            closed, numbers, directions = closed_cycle(cycle, numbers)
+            added = numbers.resets[:, cycle.structure.resets :].reshape(len(flat), -1)
+            flat = np.concatenate([flat[:, :place], added, flat[:, place:]], axis=1)
         turned, first = closed.rotated(self.first), self.first
         if start is not None and first:
             with np.errstate(all="ignore"):
@@ -308,24 +311,6 @@ class TableBatch:
             maps = stroboscopic_maps(closed, field, solved.starts[:, 0], maps, driven)
             directions = directions[..., driven]
         found.maps[rows] = _with_translations(maps, directions) if self.translates else maps
-
-
-def _up_to_translations(
-    cycle: ItineraryShape, flat: np.ndarray
-) -> tuple[ItineraryShape, np.ndarray, np.ndarray]:
-    """Return a cycle that closes up to translations, its numbers, and their directions.
-
-    Its last reset is that of the closure.
-    """
-    structure, count = cycle.structure, len(flat)
-    numbers = numbers_in(structure, flat)
-    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
-    directions = np.array([directions_of(structure, *each) for each in arrays])
-    last = numbers.resets[:, cycle.transitions[-1].reset]
-    added = np.stack([projection_along(d) @ r for d, r in zip(directions, last, strict=True)])
-    place = sum(part[0].size for part in numbers[:3])
-    parts = [flat[:, :place], added.reshape(count, -1), flat[:, place:]]
-    return closed_shape(cycle, len(cycle)), np.concatenate(parts, axis=1), directions
 
 
 def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:

@@ -19,6 +19,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
+    Numbers,
     itinerary_shape,
     numbers_in,
     shoot,
@@ -32,9 +33,8 @@ from nonsmooth.runtime.shooting.translations import (
 )
 
 __all__ = [
-    "closed_shape",
+    "closed_cycle",
     "closing",
-    "closing_matrix",
     "part_of",
     "whole_itinerary",
     "whole_orbit",
@@ -71,38 +71,38 @@ def whole_itinerary(
 def closing(
     system: PiecewiseLinear, cycle: ItineraryShape, symmetry: Symmetry | None
 ) -> tuple[PiecewiseLinear, ItineraryShape]:
-    """The part of a whole cycle that the symmetry closes, in a system with one more reset.
-
-    The added reset is the part's last one followed by the symmetry, and by the projection along
-    the system's translations if it has any. Without either, system and cycle stay as they are.
-    """
-    matrix = closing_matrix(system.structure, *system.numbers, symmetry)
-    if matrix is None:
+    """The part of a whole cycle that closes, in a system with the numbers of `closed_cycle`."""
+    fields, rows, resets = (part[None] for part in system.numbers)
+    part, closed, _ = closed_cycle(cycle, Numbers(fields, rows, resets), symmetry)
+    if part is cycle:
         return system, cycle
-    count = len(cycle) if symmetry is None else len(cycle) // symmetry.order
-    part = closed_shape(cycle, count)
-    reset = matrix @ system.resets[cycle.transitions[count - 1].reset]
-    resets = np.concatenate([system.resets, reset[None]])
-    return replace(system, structure=part.structure, resets=resets), part
+    return replace(system, structure=part.structure, resets=closed.resets[0]), part
 
 
-def closing_matrix(
-    structure: Structure, fields: Any, rows: Any, resets: Any, symmetry: Symmetry | None
-) -> np.ndarray | None:
-    """The matrix (N, N) that follows the last reset where an orbit closes; None if nothing does.
+def closed_cycle(
+    cycle: ItineraryShape, numbers: Numbers, symmetry: Symmetry | None = None
+) -> tuple[ItineraryShape, Numbers, np.ndarray]:
+    """The part of a whole cycle that closes, its numbers (n, ...), and directions (n, m, N).
 
-    It is made of the symmetry and of the projection along translations. Fields are
-    (c, N, N + 1), rows (R, N + 1) and resets (r, N, N + 1).
+    The directions are those of the system's translations. Where a symmetry or translations close
+    the orbit the numbers have one more reset: the part's last one, followed by the symmetry and by
+    the projection along the translations. Without either, cycle and numbers stay as they are.
     """
-    directions = directions_of(structure, fields, rows, resets)
-    matrix = None if symmetry is None else symmetry.matrix
-    if not len(directions):
-        return matrix
-    projection = projection_along(directions)
-    return projection if matrix is None else projection @ matrix
+    arrays = list(zip(numbers.fields, numbers.rows, numbers.resets, strict=True))
+    structure, size = cycle.structure, numbers.fields.shape[-2]
+    if not len(arrays) or (symmetry is None and not len(directions_of(structure, *arrays[0]))):
+        return cycle, numbers, np.empty((len(arrays), 0, size))
+    directions = np.array([directions_of(structure, *each) for each in arrays])
+    matrices = np.array([projection_along(each) for each in directions])
+    if symmetry is not None:
+        matrices = matrices @ symmetry.matrix
+    count = len(cycle) if symmetry is None else len(cycle) // symmetry.order
+    added = matrices @ numbers.resets[:, cycle.transitions[count - 1].reset]
+    resets = np.concatenate([numbers.resets, added[:, None]], axis=1)
+    return _closed_shape(cycle, count), numbers._replace(resets=resets), directions
 
 
-def closed_shape(cycle: ItineraryShape, count: int) -> ItineraryShape:
+def _closed_shape(cycle: ItineraryShape, count: int) -> ItineraryShape:
     """The first `count` phases of a cycle, where the last one ends with an added reset."""
     structure = _with_one_reset_more(cycle.structure)
     last = cycle.transitions[count - 1]
