@@ -20,7 +20,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import inverses
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
 from nonsmooth.runtime.shooting.kernel_newton import natural_scales
-from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
+from nonsmooth.runtime.shooting.multipliers import MapDerivatives
 from nonsmooth.runtime.shooting.newton import LEAST
 
 if TYPE_CHECKING:

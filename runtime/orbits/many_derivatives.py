@@ -23,14 +23,14 @@ from nonsmooth.runtime.orbits.table_directions import (
     section_along,
     stepped_numbers,
 )
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.derivatives import cycle_maps
-from nonsmooth.runtime.shooting.multiplier_derivatives import (
+from nonsmooth.runtime.shooting.multipliers import (
     MapDerivatives,
     many_multiplier_derivatives,
 )
 from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, itinerary_shape
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle
 from nonsmooth.runtime.shooting.translations import (
     deciding_rows,
     projection_along,

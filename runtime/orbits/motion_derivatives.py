@@ -16,7 +16,6 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, st
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.quadrature import composite_rule
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_maxima
-from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.impact_losses import impact_losses
@@ -103,13 +102,7 @@ class OrbitMotionDerivatives:
         """
         field = self.numbers.fields[:, self.cycle.configurations[phase]]
         times = stepped(since, rate, self.lib)
-        if self.lib is None:
-            flow = flows_over(field, times)
-        else:
-            mp = self.lib.mp
-            flow = np.array(
-                [exponential(f, mp.mpc(t), mp) for f, t in zip(field, times, strict=True)]
-            )
+        flow = flows_over(field, times, self.lib)
         return np.asarray((flow[..., :-1] @ self.starts[:, phase, :, None])[..., 0] + flow[..., -1])
 
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:

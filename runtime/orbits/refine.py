@@ -17,15 +17,13 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, numbers_in, shoot
-from nonsmooth.runtime.shooting.symmetric_orbit import closing
-from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
+from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
+from nonsmooth.runtime.shooting.symmetry import part_of, symmetry_of, whole_orbit
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
@@ -33,14 +31,13 @@ from nonsmooth.runtime.shooting.variational import Shooting
 __all__ = [
     "ARITHMETICS",
     "MOST_DIGITS",
-    "Precise",
     "Refined",
     "check_digits",
     "enclosed_trace",
     "refine",
     "refine_both",
     "refine_kernels",
-    "refine_shape",
+    "refine_tables",
 ]
 
 ARITHMETICS = ("flint", "mpmath", "both")
@@ -274,61 +271,56 @@ def _bits(digits: int) -> int:
     return math.ceil(digits * math.log2(10)) + 8
 
 
-class Precise(NamedTuple):
-    """Dwell times (p) and states (p, N) as mpmath numbers, the residual, and the steps taken."""
+def refine_tables(orbit: Orbit, digits: int) -> Orbit:
+    """Refine an orbit by the tables of its system to so many true digits, with mpmath.
 
-    dwell: np.ndarray
-    states: np.ndarray
-    residual: Any
-    iterations: int
-
-
-def refine_shape(
-    kernels: SystemKernels,
-    cycle: ItineraryShape,
-    parameters: dict[str, Value],
-    dwell: np.ndarray,
-    start: np.ndarray,
-    period: Value | None,
-    digits: int,
-    symmetry: Symmetry | None = None,
-) -> Precise:
-    """Return dwell times and states refined until their error is at most 10^-digits max(1, |x|).
-
-    The last step, at twice the digits, has to correct nothing that counts. `cycle` is the
-    whole one; `dwell` (p) and `period`, where it was given, are those of the part that a
-    symmetry closes, where there is one; `start` (N) is in double precision, of a
-    converged orbit. `InputError` is raised if the symmetry holds in double precision
-    only, `NoConvergence` if Newton's method leaves the orbit, as it does where the
-    equations are singular.
+    The last step, at twice the digits, has to correct nothing that counts. `InputError` is
+    raised if a symmetry holds in double precision only, `NoConvergence` if Newton's method
+    leaves the orbit, as it does where the equations are singular.
     """
-    lib = Mpmath(_START_DIGITS_OF_TABLES)
-    size, wanted = len(start), digits + GUARD
+    lib, wanted = Mpmath(_START_DIGITS_OF_TABLES), digits + GUARD
+    system, parameters, symmetry = orbit.system, orbit.parameters, orbit.symmetry
+    cycle, period = orbit.tables.cycle, orbit.given_period
+    order = 1 if symmetry is None else symmetry.order
+    if period is not None and symmetry is not None:
+        period = part_of(period, order)
+    size = len(orbit.states[0])
 
     def step_at(x: np.ndarray, last: bool) -> tuple[Any, tuple[PiecewiseLinear, Shooting]]:
         state, times = x[:size], x[size:]
-        system = piecewise_in(kernels, parameters, lib)
+        point = piecewise_in(system, parameters, lib)
         if symmetry is not None and last:
-            symmetry_of(system, symmetry.matrix, lib.mp.mpf(10) ** -wanted)
-        system, part = closing(system, cycle.at(system.structure), symmetry)
-        numbers = numbers_in(system)
+            symmetry_of(point, symmetry.matrix, lib.mp.mpf(10) ** -wanted)
+        point, part = closing(point, cycle.at(point.structure), symmetry)
+        numbers = numbers_in(point)
         now = shoot(part, numbers, times, state, lib.mp)
         size_of = sizes(now, times)
         total = None if period is None else lib.number(period)
-        matrix, right = linearised_closure(now, times, size_of, total)
-        matrix, right = with_forcing(part, numbers, now, size_of, matrix, right, lib)
+        matrix, right = closure_equations(part, numbers, now, times, size_of, total, lib=lib)
         # more equations than unknowns are solved in the sense of least squares
         step = np.array(lib.solve(matrix.tolist(), right.tolist()), dtype=object) * size_of
         change = now.rates[:, :-1] @ step + now.rates[:, -1]
-        return [*step, *change], (system, now)
+        return [*step, *change], (point, now)
 
-    known = np.array([lib.mp.mpf(v) for v in (*start.tolist(), *dwell.tolist())], dtype=object)
+    dwell = orbit.dwell_times[: len(cycle) // order]
+    known = np.array([lib.mp.mpf(float(v)) for v in (*orbit.states[0], *dwell)], dtype=object)
     name = cycle.structure.name
-    x, (system, now), count = climb(lib, known, step_at, wanted, _START_DIGITS_OF_TABLES, name)
+    x, (point, now), count = climb(lib, known, step_at, wanted, _START_DIGITS_OF_TABLES, name)
     last = Mpmath(wanted)  # a context rounds to its own precision when it computes
     left = [*now.residual, *(now.starts[-1] - now.starts[0])]
-    residual = last.mp.mpf(max(map(abs, left)))
     rounded = np.vectorize(last.mp.mpf, otypes=[object])
     states = rounded(now.starts[:-1])
-    states[0] = up_to_shift(states[0], translations_of(system))
-    return Precise(rounded(x[size:]), states, residual, count)
+    states[0] = up_to_shift(states[0], translations_of(point))
+    with last.working(wanted):
+        point = piecewise_in(system, parameters, last)
+        whole, part = cycle.at(point.structure), (rounded(x[size:]), states)
+        dwell, states = whole_orbit(point, whole, symmetry, *part, last.mp)
+    unknowns = [*dwell.tolist(), *states[0].tolist()]
+    return replace(
+        orbit,
+        unknowns=dict(zip(orbit.unknowns, unknowns, strict=True)),
+        residual=last.mp.mpf(max(map(abs, left))),
+        digits=digits,
+        iterations=orbit.iterations + count,
+        starts=states,
+    )

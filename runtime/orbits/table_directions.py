@@ -12,21 +12,24 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, step_of, stepped
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.table_derivatives import relative_rates
 from nonsmooth.runtime.orbits.directions import SINGULAR, Directions, check_reasons, solve_linear
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
 from nonsmooth.runtime.shooting.derivatives import flows_over
-from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
+from nonsmooth.runtime.shooting.multipliers import MapDerivatives
 from nonsmooth.runtime.shooting.section_map import mechanical_states
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    phases_in,
+    shoot_along,
+)
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map, shooting_map
+from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
@@ -90,33 +93,8 @@ def passed(
     `numbers` are those of q directions; `dwell` (q, p) and `start` (q, N) are in the
     system's units. `lib` is None in double precision.
     """
-    fields = numbers.fields[:, list(cycle.configurations)]
-    if lib is None:
-        flows = np.moveaxis(flows_over(fields, dwell), 1, 0)
-    else:
-        flows = np.array(
-            [
-                [exponential(f, t, lib.mp) for f, t in zip(*pair, strict=True)]
-                for pair in zip(fields, dwell, strict=True)
-            ],
-            dtype=object,
-        )
-        flows = np.moveaxis(flows.reshape(*fields.shape), 1, 0)
-    size = start.shape[-1]
-    unit = np.eye(size, size + 1, dtype=object if lib else complex)
-    changes = np.broadcast_to(unit, (len(start), size, size + 1))
-    found = shooting_map(ARRAYS, phases_in(cycle, numbers), flows, start[..., None], changes)
-    return Shooting(
-        flows,
-        np.array(found.starts)[..., 0],
-        np.array(found.ends)[..., 0],
-        np.array(found.velocities)[..., 0],
-        np.array(found.residual)[..., 0, 0],
-        np.array(found.speeds)[..., 0, 0],
-        np.array(found.rates)[..., 0, :],
-        (),
-        found.variational,
-    )
+    flows = flows_over(numbers.fields[:, list(cycle.configurations)], dwell, lib)
+    return shoot_along(cycle, numbers, np.moveaxis(flows, 1, 0), start)
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +151,6 @@ def moved_cycles(
         plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
         size_of = sizes(now._replace(**plain), dwell)
         every_size = np.repeat(size_of, q, axis=0)
-        fixed = now._replace(starts=np.broadcast_to(states, now.starts.shape))
         usual = np.array(
             [
                 relative_changes([part[n * q : (n + 1) * q] for part in numbers[:3]], each, lib)
@@ -182,9 +159,9 @@ def moved_cycles(
         ).reshape(k, q)
 
         def solved(total: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-            sides = linearised_closure(now, plain_times, every_size, total)
-            arithmetic = FLOATS if lib is None else lib
-            matrix, right = with_forcing(cycle, closed, fixed, every_size, *sides, arithmetic)
+            options: Any = {"start": states, "lib": FLOATS if lib is None else lib}
+            asked = cycle, closed, now, plain_times, every_size, total
+            matrix, right = closure_equations(*asked, **options)
             changed = imaginary_parts(right, lib).reshape(k, q, -1)
             plain_matrix = real_parts(matrix[::q])
             return solve_linear(plain_matrix, np.swapaxes(changed, 1, 2), usual, lib)

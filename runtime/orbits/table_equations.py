@@ -29,6 +29,7 @@ from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, motion_along
 from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.derivatives import (
     ShootingDerivatives,
     dependent_variational,
@@ -41,7 +42,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle, closing
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

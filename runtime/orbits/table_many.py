@@ -22,6 +22,7 @@ from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
 from nonsmooth.runtime.orbits.table_digits import without_digits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
@@ -39,7 +40,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_cycle
 from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 from nonsmooth.runtime.shooting.translations import (
     gauges_of,

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
+from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
@@ -30,10 +30,10 @@ from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
-from nonsmooth.runtime.orbits.refine import refine_shape
+from nonsmooth.runtime.orbits.refine import refine_tables
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_directions import table_directions
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR
 from nonsmooth.runtime.shooting.section_map import assess, saltations
@@ -44,7 +44,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closing, part_of, whole_orbit
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.table_newton import message_of, sizes
 from nonsmooth.runtime.shooting.translations import (
@@ -184,7 +183,7 @@ class TableProblem:
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
         """See `KernelProblem`: with mpmath, in whichever arithmetic is asked for."""
-        return orbit.tables.refined(digits)
+        return refine_tables(orbit, digits)
 
 
 def orbit_of(
@@ -321,9 +320,7 @@ class TableEvaluation:
         self._check_found()
         lib = self.orbit.arithmetic if self.orbit.precise else FLOATS
         part, numbers, now, dwell = self._part
-        size_of = sizes(now, dwell)
-        found = linearised_closure(now, dwell, size_of)
-        matrix, _ = with_forcing(part, numbers, now, size_of, *found, lib)
+        matrix, _ = closure_equations(part, numbers, now, dwell, sizes(now, dwell), lib=lib)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
         return bool(values[-1] <= LEAST * values[0])
 
@@ -381,43 +378,6 @@ class TableEvaluation:
             self.shooting.ends.astype(float),
             self.moved.astype(float),
             periods,
-        )
-
-    def refined(self, digits: int) -> Orbit:
-        """Return the same orbit to true decimal digits, with mpmath numbers.
-
-        `InputError` is raised for a symmetry that holds in double precision only,
-        `NoConvergence` if Newton's method leaves the orbit, as it does where the equations
-        are singular.
-        """
-        orbit, system, symmetry = self.orbit, self.problem.system, self.problem.symmetry
-        period, parameters = orbit.given_period, orbit.parameters
-        precise = refine_shape(
-            system,
-            self.cycle,
-            parameters,
-            self._part[-1].astype(float),
-            self.states[0].astype(float),
-            period if symmetry is None or period is None else part_of(period, symmetry.order),
-            digits,
-            symmetry,
-        )
-        lib = Mpmath(digits + GUARD)
-        with lib.working(digits + GUARD):
-            point = piecewise_in(system, parameters, lib)
-            cycle = self.cycle.at(point.structure)
-            part = precise.dwell, precise.states
-            dwell, states = whole_orbit(point, cycle, symmetry, *part, lib.mp)
-        return orbit_of(
-            self.problem,
-            parameters,
-            period,
-            dwell,
-            states,
-            precise.residual,
-            digits,
-            orbit.iterations + precise.iterations,
-            orbit.status,
         )
 
     @cached_property

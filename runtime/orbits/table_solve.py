@@ -22,20 +22,21 @@ from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, orbit_of
+from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     guesses,
     itinerary_shape,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import (
-    closing,
+from nonsmooth.runtime.shooting.symmetry import (
+    Symmetry,
     part_of,
+    symmetry_of,
     whole_itinerary,
     whole_orbit,
     whole_shape,
 )
-from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
 from nonsmooth.runtime.shooting.table_newton import TableSolution, fitting_start, solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 

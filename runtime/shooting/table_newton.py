@@ -9,10 +9,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.model.engine_layout import layout_of
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closure_equations
 from nonsmooth.runtime.shooting.newton import (
     BEYOND,
     CONVERGED,
@@ -47,6 +46,7 @@ __all__ = [
 
 # the compiled solver's numbers
 MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
+_ANGLES = 48  # of a forcing, tried for a start
 NOTHING = 1e-18  # of the largest state: rounding of rounding is smaller
 
 _MESSAGES = {
@@ -136,8 +136,7 @@ def solve_in_python(
         numbers, here = numbers_in(cycle.structure, flat[running]), dwell[running]
         now = shoot(cycle, numbers, here, state[running], np)
         size_of = sizes(now, here)
-        matrix, right = linearised_closure(now, here, size_of, period[running])
-        matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
+        matrix, right = closure_equations(cycle, numbers, now, here, size_of, period[running])
         step, least[running] = least_squares(matrix, right)
         step = step * size_of
         change = now.rates[..., size].T + np.einsum("pnk,nk->np", now.rates[..., :size], step)
@@ -190,9 +189,6 @@ def _residuals(
     absolute = np.maximum(gaps.max(axis=0), closure.max(axis=-1))
     relative = np.where(terms > 0, gaps / terms, 0).max(axis=0)
     return absolute, np.maximum(relative, (closure / size_of).max(axis=-1))
-
-
-_ANGLES = 48  # of a forcing, tried for a start
 
 
 def fitting_start(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
