@@ -105,20 +105,19 @@ class TablePoints:
             start = np.broadcast_to(self._own_start, (size, len(names)))
         dwell = np.where(start[:, :count] > 0, start[:, :count], np.nan)
         found = self._batch.solve(points, dwell, start[:, count:], given, limits=True)
-        there = found.converged
-        columns = {name: np.full(size, np.nan) for name in ("trace", "margin", "period", *names)}
-        columns["status"], columns["limit"] = found.status.astype(int), found.limit
-        columns["admissible"] = found.limit == NEITHER
-        maps, timed = found.maps[there], not np.isnan(given).all()
-        trace = np.trace(maps, axis1=-2, axis2=-1)
-        columns["trace"][there] = trace
+        margin = np.full(size, np.nan)
         if not self._cycle.one_sided:
-            columns["margin"][there] = margins(maps, trace, self._section[1], family=timed)
-        columns["period"][there] = found.dwell[there].sum(axis=-1)
-        numbers = np.concatenate([found.dwell[there], found.starts[there, 0]], axis=-1)
-        for name, column in zip(names, numbers.T, strict=True):
-            columns[name][there] = column
-        return columns
+            timed = not np.isnan(given).all()
+            margin = margins(found.maps, found.trace, self._section[1], family=timed)
+        return {
+            "status": found.status.astype(int),
+            "limit": found.limit,
+            "admissible": found.limit == NEITHER,
+            "trace": found.trace,
+            "margin": margin,
+            "period": found.dwell.sum(axis=-1),
+            **dict(zip(names, found.unknowns, strict=True)),
+        }
 
     def starts_of(self, columns: Columns) -> np.ndarray:
         """See `KernelPoints`: dwell times and start."""

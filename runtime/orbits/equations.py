@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 
-from nonsmooth.runtime.core.matrices import eigenvalues, sorted_by_size
+from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.motion import Motion
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
 from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
@@ -22,6 +21,7 @@ from nonsmooth.runtime.shooting.kernel_newton import (
     error_bounds,
     natural_scales,
 )
+from nonsmooth.runtime.shooting.multipliers import nontrivial
 from nonsmooth.runtime.shooting.newton import judged
 
 __all__ = ["KernelEquations", "OrbitEquations", "equations_of"]
@@ -166,12 +166,7 @@ class KernelEquations:
                 return np.stack([larger, 1 / larger], axis=-1)
         with np.errstate(all="ignore"):  # infinite where a boundary is touched
             matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(x))
-        values = eigenvalues(matrices)
-        if self.conservative:
-            trivial = np.argmin(abs(values - 1), axis=-1)
-            values[np.arange(len(values)), trivial] = 0
-            values = sorted_by_size(values)
-        return np.asarray(values[:, : table["rank"] - self.conservative])
+        return nontrivial(eigenvalues(matrices), table["rank"], family=self.conservative)
 
     def traces(self, x: np.ndarray) -> np.ndarray:
         """Return traces (k,) of the Poincare map of the whole period."""
@@ -195,15 +190,13 @@ class KernelEquations:
         """
         equations = equations_at(self._kernels, x)
         errors = error_bounds(self._kernels, x, self._places, equations)
-        error = errors.largest
-        digits = math.floor(-math.log10(max(error, 1e-300))) if math.isfinite(error) else 0
         return replace(
             self.orbit,
             given=given,
             unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
             residual=float(abs(equations.residual).max()),
-            digits=max(0, min(DOUBLE, digits)),
-            status=int(judged(errors.dwell, errors.of_dwell, error, DETERMINED)),
+            digits=sure_digits(errors.largest),
+            status=int(judged(errors.dwell, errors.of_dwell, errors.largest, DETERMINED)),
         )
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion:

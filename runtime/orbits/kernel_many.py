@@ -135,7 +135,7 @@ class KernelPoints:
         columns = {
             "status": found.status,
             "admissible": np.asarray(found.admissible),
-            "trace": np.where(there, found.trace, np.nan),
+            "trace": found.trace,
             "margin": np.full(found.status.shape, np.nan),
             "period": found.period,
             **found.unknowns,

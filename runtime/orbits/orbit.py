@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.kernel_problem import Evaluation, OrbitProblem
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
-__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged"]
+__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged", "sure_digits"]
 
 DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
@@ -456,6 +457,13 @@ class Orbit(Shown):
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text
+
+
+def sure_digits(error: float) -> int:
+    """Return the decimal digits, `DOUBLE` at most, of numbers in units of max(1, |x|)."""
+    if not math.isfinite(error):
+        return 0
+    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
 
 
 def check_converged(orbit: object, doing: str) -> None:

@@ -20,16 +20,15 @@ from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
 from nonsmooth.runtime.shooting.derivatives import flows_over
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives
-from nonsmooth.runtime.shooting.section_map import mechanical_states
+from nonsmooth.runtime.shooting.section_map import mechanical_states, timed_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
-    phases_in,
     shoot_along,
 )
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
+from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
@@ -243,12 +242,9 @@ def section_along(moved: MovedCycles) -> np.ndarray:
     maps = now.variational[..., :-1]
     if driven is None:
         return np.asarray(maps)
-    phases = phases_in(cycle, numbers)
-    fields = [phase.field for phase in (*phases[1:], phases[0])]
-    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
     maps = np.eye(len(driven), dtype=int)
-    for part in zip(phases, now.flows, now.velocities[..., None], behind, strict=True):
-        maps = section_map(ARRAYS, *part)[..., driven, :][..., driven] @ maps
+    for local in timed_maps(cycle, numbers, now, driven):
+        maps = local @ maps
     if not moved.directions.shape[1]:
         return np.asarray(maps)
     along = (projection_along(each)[np.ix_(driven, driven)] for each in moved.directions)

@@ -16,10 +16,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import (
-    eigenvalues,
-    sorted_by_size,
-)
+from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
@@ -35,6 +32,7 @@ from nonsmooth.runtime.shooting.derivatives import (
     dependent_variational,
     shooting_derivatives,
 )
+from nonsmooth.runtime.shooting.multipliers import nontrivial
 from nonsmooth.runtime.shooting.newton import NEGATIVE, SHORTEST
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -174,12 +172,7 @@ class TableEquations:
             field = self._tables(x).fields[:, self._cycle.configurations[0]]
             start = self._unknowns(x)[1]
             matrices = stroboscopic_maps(self._cycle, field, start, matrices, self._driven)
-        values = eigenvalues(matrices)
-        if self.conservative:
-            trivial = np.argmin(abs(values - 1), axis=-1)
-            values[np.arange(len(values)), trivial] = 0
-            values = sorted_by_size(values)
-        return np.asarray(values[:, : self._rank - self.conservative])
+        return nontrivial(eigenvalues(matrices), self._rank, family=self.conservative)
 
     def traces(self, x: np.ndarray) -> np.ndarray:
         """See `KernelEquations`."""

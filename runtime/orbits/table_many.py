@@ -33,7 +33,6 @@ from nonsmooth.runtime.shooting.section_map import (
 )
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
-    Numbers,
     finite_at,
     guesses,
     itinerary_shape,
@@ -104,10 +103,7 @@ def solve_itineraries(
 
     solved = in_parallel(work, parts, threads)
     found = Composed(*map(np.concatenate, zip(*solved, strict=True)))
-    for array in (found.dwell, found.starts, found.maps, found.residual):
-        array[~found.converged] = np.nan
     problem = TableProblem(kernels, cycle.itinerary)
-    columns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
     values = None
     if multipliers:
         values = eigenvalues(found.maps)[:, :dimension]
@@ -115,8 +111,8 @@ def solve_itineraries(
     flat = Orbits(
         problem,
         {name: parameter_array(name, value) for name, value in parameters.items()},
-        dict(zip(problem.unknown_names, columns, strict=True)),
-        np.trace(found.maps, axis1=-2, axis2=-1),
+        dict(zip(problem.unknown_names, found.unknowns, strict=True)),
+        found.trace,
         found.dwell.sum(axis=-1),
         found.residual,
         found.iterations,
@@ -188,7 +184,7 @@ def section_of(
             continue
         at = None if start is None else start[part]
         found = solve_shape(here, flat, dwell[part], at, np.full(1, np.nan))
-        single = Numbers(*_first(numbers_in(group.structure, flat)))
+        single = numbers_in(group.structure, flat[0])
         with np.errstate(all="ignore"):
             now = shoot(here, single, found.dwell[0], found.starts[0, 0], np)
             maps = local_maps(here, single, now)
@@ -200,13 +196,8 @@ def section_of(
     return 0, size - 1, size - 1
 
 
-def _first(numbers: Numbers) -> Any:
-    for part in numbers:
-        yield tuple(p[0] for p in part) if isinstance(part, tuple) else part[0]
-
-
 class Composed(NamedTuple):
-    """Orbits at n points; NaN where Newton's method had nothing to start from."""
+    """Orbits at n points; NaN where there is none."""
 
     dwell: np.ndarray  # (n, p)
     starts: np.ndarray  # (n, p, N), state at the start of each phase
@@ -217,9 +208,14 @@ class Composed(NamedTuple):
     limit: np.ndarray  # (n,) of int, as `first_limits` gives it; NO_ORBIT where not asked for
 
     @property
-    def converged(self) -> np.ndarray:
-        """Where an orbit was found."""
-        return np.asarray(self.status == CONVERGED)
+    def unknowns(self) -> np.ndarray:
+        """Dwell times, then the start (p + N, n)."""
+        return np.concatenate([self.dwell, self.starts[:, 0]], axis=1).T
+
+    @property
+    def trace(self) -> np.ndarray:
+        """Of the maps (n,)."""
+        return np.asarray(np.trace(self.maps, axis1=-2, axis2=-1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -275,6 +271,8 @@ class TableBatch:
                 found.limit[at] = first_limits(
                     self.system, here, points[at], flat[there], found.dwell[at], found.starts[at]
                 )
+        for array in (found.dwell, found.starts, found.maps, found.residual):
+            array[found.status != CONVERGED] = np.nan
         return found
 
     def _fill(

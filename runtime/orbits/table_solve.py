@@ -6,8 +6,8 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -30,7 +30,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     itinerary_shape,
 )
 from nonsmooth.runtime.shooting.symmetry import (
-    Symmetry,
     part_of,
     symmetry_of,
     whole_itinerary,
@@ -43,11 +42,14 @@ from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 __all__ = [
     "CONTINUATION_STEPS",
     "Symmetries",
+    "guess_by_name",
     "known_orbit",
+    "period_in",
     "solve_declared",
     "solve_itinerary",
     "steps_between",
     "unknowns_of",
+    "value_of",
     "whole_names",
 ]
 
@@ -76,16 +78,21 @@ def solve_itinerary(
     that the system does not allow, or what is no symmetry of the system at these
     parameters.
     """
-    stated = _stated(system, parameters, itinerary, period, symmetry)
-    structure = stated.point.structure
-    dwell = guesses("the guess of the dwell times", dwell_times, len(stated.part), positive=True)
-    begin, directions = None, translations_of(stated.point)
-    if start is not None:
-        begin = guesses("the guess of the start", start, len(structure.states)).reshape(1, -1)
-        begin = up_to_shift(begin, directions)
-    found = solve_shape(stated.part, stated.flat, dwell.reshape(1, -1), begin, stated.length)
-    found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
-    return _orbit(stated, found)
+
+    def solved(
+        point: PiecewiseLinear, part: ItineraryShape, flat: np.ndarray, length: np.ndarray
+    ) -> TableSolution:
+        dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
+        begin, directions = None, translations_of(point)
+        if start is not None:
+            size = len(point.structure.states)
+            begin = guesses("the guess of the start", start, size).reshape(1, -1)
+            begin = up_to_shift(begin, directions)
+        found = solve_shape(part, flat, dwell.reshape(1, -1), begin, length)
+        found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
+        return found
+
+    return _orbit(system, parameters, itinerary, period, symmetry, solved)
 
 
 def known_orbit(
@@ -105,7 +112,6 @@ def known_orbit(
     they are. Other arguments, and `InputError`, are as for `solve_itinerary`. The
     result's `status` says whether a dwell time, or all of it, is lost in rounding.
     """
-    stated = _stated(system, parameters, itinerary, period, symmetry)
     found = TableSolution(
         dwell_times[None],
         states[None],
@@ -114,30 +120,22 @@ def known_orbit(
         np.zeros(1, dtype=np.int32),
         np.full(1, CONVERGED, dtype=np.int32),
     )
-    return _orbit(stated, found)
+    return _orbit(system, parameters, itinerary, period, symmetry, lambda *_: found)
 
 
-class _Stated(NamedTuple):
-    """The equations of an orbit at one point; `part` is what a symmetry or translations close."""
-
-    kernels: SystemKernels
-    point: PiecewiseLinear
-    cycle: ItineraryShape
-    mirror: Symmetry | None
-    part: ItineraryShape
-    flat: np.ndarray
-    period: Value | None
-    length: np.ndarray
-
-
-def _stated(
+def _orbit(
     system: SystemKernels,
     parameters: Mapping[str, object],
     itinerary: Sequence[tuple[str, str]],
     period: object,
     symmetry: Symmetries,
-) -> _Stated:
-    """Return the equations; `length` (1,) is the sum of the part's dwell times, NaN where free."""
+    solved: Callable[[PiecewiseLinear, ItineraryShape, np.ndarray, np.ndarray], TableSolution],
+) -> Orbit:
+    """Return the record of a solution, with its digits and the routes that it takes.
+
+    `solved` gives it, from the system, the part that a symmetry or translations close, the
+    numbers (1, size) of that part, and the sum (1,) of its dwell times, NaN where free.
+    """
     mirror, phases = None, itinerary
     if symmetry is not None:
         declared = piecewise(system, parameters)
@@ -156,20 +154,15 @@ def _stated(
         raise InputError(f"period = {wanted} is not positive and finite")
     if wanted is not None and mirror is not None:
         length = float(part_of(wanted, mirror.order))
-    flat = numbers_of(closed)[None]
-    return _Stated(kernels, point, cycle, mirror, part, flat, wanted, np.array([length]))
-
-
-def _orbit(stated: _Stated, found: TableSolution) -> Orbit:
-    """Return the record of a solution, with its digits and the routes that it takes."""
-    digits, status = digits_of(stated.part, stated.flat, found, stated.length)
-    point, cycle, mirror = stated.point, stated.cycle, stated.mirror
+    asked = part, numbers_of(closed)[None]
+    found = solved(point, *asked, np.array([length]))
+    digits, status = digits_of(*asked, found, np.array([length]))
     times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
-    kernels = with_routes_at(stated.kernels, point, cycle.itinerary, times, states)
+    kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     return orbit_of(
         TableProblem(kernels, cycle.itinerary, mirror),
         point.parameters,
-        stated.period,
+        wanted,
         times,
         states,
         float(found.residual[0]),
@@ -185,6 +178,47 @@ def steps_between(begin: np.ndarray, end: np.ndarray) -> Iterator[np.ndarray]:
     ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
     for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1):
         yield np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
+
+
+def period_in(
+    unknown: Iterable[str], given: Mapping[str, object] | None, name: str = "an itinerary"
+) -> object:
+    """Return the period that is given for what is composed, or None; `InputError` for an exchange.
+
+    Nothing may be solved for in place of unknowns: `unknown` is empty, and `given` holds
+    ``period`` at most. The message begins with the `name`.
+    """
+    exchanged = [*unknown, *(each for each in given or {} if each != PERIOD)]
+    if exchanged:
+        raise InputError(
+            f"{name} is composed from its phases: {', '.join(exchanged)} cannot be"
+            " exchanged, as in orbits whose equations are derived"
+        )
+    return (given or {}).get(PERIOD)
+
+
+def guess_by_name(
+    guess: Sequence[float] | Mapping[str, float] | None, names: Sequence[str], of: str, least: int
+) -> Mapping[str, float]:
+    """Return a guess by the names of the unknowns, of all or of the first `least` of them.
+
+    `InputError` is raised for another number of them, in words `of` an orbit of this name.
+    """
+    if guess is None or isinstance(guess, Mapping):
+        return guess or {}
+    if len(guess) not in (len(names), least):
+        raise InputError(
+            f"the guess has {len(guess)} values, {of} has {len(names)} unknowns: {', '.join(names)}"
+        )
+    return dict(zip(names, guess, strict=False))
+
+
+def value_of(name: str, given: object) -> Value:
+    """Return a value; the message of the `InputError` begins with its name."""
+    try:
+        return as_value(given)
+    except InputError as problem:
+        raise InputError(f"{name}: {problem}") from None
 
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
@@ -230,15 +264,9 @@ def solve_declared(
     `throw`, `NoConvergence` is raised if no orbit is found; `InputError` is raised for
     wrong names or values, and for a dwell time that is neither given nor in a reference.
     """
-    exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
-    if exchanged:
-        raise InputError(
-            f"{kernels.name} is composed from its phases: {', '.join(exchanged)} cannot be"
-            " exchanged, as in orbits whose equations are derived"
-        )
+    period = period_in(unknown, given, kernels.name)
     reference = kernels.table["reference"] or {"parameters": {}, "guess": {}}
     values: dict[str, Any] = {**reference["parameters"], **parameters}
-    period: object = (given or {}).get(PERIOD)
     declared = kernels.table.get("period")
     if declared is not None:
         own = values.pop(declared["name"], None)
@@ -314,26 +342,13 @@ def _named(
     names = unknowns_of(kernels)
     states = kernels.system.table["states"]
     synonyms = dict(zip(states, names[len(names) - len(states) :], strict=True))
-    if guess is not None and not isinstance(guess, Mapping):
-        if len(guess) not in (len(names), len(names) - len(states)):
-            raise InputError(
-                f"the guess has {len(guess)} values, {kernels.name} has {len(names)} unknowns:"
-                f" {', '.join(names)}"
-            )
-        guess = dict(zip(names, guess, strict=False))
+    guess = guess_by_name(guess, names, kernels.name, len(names) - len(states))
     found = {}
-    for name, value in {**reference, **(guess or {})}.items():
+    for name, value in {**reference, **guess}.items():
         if name not in names and name not in synonyms:
             raise unknown_name("variable", str(name), names)
-        found[synonyms.get(name, name)] = _float(name, value)
+        found[synonyms.get(name, name)] = float(value_of(name, value))
     return found
-
-
-def _float(name: str, given: object) -> float:
-    try:
-        return float(as_value(given))
-    except InputError as problem:
-        raise InputError(f"{name}: {problem}") from None
 
 
 def _start(

@@ -45,11 +45,13 @@ def closed_cycle(
     the orbit the numbers have one more reset: the part's last one, followed by the symmetry and by
     the projection along the translations. Without either, cycle and numbers stay as they are.
     """
-    arrays = list(zip(numbers.fields, numbers.rows, numbers.resets, strict=True))
-    structure, size = cycle.structure, numbers.fields.shape[-2]
-    if not len(arrays) or (symmetry is None and not len(directions_of(structure, *arrays[0]))):
-        return cycle, numbers, np.empty((len(arrays), 0, size))
-    directions = np.array([directions_of(structure, *each) for each in arrays])
+    structure, (points, *_, size, _) = cycle.structure, numbers.fields.shape
+    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
+    found = (directions_of(structure, *each) for each in arrays)
+    first = next(found, np.empty((0, size)))
+    if not points or (symmetry is None and not len(first)):
+        return cycle, numbers, np.empty((points, 0, size))
+    directions = np.array([first, *found])
     matrices = np.array([projection_along(each) for each in directions])
     if symmetry is not None:
         matrices = matrices @ symmetry.matrix

@@ -232,7 +232,7 @@ def _halves(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.ndarra
 class Errors(NamedTuple):
     """Bounds on the errors of a solution, and the dwell times of its phases that take time."""
 
-    largest: Any  # (...), of all numbers in units of max(1, |x|), inf where nothing is known
+    largest: Any  # (...), of all numbers in units of max(1, |x|), NaN where nothing is known
     dwell: np.ndarray  # (..., p)
     of_dwell: np.ndarray  # (..., p), bounds on the errors of the dwell times
 
@@ -247,13 +247,13 @@ def error_bounds(
 
     J^-1 is applied to the residual and to the rounding errors of all that enters the equations:
     parameters and unknowns, and the states along the orbit, whose differences the equations are.
-    `equations` are those at x. The bounds are inf where J is singular.
+    `equations` are those at x. The bounds are NaN where J is singular.
     """
     residual, jacobian, spectrum = equations
     unknowns, parameters = _halves(kernels, x)
     with np.errstate(all="ignore"):
         states = np.abs(kernels.evaluate("states", at=(parameters, spectrum, unknowns)))
-        sizes = np.stack([np.abs(x)] * 2, axis=-1)
+        sizes = np.abs(x)[..., None] * np.ones(2)
         sizes[..., places, 0] = np.maximum(sizes[..., places, 0], 1.0)
         largest = states.reshape(*x.shape[:-1], -1).max(axis=-1)
         rounding = np.abs(jacobian) @ sizes + largest[..., None, None]
@@ -262,13 +262,13 @@ def error_bounds(
         errors[..., places, :] = np.abs(inverses(jacobian[..., places])) @ noise
         largest = (errors[..., places, 0] / sizes[..., places, 0]).max(axis=-1)
         waits = _waits(kernels, x, errors[..., 1])
-    return Errors(np.where(np.isfinite(largest), largest, np.inf)[()], *waits)
+    return Errors(largest, *waits)
 
 
 def _waits(
     kernels: OrbitKernels, x: np.ndarray, errors: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Dwell times (..., p) of the phases that take time, and their errors from those of x."""
+    """Dwell times (p,) or (k, p) of the phases that take time, and their errors."""
     names = (*kernels.unknowns, *kernels.parameter_names)
     durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
     own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
@@ -277,7 +277,7 @@ def _waits(
         if name not in kernels.table["vanishing"]:
             dwell.append(durations[name])
             of_dwell.append(sum(abs(factor) * own[term] for term, factor in terms.items()))
-    return np.stack(dwell, axis=-1), np.stack(of_dwell, axis=-1)
+    return np.array(dwell).T, np.array(of_dwell).T
 
 
 def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:

@@ -22,6 +22,7 @@ __all__ = [
     "many_multiplier_derivatives",
     "margins",
     "multiplier_derivatives",
+    "nontrivial",
     "reciprocal_pair",
 ]
 
@@ -103,6 +104,17 @@ def _pair_margins(trace: np.ndarray) -> np.ndarray:
     half = np.abs(trace - 1) / 2
     root = np.sqrt(np.maximum((half - 1) * (half + 1), 0))
     return np.where(half <= 1, 0.0, 1 - (half + root))
+
+
+def nontrivial(values: np.ndarray, rank: int, *, family: bool) -> np.ndarray:
+    """Return the multipliers (n, r) that may differ from zero, without the 1 of a family's orbits.
+
+    `values` (n, k) are all multipliers by decreasing size; `rank` of them may differ from zero.
+    """
+    if family:
+        values[np.arange(len(values)), np.argmin(abs(values - 1), axis=-1)] = 0
+        values = sorted_by_size(values)
+    return np.asarray(values[:, : rank - family])
 
 
 def margins(maps: np.ndarray, trace: np.ndarray, rank: int, *, family: bool) -> np.ndarray:
@@ -230,9 +242,8 @@ def _derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivat
             trace, trace_rates, one, radius_rates, none.sum(axis=2), none, radius, radius_rates
         )
     reduced, moved = _reduced(matrix, rates, rank, lib)
-    adjugates = _adjugates(reduced, lib)[:, None]
     values, right, left = _eigen(reduced, lib)
-    slopes = np.diagonal(left[:, None] @ moved @ right[:, None], axis1=2, axis2=3)
+    slopes = np.einsum("kij,kqjl,kli->kqi", left, moved, right)
     sizes, every = abs(values).astype(float), np.arange(count)
     most = _COLLISION * sizes.max(axis=1, keepdims=True)
     distances = abs(values[:, :, None] - values[:, None]).astype(float)
@@ -260,7 +271,7 @@ def _derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivat
         trace,
         trace_rates,
         _determinants(reduced, lib),
-        np.trace(adjugates @ moved, axis1=2, axis2=3),
+        np.einsum("kij,kqji->kq", _adjugates(reduced, lib), moved),
         multipliers,
         turned,
         radius,
