@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -75,6 +75,11 @@ class KernelProblem:
     kernels: OrbitKernels
     symmetry: Symmetry | None = None
 
+    # whether an orbit determines all parameters of its system, and so a trajectory
+    has_trajectory: ClassVar[bool] = False
+    # places of cosine and sine of each forcing among the states that are shown
+    forcing: ClassVar[tuple[tuple[int, int], ...]] = ()
+
     @property
     def name(self) -> str:
         """``system/orbit``, or ``FILE.py:orbit`` and the like."""
@@ -106,20 +111,10 @@ class KernelProblem:
         return self.kernels.unknowns
 
     @property
-    def has_trajectory(self) -> bool:
-        """Whether an orbit determines all parameters of its system, and so a trajectory."""
-        return False
-
-    @property
     def start_names(self) -> tuple[str, ...]:
         """Name of each of the system's states at the start."""
         taken = {*self.dwell_time_names, *(table.name for table in self.system.parameters)}
         return start_names(structure_of(self.system).states, taken)
-
-    @property
-    def forcing(self) -> tuple[tuple[int, int], ...]:
-        """Places of cosine and sine of each forcing among the states: none is shown."""
-        return ()
 
     @property
     def period_name(self) -> str | None:

@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
+from nonsmooth.runtime.orbits.table_problem import labelled_as
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
 if TYPE_CHECKING:
@@ -173,8 +173,7 @@ def _solved(orbit: Orbit, given: Mapping[str, Value], guess: Mapping[str, float]
         found = solve_itinerary(
             orbit.system, parameters, orbit.itinerary, values[:count], values[count:], period=period
         )
-        assert isinstance(orbit.problem, TableProblem)
-        return labelled(found, orbit.problem.label, orbit.problem.names)
+        return labelled_as(found, orbit)
     swapped = tuple(name for name in orbit.unknowns if name not in kernels.unknowns)
     fixed = {name: value for name, value in given.items() if name in kernels.unknowns}
     taken = {name: value for name, value in given.items() if name not in fixed}

@@ -24,7 +24,7 @@ from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, motion_along
+from nonsmooth.runtime.orbits.table_problem import labelled_as, motion_along
 from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.derivatives import (
@@ -211,8 +211,7 @@ class TableEquations:
             found = known_orbit(*asked, dwell, now.starts[0, :-1], float(left), **options)
         if found is None or found.status != NEGATIVE:
             found = solve_itinerary(*asked, dwell.tolist(), start.tolist(), **options)
-        assert isinstance(orbit.problem, TableProblem)
-        return labelled(found, orbit.problem.label, orbit.problem.names)
+        return labelled_as(found, orbit)
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Trajectory:
         """See `KernelEquations`."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from types import MappingProxyType
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -54,7 +55,7 @@ from nonsmooth.runtime.shooting.translations import (
 from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["TableEvaluation", "TableProblem", "labelled", "motion_along", "orbit_of"]
+__all__ = ["TableEvaluation", "TableProblem", "labelled", "labelled_as", "motion_along", "orbit_of"]
 
 
 @dataclass(frozen=True)
@@ -70,10 +71,10 @@ class TableProblem:
     # of the unknowns: dwell times, then start; empty for the usual ones
     names: tuple[str, ...] = ()
 
-    @property
-    def kernels(self) -> None:
-        """None: the equations are composed from the tables."""
-        return
+    kernels: ClassVar[None] = None  # the equations are composed from the tables
+    has_trajectory: ClassVar[bool] = True
+    period_name: ClassVar[str] = PERIOD
+    required: ClassVar[Mapping[str, str]] = MappingProxyType({})  # all parameters are given
 
     @property
     def name(self) -> str:
@@ -110,11 +111,6 @@ class TableProblem:
         return self.unknown_names[: len(self.itinerary)]
 
     @property
-    def has_trajectory(self) -> bool:
-        """See `KernelProblem`."""
-        return True
-
-    @property
     def start_names(self) -> tuple[str, ...]:
         """See `KernelProblem`."""
         return self.unknown_names[len(self.itinerary) :]
@@ -123,16 +119,6 @@ class TableProblem:
     def forcing(self) -> tuple[tuple[int, int], ...]:
         """See `KernelProblem`."""
         return structure_of(self.system).forcing
-
-    @property
-    def period_name(self) -> str:
-        """See `KernelProblem`."""
-        return PERIOD
-
-    @property
-    def required(self) -> Mapping[str, str]:
-        """Nothing: all parameters are given."""
-        return {}
 
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
         """See `KernelProblem`."""
@@ -216,6 +202,12 @@ def orbit_of(
         status,
         states,
     )
+
+
+def labelled_as(orbit: Orbit, known: Orbit) -> Orbit:
+    """Return an orbit with the label and the names of unknowns of another one by tables."""
+    assert isinstance(known.problem, TableProblem)
+    return labelled(orbit, known.problem.label, known.problem.names)
 
 
 def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
