@@ -13,9 +13,10 @@ functions, and test millions of points in C, while tables have transitions that 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -132,34 +133,14 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
     curves = list(boundary_curves(kernels, orbit))
     measures = [float(orbit.values[n]) for n in kernels.table["measures"]]
-    noise = _noise(kernels, measures, curves, dwell)
-    for boundary, function in curves:
-        duration = dwell[boundary.phase]
-        _check_length(orbit.name, phases[boundary.phase][0], function, duration)
-        opened = boundary.open_parameter
-        if opened in least:
-            floor = -boundary.open_coefficient * least[opened]
-            found = function.maximum(duration, floor)
-            # the maximum is at least its floor: only a rounding makes it the smaller one
-            least[opened] = max(least[opened], found.value / -boundary.open_coefficient)
-            continue
-        if opened is not None:
-            shift = boundary.open_coefficient * float(orbit.opened[opened])
-            function = function.raised(shift)
-        floor = function.rounding(duration) + noise
-        rises = _rises(boundary, function, duration, noise)
-        found = function.maximum(duration, -math.inf if rises else floor)
-        if rises or found.value > floor:
-            time = found.time if found.value > floor else 0.0
-            violations.append(
-                Violation(
-                    boundary.phase,
-                    phases[boundary.phase][0],
-                    boundary.name,
-                    float(starts[boundary.phase]) + time,
-                    max(found.value, 0.0),
-                )
-            )
+    for number, time, excess in _crossings(
+        kernels, orbit.name, curves, measures, dwell, least, orbit.opened
+    ):
+        boundary = kernels.boundaries[number]
+        begin, configuration = float(starts[boundary.phase]), phases[boundary.phase][0]
+        violations.append(
+            Violation(boundary.phase, configuration, boundary.name, begin + time, excess)
+        )
     coincidences = tuple(
         Coincidence(phase, (phases[phase - 1][1], phases[phase][1]), float(starts[phase or -1]))
         for phase in np.flatnonzero(at_once).tolist()
@@ -170,6 +151,44 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     known = {name: float(number) for name, number in orbit.values.items()} | least
     requires += [Requirement(name, bound) for name, bound in follow(kernels, known).items()]
     return Admissibility("conditional" if least else True, (), tuple(requires), coincidences)
+
+
+def _crossings(
+    kernels: OrbitKernels,
+    name: str,
+    curves: Sequence[tuple[Boundary, BoundaryCurve]],
+    measures: Sequence[float],
+    dwell: Sequence[float],
+    least: dict[str, float],
+    opened: Mapping[str, Any],
+) -> Iterator[tuple[int, float, float]]:
+    """Yield each boundary that is crossed inside its phase: its number, when most, and how far.
+
+    Times are since the phase's start. `curves` are those of `boundary_curves`. Open parameters
+    have the values `opened`; those in `least` are as large as they have to be, and their bounds
+    there are raised. `InputError` is raised for a phase longer than the search for maxima
+    reaches.
+    """
+    noise = _noise(kernels, measures, curves, dwell)
+    for number, (boundary, function) in enumerate(curves):
+        duration = dwell[boundary.phase]
+        configuration = kernels.table["phases"][boundary.phase][0]
+        _check_length(name, configuration, function, duration)
+        parameter = boundary.open_parameter
+        if parameter in least:
+            unit = -boundary.open_coefficient
+            highest = function.maximum(duration, unit * least[parameter])
+            # the maximum is at least its floor: only a rounding makes it the smaller one
+            least[parameter] = max(least[parameter], highest.value / unit)
+            continue
+        if parameter is not None:
+            function = function.raised(boundary.open_coefficient * float(opened[parameter]))
+        floor = function.rounding(duration) + noise
+        rises = boundary.begins and duration > 0 and function.rises(noise)
+        highest = function.maximum(duration, -math.inf if rises else floor)
+        above = highest.value > floor
+        if rises or above:  # a phase may begin on a boundary and cross it there, however little
+            yield number, highest.time if above else 0.0, max(highest.value, 0.0)
 
 
 def _noise(
@@ -197,11 +216,6 @@ def _check_length(name: str, configuration: str, function: BoundaryCurve, durati
             f"{name}: whether it is admissible cannot be guaranteed: {configuration} lasts"
             f" {duration:.6g}, more than {LONGEST_PHASE:g} radians of its fastest oscillation"
         )
-
-
-def _rises(boundary: Boundary, function: BoundaryCurve, duration: float, noise: float) -> bool:
-    """Return whether a phase begins on a boundary and crosses it there, however little."""
-    return boundary.begins and duration > 0 and function.rises(noise)
 
 
 def boundary_curves(
@@ -328,26 +342,12 @@ def _admissible_numpy(
     found = _curves(kernels, points[sound], unknowns[sound], dwell[sound])
     for point, curves_of in zip(sound.tolist(), found, strict=True):
         try:
-            curves = list(curves_of())
+            curves, least = list(curves_of()), dict.fromkeys(opened, 0.0)
             measures = np.concatenate([points[point], unknowns[point]])[places].tolist()
-            noise = _noise(kernels, measures, curves, dwell[point].tolist())
-            for number, (boundary, function) in enumerate(curves):
-                duration = float(dwell[point, boundary.phase])
-                if boundary.open_parameter is None:
-                    floor = function.rounding(duration) + noise
-                    if (
-                        _rises(boundary, function, duration, noise)
-                        or function.maximum(duration, floor).value > floor
-                    ):
-                        crossed[point] = number
-                        break
-                else:
-                    place = opened.index(boundary.open_parameter)
-                    unit = -boundary.open_coefficient
-                    highest = function.maximum(duration, unit * bounds[point, place])
-                    bounds[point, place] = highest.value / unit
-            else:
-                crossed[point] = -1
+            times = dwell[point].tolist()
+            crossings = _crossings(kernels, kernels.name, curves, measures, times, least, {})
+            crossed[point], _, _ = next(crossings, (NEITHER, 0.0, 0.0))
+            bounds[point] = [*least.values()]
         except InputError:  # overflow, or a phase too long for any guarantee
             continue
     return crossed, bounds

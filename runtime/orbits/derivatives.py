@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.orbits.local_extremes import LocalExtreme, local_extremes
-from nonsmooth.runtime.shooting.multiplier_derivatives import (
+from nonsmooth.runtime.shooting.multipliers import (
     MultiplierDerivatives,
     multiplier_derivatives,
 )

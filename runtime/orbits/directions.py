@@ -5,16 +5,28 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import Mpmath
+from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
+from nonsmooth.runtime.core.complex_steps import (
+    ComplexSteps,
+    imaginary_parts,
+    real_parts,
+    stepped,
+)
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import inverses
-from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
+from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.shooting.kernel_newton import natural_scales
+from nonsmooth.runtime.shooting.multipliers import MapDerivatives
 from nonsmooth.runtime.shooting.newton import LEAST
 
-__all__ = ["SINGULAR", "SOUND", "Directions", "check_reasons", "solve_linear"]
+if TYPE_CHECKING:
+    pass
+
+__all__ = ["SINGULAR", "SOUND", "Directions", "check_reasons", "kernel_directions", "solve_linear"]
 
 CONSISTENT = 1e-7  # of the terms of an equation: what no orbit can follow
 
@@ -95,3 +107,72 @@ def solve_linear(
             changes[place] = np.array(solved, dtype=object).reshape(len(solved), -1).T
     np.swapaxes(changes, 1, 2)[reasons != SOUND] = np.nan
     return changes, reasons
+
+
+def stepped_kernel(
+    orbit: Orbit, quantity: str, rates: dict[str, Any], count: int, lib: Mpmath | None
+) -> list[Any]:
+    """Return a quantity with complex steps of what it depends on, one for each of q directions.
+
+    A kernel gives it from parameters, spectrum and unknowns. `rates` has the rates (q,) of what
+    changes, `count` is q, and `lib` is None in double precision.
+    """
+    kernels, still = orbit.kernels, np.zeros(count, dtype=int)
+    names = (kernels.parameter_names, kernels.unknowns)
+    number = float if lib is None else lib.mp.mpf
+    parameters, unknowns = (
+        [stepped(number(orbit.values[name]), rates.get(name, still), lib) for name in part]
+        for part in names
+    )
+    arithmetic = ComplexSteps(FLOATS if lib is None else lib)
+    found = []
+    for place in range(count):
+        point, solved = ([x[place] for x in part] for part in (parameters, unknowns))
+        spectrum, _ = kernels.spectrum(point, arithmetic)
+        values = kernels.evaluate(quantity, at=(point, spectrum, solved), lib=arithmetic)
+        found.append(np.array(values, dtype=complex if lib is None else object))
+    return found
+
+
+def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
+    """Return how unknowns, dwell times and states move with each of some given numbers.
+
+    `InputError` says why where there is no derivative.
+    """
+    kernels, lib = orbit.kernels, orbit.arithmetic if orbit.precise else None
+    kind = float if lib is None else object
+    names = [*kernels.unknowns, *kernels.parameter_names]
+    parts = orbit.evaluate("jacobian", "parameter_jacobian")
+    jacobian = np.concatenate([np.array(part, dtype=kind) for part in parts], axis=1)
+    places = [names.index(name) for name in orbit.unknowns]
+    right = -jacobian[:, [names.index(name) for name in by]]
+    values = np.array([float(orbit.values[name]) for name in names])
+    rows, sizes = natural_scales(jacobian, values)
+    scaled = jacobian[:, places] * sizes[places] / rows[:, None]
+    right = right / rows[:, None]
+    found, reasons = solve_linear(scaled[None], right[None], np.zeros((1, len(by))), lib)
+    check_reasons(reasons[0], by, orbit.name)
+    rates = dict(zip(orbit.unknowns, found[0] * sizes[places, None], strict=True))
+    number = float if lib is None else lib.mp.mpf
+    unit = np.vectorize(number, otypes=[kind])(np.eye(len(by), dtype=int)).reshape(len(by), -1)
+    rates |= dict(zip(by, unit, strict=True))
+    everything = {name: np.zeros(len(by), dtype=kind) * number(0) for name in names} | rates
+    dwell = kernels.durations(everything).values()
+    waits = np.stack([np.broadcast_to(np.asarray(w), (len(by),)) for w in dwell], axis=-1)
+    gradient = np.array(orbit.evaluate("trace_gradient"), dtype=kind)
+    trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
+    wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
+
+    def along(quantity: str) -> np.ndarray:
+        return imaginary_parts(stepped_kernel(orbit, quantity, rates, len(by), wide), wide)
+
+    def section() -> MapDerivatives:
+        return MapDerivatives(
+            real_parts(np.array(orbit.evaluate("poincare_jacobian"), dtype=kind)),
+            along("poincare_jacobian"),
+            kernels.table["rank"],
+            int(bool(kernels.table["conservative"])),
+        )
+
+    own = {name: rates[name] for name in orbit.unknowns}
+    return Directions(own, waits, lambda: along("states")[:, :-1], section, np.asarray(trace))

@@ -5,26 +5,35 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, reduce
-from typing import Any
+from functools import cache, cached_property, reduce
+from typing import Any, ClassVar
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, compiled_for
-from nonsmooth.runtime.model.parameter_batches import complete_arrays
+from nonsmooth.runtime.model.parameter_batches import Batch, complete_arrays, complete_batch
 from nonsmooth.runtime.model.parameters import constrained, in_domains
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import (
+    NEITHER,
+    NO_ORBIT,
+    UNTOLD,
+    admissible_points,
+    first_violations,
+)
+from nonsmooth.runtime.orbits.equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
+from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits, reshaped
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
+    equations_at,
     error_bounds,
     frequency_spread,
     solve_reduced,
 )
+from nonsmooth.runtime.shooting.multipliers import margins, pair_margins
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,
     NEGATIVE,
@@ -33,7 +42,7 @@ from nonsmooth.runtime.shooting.newton import (
     judged,
 )
 
-__all__ = ["CHUNK", "NUMPY_JUDGED", "solve_from", "solve_kernels_many"]
+__all__ = ["CHUNK", "NUMPY_JUDGED", "KernelPoints", "solve_kernels_many"]
 
 CHUNK = 1 << 15  # points that one thread takes at a time
 NUMPY_SOLVED, NUMPY_JUDGED = 1e-5, 3e-4  # seconds a point without compiled kernels
@@ -68,17 +77,129 @@ def solve_kernels_many(
     return found.restricted(opened)
 
 
-def solve_from(
-    kernels: OrbitKernels, parameters: Mapping[str, np.ndarray], start: np.ndarray | None
-) -> Orbits:
-    """Find orbits from one start each, in this thread, with admissibility decided.
+@dataclass(frozen=True, eq=False)
+class KernelPoints:
+    """One orbit at many points (n,) by its kernels, solved for at each by itself."""
 
-    `parameters` holds all parameters of the equations, as arrays that broadcast; the
-    result has their shape. The start (..., m) has reduced unknowns; None starts as
-    `solve_many` does.
-    """
-    shape = np.broadcast_shapes(*(np.shape(a) for a in parameters.values()))
-    return _solve_arrays(kernels, dict(parameters), shape, start, True, 1, CHUNK)
+    kernels: OrbitKernels
+    batch: Batch  # how its parameters are completed
+    chunk: ClassVar[int] = 1 << 16
+
+    @classmethod
+    def of(cls, kernels: OrbitKernels, given: Sequence[str]) -> KernelPoints:
+        """Return the orbit, where what is fixed or swept has these names.
+
+        `InputError` is raised for a name that fixes nothing, or several that fix one
+        parameter twice.
+        """
+        return cls(kernels, complete_batch(kernels, given))
+
+    @property
+    def parameters(self) -> list[ParameterTable]:
+        """Parameters that have to have a value."""
+        return [self.kernels.tables[name] for name in self.batch.known]
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """Names of the unknowns."""
+        return self.kernels.unknowns
+
+    @property
+    def bounded(self) -> tuple[str, ...]:
+        """Open parameters of which a lower bound is computed."""
+        return tuple(table.name for table in self.kernels.open_parameters)
+
+    @cached_property
+    def limits(self) -> list[str]:
+        """Meanings of the numbers of `limits_of`, from 0."""
+        phases = self.kernels.table["phases"]
+        found = [
+            f"phase {b.phase + 1} {phases[b.phase][0]}: {b.name}" for b in self.kernels.boundaries
+        ]
+        return [*found, *(f"{name} is too small" for name in self.batch.opened)]
+
+    def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
+        """Return orbits from starts (n, m), or from the solver's usual ones, as columns (n,).
+
+        `values` (n,) has what is fixed or swept; starts are those of `starts_of`. Columns are
+        status, admissible, trace, margin, period, and by name the unknowns and ``least_`` of
+        what is bounded.
+        """
+        kernels, full = self.kernels, self.batch.complete(values)
+        points = {name: full[name] for name in kernels.parameter_names}
+        opened = {name: full[name] for name in self.batch.opened}
+        shape = np.broadcast_shapes(*(np.shape(array) for array in points.values()))
+        near = start if kernels.reduced else None
+        found = _solve_arrays(kernels, points, shape, near, True, 1, CHUNK).restricted(opened)
+        there, bounds = found.status == CONVERGED, found.bounds or {}
+        columns = {
+            "status": found.status,
+            "admissible": np.asarray(found.admissible),
+            "trace": found.trace,
+            "margin": np.full(found.status.shape, np.nan),
+            "period": found.period,
+            **found.unknowns,
+            **{f"least_{name}": bounds[name] for name in self.bounded},
+        }
+        columns["margin"][there] = _margins(kernels, *self._at(full, columns, there))
+        return columns
+
+    def starts_of(self, columns: Columns) -> np.ndarray:
+        """Return starts (n, m) that lead to the same orbits again, from the columns of `solve`."""
+        if not self.kernels.reduced:
+            return np.empty((*columns["status"].shape, 0))
+        return np.stack([columns[name] for name in self.kernels.reduced], axis=-1)
+
+    @cached_property
+    def usual(self) -> np.ndarray:
+        """Sizes (m,) at the reference orbit of what starts are made of; 0 for dwell times."""
+        if not self.kernels.reduced:
+            return np.empty(0)
+        equations = KernelEquations(solve_kernels(self.kernels))
+        known = dict(zip(equations.unknowns, equations.sizes.tolist(), strict=True))
+        timed = self.kernels.timed
+        return np.array([0.0 if n in timed else known[n] for n in self.kernels.reduced])
+
+    def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
+        """Return which limit of admissibility fails first (n,), by its number in `limits`.
+
+        It is NEITHER where none fails, NO_ORBIT or UNTOLD. `values` (n,) has what is fixed or
+        swept, `columns` are those of `solve`.
+        """
+        full, there = self.batch.complete(values), columns["status"] == CONVERGED
+        limit = np.where(there, UNTOLD, NO_ORBIT)
+        limit[columns["admissible"]] = NEITHER
+        lost = there & ~columns["admissible"]
+        points, unknowns, _ = self._at(full, columns, lost)
+        crossed = first_violations(self.kernels, points, unknowns)
+        for number, name in enumerate(self.batch.opened, len(self.kernels.boundaries)):
+            small = ~(full[name] > columns[f"least_{name}"])[lost]
+            crossed = np.where((crossed == NEITHER) & small, number, crossed)
+        limit[lost] = crossed
+        return limit
+
+    def _at(
+        self, full: Mapping[str, np.ndarray], columns: Columns, where: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return parameters of the equations, unknowns and traces at some points."""
+        points = np.stack([full[name][where] for name in self.kernels.parameter_names], axis=-1)
+        unknowns = np.stack([columns[name][where] for name in self.kernels.unknowns], axis=-1)
+        return points, unknowns, columns["trace"][where]
+
+
+def _margins(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, trace: np.ndarray
+) -> np.ndarray:
+    """Return 1 - the largest nontrivial |multiplier| of orbits (n,), as in `Orbit.stability`."""
+    table = kernels.table
+    if table["reciprocal_pair"]:
+        return pair_margins(trace)
+    family, rank = bool(table["conservative"]), table["rank"]
+    if rank == 1 and not family:
+        return np.asarray(1 - np.abs(trace))
+    spectrum, _ = kernels.spectrum(points)
+    maps = kernels.evaluate("poincare_jacobian", at=(points, spectrum, unknowns))
+    return margins(maps, trace, rank, family=family)
 
 
 def _solve_arrays(
@@ -178,9 +299,12 @@ def _count_digits(
     places = np.flatnonzero((solved.status == CONVERGED) & looked)
     if not len(places):
         return
-    spread = frequency_spread(kernels, kernels.spectrum(points[places])[0])
+    x = np.concatenate([solved.unknowns[places], points[places]], axis=-1)
+    with np.errstate(all="ignore"):
+        equations = equations_at(kernels, x)
+    spread = frequency_spread(kernels, equations.spectrum)
     lost = np.finfo(float).eps * np.minimum(spread, 1e9) ** 2
-    errors = error_bounds(kernels, solved.unknowns[places], points[places])
+    errors = error_bounds(kernels, x, slice(len(kernels.unknowns)), equations)
     largest = np.maximum(errors.largest, lost)
     solved.status[places] = judged(errors.dwell, errors.of_dwell, largest, _MOST_ERROR)
 

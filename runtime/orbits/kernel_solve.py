@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
 from typing import Any
@@ -16,17 +15,19 @@ from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
 from nonsmooth.runtime.orbits.table_solve import (
     CONTINUATION_STEPS,
+    guess_by_name,
     solve_itinerary,
     steps_between,
+    value_of,
 )
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
     Full,
     equations_at,
-    error_bound,
+    error_bounds,
     frequency_spread,
     solve_full,
     solve_reduced,
@@ -62,8 +63,15 @@ def solve_kernels(
         _check_exchange(kernels, swapped, fixed)
     point = complete(kernels, parameters or {}, without=swapped)
     start = _start(kernels, point, guess, swapped)
+    values = {name: value_of(name, value) for name, value in fixed.items()}
     found, tried = (
-        _exchanged(kernels, point, swapped, _given(fixed), start)
+        _exchanged(
+            kernels,
+            point,
+            swapped,
+            values,
+            start,
+        )
         if swapped
         else _ordinary(kernels, point, start, searching=guess is None)
     )
@@ -168,10 +176,10 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
         x = np.concatenate([solved.unknowns, parameters])
         equations = equations_at(kernels, x)
         residual = float(np.abs(equations.residual).max())
-        errors = error_bound(kernels, x, slice(len(kernels.unknowns)), equations)
+        errors = error_bounds(kernels, x, slice(len(kernels.unknowns)), equations)
         spread = float(frequency_spread(kernels, equations.spectrum))
         error = max(errors.largest, 4 * float(np.finfo(float).eps) * spread)
-        digits = _digits(error)
+        digits = sure_digits(error)
         status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
     return Orbit(
         KernelProblem(kernels),
@@ -183,12 +191,6 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
         int(solved.iterations),
         status,
     )
-
-
-def _digits(error: float) -> int:
-    if not math.isfinite(error):
-        return 0
-    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
 
 
 def _exchanged(
@@ -232,7 +234,7 @@ def _exchanged(
         unknowns,
         point.opened,
         found.residual,
-        _digits(found.error),
+        sure_digits(found.error),
         found.iterations,
         found.status,
     )
@@ -265,21 +267,15 @@ def _start(
     swapped: Sequence[str],
 ) -> dict[str, float]:
     """Return a start for every unknown, and for exchanged parameters if they are given."""
-    if guess is not None and not isinstance(guess, Mapping):
-        if len(guess) != len(kernels.unknowns):
-            raise InputError(
-                f"the guess has {len(guess)} values, {kernels.name} has {len(kernels.unknowns)}"
-                f" unknowns: {', '.join(kernels.unknowns)}"
-            )
-        guess = dict(zip(kernels.unknowns, guess, strict=True))
+    guess = guess_by_name(guess, kernels.unknowns, kernels.name, len(kernels.unknowns))
     variables = [*kernels.unknowns, *swapped]
-    for name in guess or {}:
+    for name in guess:
         if name not in variables:
             raise unknown_name("variable", name, variables)
     reference = kernels.table["reference"]
     if reference is None and not guess and kernels.unknowns:
         raise InputError(f"{kernels.name} declares no reference point: give a guess")
-    known = {**(reference["guess"] if reference else {}), **(guess or {})}
+    known = {**(reference["guess"] if reference else {}), **guess}
     named = {n: float(as_value(value)) for n, value in known.items() if n in variables}
     if all(name in named for name in kernels.unknowns):
         return named
@@ -322,13 +318,3 @@ def _check_exchange(
             f"to be solved for: {', '.join(swapped) or 'no parameter'}; given in place:"
             f" {', '.join(fixed) or 'no unknown'}: as many of one as of the other are needed"
         )
-
-
-def _given(fixed: Mapping[str, object]) -> dict[str, Value]:
-    found = {}
-    for name, value in fixed.items():
-        try:
-            found[name] = as_value(value)
-        except InputError as error:
-            raise InputError(f"{name}: {error}") from None
-    return found

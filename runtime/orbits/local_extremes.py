@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["KINDS", "LocalExtreme", "local_extremes"]
 
+# what has extremes, and the signs of those that count: 1 of maxima, -1 of minima
 KINDS = {
     "maximum": (1,),
     "minimum": (-1,),
@@ -52,10 +53,7 @@ def local_extremes(motion: OrbitMotionDerivatives, name: str) -> tuple[LocalExtr
         raise unknown_name("quantity with extremes", name, motion.names)
     if motion.lib is not None:
         raise InputError("local extremes are found in double precision only")
-    if kind == "peak_acceleration":
-        row = motion.acceleration_row(of)
-    else:
-        row = motion.force_row(of) if kind == "peak_force" else motion.state_row(of)
+    row = motion.row_of(kind, of)
     places = _turns(motion, row)
     found = []
     for sign in KINDS[kind]:

@@ -14,8 +14,9 @@ from nonsmooth.runtime.orbits.declared_many import solve_declared_many
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, solve_kernels_many
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, period_in
+from nonsmooth.runtime.orbits.solve import Itinerary, guess_along
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.orbits.table_solve import period_in
 
 __all__ = ["Orbits", "solve_many"]
 
@@ -92,54 +93,30 @@ def solve_many(
     >>> found.derivatives["period"]["V"].shape
     (2,)
     """
+    values = {**(parameters or {}), **named}
     options: Any = {"admissibility": admissibility, "threads": threads}
-    beside: Any = {"itinerary": itinerary, "given": given, "multipliers": multipliers}
-    found = _solved(orbit, {**(parameters or {}), **named}, guess, chunk=chunk, **beside, **options)
-    if not derivatives:
-        return found
-    return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
-
-
-def _solved(
-    orbit: Any,
-    values: Mapping[str, Any],
-    guess: Any,
-    *,
-    itinerary: Itinerary | None,
-    given: Mapping[str, Any] | None,
-    multipliers: bool,
-    admissibility: bool,
-    threads: int | None,
-    chunk: int,
-) -> Orbits:
-    """Find orbits at many points, without their derivatives."""
     _check_positive("chunk", chunk)
     if threads is not None:
         _check_positive("threads", threads)
+    system_or_orbit: Any = orbit
     if itinerary is not None:
-        kernels = kernels_of(orbit)
-        phases, dwell, start = guess_along(kernels, itinerary, guess)
-        period = period_in((), given)
-        return solve_itineraries(
-            kernels,
-            phases,
-            values,
-            dwell,
-            start,
-            period,
-            multipliers=multipliers,
-            admissibility=admissibility,
-            threads=threads,
-        )
-    beside = {"guess": guess is not None, "given": given is not None, "multipliers": multipliers}
-    if any(beside.values()):
-        wrong = " and ".join(name for name, is_given in beside.items() if is_given)
-        raise InputError(f"{wrong}: of an itinerary only, beside its system")
-    known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(orbit)
-    options: Any = {"admissibility": admissibility, "threads": threads}
-    if known.derived:
-        return solve_kernels_many(known, values, chunk=chunk, **options)
-    return solve_declared_many(known, values, chunk=chunk, **options)
+        system, period = kernels_of(system_or_orbit), period_in((), given)
+        phases, dwell, start = guess_along(system, itinerary, guess)
+        options |= {"multipliers": multipliers}
+        found = solve_itineraries(system, phases, values, dwell, start, period, **options)
+    else:
+        beside = {
+            "guess": guess is not None, "given": given is not None, "multipliers": multipliers
+        }  # fmt: skip
+        if any(beside.values()):
+            wrong = " and ".join(name for name, is_given in beside.items() if is_given)
+            raise InputError(f"{wrong}: of an itinerary only, beside its system")
+        known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
+        solved = solve_kernels_many if known.derived else solve_declared_many
+        found = solved(known, values, chunk=chunk, **options)
+    if not derivatives:
+        return found
+    return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
 
 
 def _check_positive(name: str, number: object) -> None:

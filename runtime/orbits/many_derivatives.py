@@ -4,30 +4,248 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
+from types import ModuleType
+from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.threads import in_parallel
-from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compiled_engine
+from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.model.table_derivatives import TableRates, table_rates
 from nonsmooth.runtime.orbits.directions import solve_linear
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.table_directions_many import table_directions_many
-from nonsmooth.runtime.shooting.multiplier_derivatives import (
+from nonsmooth.runtime.orbits.table_directions import (
+    moved_cycles,
+    section_along,
+    stepped_numbers,
+)
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
+from nonsmooth.runtime.shooting.derivatives import cycle_maps
+from nonsmooth.runtime.shooting.multipliers import (
     MapDerivatives,
     many_multiplier_derivatives,
 )
 from nonsmooth.runtime.shooting.section_map import mechanical_states
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, itinerary_shape
+from nonsmooth.runtime.shooting.translations import (
+    deciding_rows,
+    projection_along,
+    taken_resets,
+)
 
-__all__ = ["derivatives_of_many"]
+__all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many"]
 
+_SAME = 1e-9  # of terms that cancel
 _POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
 _ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
 _OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
 
 _Found = dict[str, dict[str, np.ndarray]]
+
+
+class ManyDirections(NamedTuple):
+    """Derivatives of k orbits by q parameters; NaN where there are none."""
+
+    dwell: np.ndarray  # (k, q, p), of each phase
+    start: np.ndarray  # (k, q, N)
+    trace: np.ndarray  # (k, q), of the map on the section at the start, or the stroboscopic one
+    maps: np.ndarray  # (k, m, m), that map; empty where it is not asked for, like `rates`
+    rates: np.ndarray  # (k, q, m, m), of the map
+    shifts: int = 0  # number of translations; their multipliers 1 are zeros of the map
+
+
+def table_directions_many(
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    places: Sequence[int],
+    *,
+    timed: bool,
+    maps: bool,
+) -> ManyDirections:
+    """Return derivatives of orbits of one cycle by the parameters at q places.
+
+    `points` (k, parameters), `dwell` (k, p) and `start` (k, N) are in the system's order
+    and units. With `timed` the period was given, and that of one of a family stays what
+    it is. With `maps` the maps are given, too.
+    """
+    engine = compiled_engine()
+    numbers = Numbers(*tables_at(system, points))
+    if engine is not None and len(cycle.structure.forcing) < 2:
+        rates = table_rates(system, points, places)
+        closed = _closed(cycle, numbers, rates)
+        if closed is not None:
+            return _compiled(engine, closed, dwell, start, len(places), timed, maps)
+    return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
+
+
+class _Closed(NamedTuple):
+    """A cycle that closes up to translations, with its numbers, their rates, and projections."""
+
+    cycle: ItineraryShape
+    numbers: Numbers
+    rates: TableRates
+    shifts: int = 0
+    projections: np.ndarray | None = None
+
+
+def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Closed | None:
+    """Return a cycle closed up to translations, at k points.
+
+    None is returned where the directions of the translations change with a parameter.
+    """
+    count, _, size, width = numbers.fields.shape
+    closed, moved, along = closed_cycle(cycle, numbers)
+    if not along.shape[1]:
+        return _Closed(cycle, numbers, rates)
+    if _turn(cycle, numbers, rates, along):
+        return None
+    projections = np.array([projection_along(directions) for directions in along])
+    place = cycle.transitions[-1].reset
+    ends = np.cumsum([part[0].size for part in numbers[:3]])
+    first = ends[1] + place * size * width
+    there = np.flatnonzero((rates.entries >= first) & (rates.entries < first + size * width))
+    moving = np.unique(rates.directions[there])
+    changes = np.zeros((count, len(moving), size * width))
+    rows = np.searchsorted(moving, rates.directions[there])
+    changes[:, rows, rates.entries[there] - first] = rates.values[:, there]
+    changes = projections[:, None] @ changes.reshape(count, -1, size, width)
+    driven = mechanical_states(cycle)
+    kept = slice(None) if driven is None else driven
+    return _Closed(
+        closed,
+        moved,
+        TableRates(
+            np.concatenate([rates.directions, np.repeat(moving, size * width)]),
+            np.concatenate(
+                [rates.entries, np.tile(ends[2] + np.arange(size * width), len(moving))]
+            ),
+            np.concatenate([rates.values, changes.reshape(count, -1)], axis=1),
+        ),
+        along.shape[1],
+        projections[:, kept][:, :, kept],
+    )
+
+
+def _turn(cycle: ItineraryShape, numbers: Numbers, rates: TableRates, along: np.ndarray) -> bool:
+    """Return whether directions (k, m, N) of translations change with one of the parameters."""
+    structure, size = cycle.structure, along.shape[2]
+    lines, columns = np.divmod(rates.entries, size + 1)
+    ends = np.cumsum([part[0].size // (size + 1) for part in numbers[:3]])
+    decides = np.full(ends[2], False)
+    decides[: ends[0]] = True
+    decides[ends[0] + np.array(deciding_rows(structure), dtype=int)] = True
+    for reset in taken_resets(structure):
+        decides[ends[1] + reset * size + np.arange(size)] = True
+    there = np.flatnonzero((columns < size) & decides[lines])
+    groups, place = np.unique(rates.directions[there] * ends[2] + lines[there], return_inverse=True)
+    terms = np.moveaxis(rates.values[:, None, there] * along[:, :, columns[there]], -1, 0)
+    sums, scales = (np.zeros((len(groups), *along.shape[:2])) for _ in range(2))
+    np.add.at(sums, place.ravel(), terms)
+    np.add.at(scales, place.ravel(), abs(terms))
+    return bool((abs(sums) > _SAME * scales).any())
+
+
+def _compiled(
+    engine: ModuleType,
+    closed: _Closed,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    directions: int,
+    timed: bool,
+    maps: bool,
+) -> ManyDirections:
+    cycle, numbers, rates, shifts, projections = closed
+    (points, size), count = start.shape, len(cycle)
+    shape = (points if maps else 0, size, size)
+    found = ManyDirections(
+        np.empty((points, directions, count)),
+        np.empty((points, directions, size)),
+        np.empty((points, directions)),
+        np.empty(shape),
+        np.empty((shape[0], directions, size, size)),
+        shifts,
+    )
+    engine.move(
+        points, count, size, directions, rates.values.shape[1], timed,
+        *_moving(cycle, numbers, rates, directions),
+        cycle.packed[3 * count :],
+        np.ascontiguousarray(dwell), np.ascontiguousarray(start), *cycle_maps(cycle, numbers),
+        rates.values, *found[:5],
+    )  # fmt: skip
+    if not maps:
+        return found
+    moved = found.maps, found.rates
+    driven = mechanical_states(cycle)
+    if driven is not None:
+        moved = moved[0][..., driven, :][..., driven], moved[1][..., driven, :][..., driven]
+    if projections is not None:
+        moved = projections @ moved[0], projections[:, None] @ moved[1]
+    return found._replace(maps=moved[0], rates=moved[1])
+
+
+def _moving(
+    cycle: ItineraryShape, numbers: Numbers, rates: TableRates, directions: int
+) -> tuple[np.ndarray, ...]:
+    """Return where the engine finds the entries that change.
+
+    The first array says where those of each phase and direction begin; the others are
+    their places in the maps of the phase, and in the rates of a point.
+    """
+    count = len(cycle)
+    sizes_of = [part[0, 0].size for part in numbers[:3]]
+    befores = np.cumsum([0, *(part[0].size for part in numbers[:3])])
+    phases, entries, which = [], [], []
+    for phase, maps in enumerate(cycle.packed[: 3 * count].reshape(3, count).T):
+        inside = 0
+        for place, size, before in zip(maps, sizes_of, befores, strict=False):
+            begin = before + place * size
+            there = np.flatnonzero((rates.entries >= begin) & (rates.entries < begin + size))
+            phases.append(np.full(len(there), phase))
+            entries.append(rates.entries[there] - begin + inside)
+            which.append(there)
+            inside += size
+    phase_of, entry_of, rate_of = map(np.concatenate, (phases, entries, which))
+    pair_of = phase_of * directions + rates.directions[rate_of]
+    order = np.argsort(pair_of, kind="stable")
+    starts = np.searchsorted(pair_of[order], np.arange(count * directions + 1))
+    return tuple(part.astype(np.int32) for part in (starts, entry_of[order], rate_of[order]))
+
+
+def _in_python(
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    places: Sequence[int],
+    *,
+    timed: bool,
+    maps: bool,
+) -> ManyDirections:
+    """Return derivatives of orbits by complex steps."""
+    (k, size), q = start.shape, len(places)
+    numbers = stepped_numbers(system, points, np.eye(points.shape[1])[list(places)], None)
+    period = np.repeat(dwell.sum(axis=-1), q) + 0j if timed else None
+    moved = moved_cycles(cycle, numbers, dwell, start, None, period)
+    with np.errstate(all="ignore"):
+        along = section_along(moved)
+    along = along.reshape(k, q, *along.shape[1:])
+    changed = imaginary_parts(along, None)
+    return ManyDirections(
+        moved.waits.reshape(k, q, -1),
+        moved.starts.reshape(k, q, size),
+        np.trace(changed, axis1=-2, axis2=-1),
+        real_parts(along[: k if maps else 0, 0]),
+        changed[: k if maps else 0],
+        moved.directions.shape[1],
+    )
 
 
 def derivatives_of_many(

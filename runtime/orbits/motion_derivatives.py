@@ -16,10 +16,10 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, st
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.quadrature import composite_rule
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_maxima
-from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.impact_losses import impact_losses
+from nonsmooth.runtime.orbits.local_extremes import KINDS
 from nonsmooth.runtime.orbits.table_directions import (
     numbers_along,
     passed,
@@ -103,13 +103,7 @@ class OrbitMotionDerivatives:
         """
         field = self.numbers.fields[:, self.cycle.configurations[phase]]
         times = stepped(since, rate, self.lib)
-        if self.lib is None:
-            flow = flows_over(field, times)
-        else:
-            mp = self.lib.mp
-            flow = np.array(
-                [exponential(f, mp.mpc(t), mp) for f, t in zip(field, times, strict=True)]
-            )
+        flow = flows_over(field, times, self.lib)
         return np.asarray((flow[..., :-1] @ self.starts[:, phase, :, None])[..., 0] + flow[..., -1])
 
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
@@ -227,19 +221,25 @@ class OrbitMotionDerivatives:
             at = at - step
         return at
 
-    def state_row(self, name: str) -> Row:
-        """Return the row of a state, for `largest`."""
+    def row_of(self, kind: str, of: str) -> Row:
+        """Return the row of a quantity of one of the `KINDS`, of a state or a contact."""
+        if kind == "peak_acceleration":
+            return self._acceleration_row(of)
+        return self._force_row(of) if kind == "peak_force" else self._state_row(of)
+
+    def _state_row(self, name: str) -> Row:
+        """Return the row of a state."""
         place, size = self._place(name), len(self.structure.states)
         unit = np.zeros((len(self.by), size + 1), dtype=self.numbers.fields.dtype)
         unit[:, place] = 1
         return lambda _: unit
 
-    def acceleration_row(self, name: str) -> Row:
+    def _acceleration_row(self, name: str) -> Row:
         """Return the row of the rate of a velocity, which is named by itself or by its position."""
         place = dict(self.structure.coordinates).get(self._place(name), self._place(name))
         return lambda configuration: self.numbers.fields[:, configuration, place]
 
-    def force_row(self, name: str) -> Row:
+    def _force_row(self, name: str) -> Row:
         """Return the row of the force of a contact on the oscillator."""
         contact = self._contact(name)
         nothing = np.zeros_like(self.numbers.rows[:, 0])
@@ -407,14 +407,9 @@ class OrbitMotionDerivatives:
         `InputError` is raised for an unknown name.
         """
         kind, _, of = name.partition(":")
-        if kind in ("maximum", "minimum") and of:
-            return self.largest(self.state_row(of), 1 if kind == "maximum" else -1)
-        if kind == "peak" and of:
-            return self.peak(self.state_row(of), name)
-        if kind == "peak_acceleration" and of:
-            return self.peak(self.acceleration_row(of), name)
-        if kind == "peak_force" and of:
-            return self.peak(self.force_row(of), name)
+        if kind in KINDS and of:
+            row, signs = self.row_of(kind, of), KINDS[kind]
+            return self.largest(row, *signs) if len(signs) == 1 else self.peak(row, name)
         if kind == "dissipation":
             return self.dissipation(of or None)
         if kind == "margin" and not of:

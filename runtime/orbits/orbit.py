@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -21,7 +22,6 @@ from nonsmooth.runtime.orbits.derivatives import (
     orbit_derivatives,
     sensitivity,
 )
-from nonsmooth.runtime.orbits.kernel_values import evaluate
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -33,10 +33,10 @@ if TYPE_CHECKING:
     import os
 
     from nonsmooth.runtime.orbits.admissible import Admissibility
-    from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
+    from nonsmooth.runtime.orbits.kernel_problem import Evaluation, OrbitProblem
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
-__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged"]
+__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged", "sure_digits"]
 
 DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
@@ -307,7 +307,20 @@ class Orbit(Shown):
             If the orbit has no kernels, or they give no such quantities together; the message
             lists those that there are.
         """
-        return evaluate(self, *quantities)
+        kernels, values = self.kernels, self.values
+        for quantity in quantities:
+            if quantity not in kernels.of_equations and kernels.has(quantity):
+                raise InputError(
+                    f"{quantity!r} is of the reduced equations, which `kernels.evaluate` takes at"
+                    f" {', '.join(kernels.reduced) or 'no unknowns'}; at all unknowns there are:"
+                    f" {', '.join(kernels.of_equations)}"
+                )
+        lib = self.arithmetic if self.precise else None
+        parameters = [values[name] for name in kernels.parameter_names]
+        unknowns = [values[name] for name in kernels.unknowns]
+        spectrum, derivatives = kernels.spectrum(parameters, lib)
+        at = (parameters, spectrum, unknowns, derivatives)
+        return kernels.evaluate(*quantities, at=at, lib=lib)
 
     def sensitivity(self, parameter: str) -> Sensitivity:
         """Differentiate unknowns, period and trace by one given parameter.
@@ -444,6 +457,13 @@ class Orbit(Shown):
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text
+
+
+def sure_digits(error: float) -> int:
+    """Return the decimal digits, `DOUBLE` at most, of numbers in units of max(1, |x|)."""
+    if not math.isfinite(error):
+        return 0
+    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
 
 
 def check_converged(orbit: object, doing: str) -> None:

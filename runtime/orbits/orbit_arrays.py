@@ -12,7 +12,7 @@ from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.problem import OrbitProblem
+    from nonsmooth.runtime.orbits.kernel_problem import OrbitProblem
 
 __all__ = ["Columns", "Orbits", "changed", "reshaped"]
 

@@ -1,9 +1,9 @@
 """An orbit to any number of digits: Newton's method with growing precision.
 
-The full equations are iterated on the any-arithmetic kernels. With balls (python-flint) the
+The full equations of kernels are iterated in any arithmetic. With balls (python-flint) the
 last step is Krawczyk's: the box it verifies contains exactly one solution, so the digits
 are proved; with mpmath the result is compared with one at twice the precision. The trace over
-that box is an enclosure.
+that box is an enclosure. Orbits by the tables of their system are refined with mpmath.
 """
 
 from __future__ import annotations
@@ -18,8 +18,15 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import OrbitKernels
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
+from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
+from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
+from nonsmooth.runtime.shooting.symmetry import part_of, symmetry_of, whole_orbit
+from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
     "ARITHMETICS",
@@ -30,11 +37,12 @@ __all__ = [
     "refine",
     "refine_both",
     "refine_kernels",
+    "refine_tables",
 ]
 
 ARITHMETICS = ("flint", "mpmath", "both")
 MOST_DIGITS = 100_000
-_START_DIGITS = 15
+_START_DIGITS, _START_DIGITS_OF_TABLES = 15, 14
 
 
 def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
@@ -261,3 +269,58 @@ def _krawczyk(
 
 def _bits(digits: int) -> int:
     return math.ceil(digits * math.log2(10)) + 8
+
+
+def refine_tables(orbit: Orbit, digits: int) -> Orbit:
+    """Refine an orbit by the tables of its system to so many true digits, with mpmath.
+
+    The last step, at twice the digits, has to correct nothing that counts. `InputError` is
+    raised if a symmetry holds in double precision only, `NoConvergence` if Newton's method
+    leaves the orbit, as it does where the equations are singular.
+    """
+    lib, wanted = Mpmath(_START_DIGITS_OF_TABLES), digits + GUARD
+    system, parameters, symmetry = orbit.system, orbit.parameters, orbit.symmetry
+    cycle, period = orbit.tables.cycle, orbit.given_period
+    order = 1 if symmetry is None else symmetry.order
+    if period is not None and symmetry is not None:
+        period = part_of(period, order)
+    size = len(orbit.states[0])
+
+    def step_at(x: np.ndarray, last: bool) -> tuple[Any, tuple[PiecewiseLinear, Shooting]]:
+        state, times = x[:size], x[size:]
+        point = piecewise_in(system, parameters, lib)
+        if symmetry is not None and last:
+            symmetry_of(point, symmetry.matrix, lib.mp.mpf(10) ** -wanted)
+        point, part = closing(point, cycle.at(point.structure), symmetry)
+        numbers = numbers_in(point)
+        now = shoot(part, numbers, times, state, lib.mp)
+        size_of = sizes(now, times)
+        total = None if period is None else lib.number(period)
+        matrix, right = closure_equations(part, numbers, now, times, size_of, total, lib=lib)
+        # more equations than unknowns are solved in the sense of least squares
+        step = np.array(lib.solve(matrix.tolist(), right.tolist()), dtype=object) * size_of
+        change = now.rates[:, :-1] @ step + now.rates[:, -1]
+        return [*step, *change], (point, now)
+
+    dwell = orbit.dwell_times[: len(cycle) // order]
+    known = np.array([lib.mp.mpf(float(v)) for v in (*orbit.states[0], *dwell)], dtype=object)
+    name = cycle.structure.name
+    x, (point, now), count = climb(lib, known, step_at, wanted, _START_DIGITS_OF_TABLES, name)
+    last = Mpmath(wanted)  # a context rounds to its own precision when it computes
+    left = [*now.residual, *(now.starts[-1] - now.starts[0])]
+    rounded = np.vectorize(last.mp.mpf, otypes=[object])
+    states = rounded(now.starts[:-1])
+    states[0] = up_to_shift(states[0], translations_of(point))
+    with last.working(wanted):
+        point = piecewise_in(system, parameters, last)
+        whole, part = cycle.at(point.structure), (rounded(x[size:]), states)
+        dwell, states = whole_orbit(point, whole, symmetry, *part, last.mp)
+    unknowns = [*dwell.tolist(), *states[0].tolist()]
+    return replace(
+        orbit,
+        unknowns=dict(zip(orbit.unknowns, unknowns, strict=True)),
+        residual=last.mp.mpf(max(map(abs, left))),
+        digits=digits,
+        iterations=orbit.iterations + count,
+        starts=states,
+    )

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.orbits.declared_solve import solve_declared
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbit import DOUBLE, PERIOD, Orbit
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.refine import check_digits, refine
-from nonsmooth.runtime.orbits.table_solve import Symmetries, solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import (
+    Symmetries,
+    period_in,
+    solve_declared,
+    solve_itinerary,
+)
 from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
-__all__ = ["Itinerary", "guess_along", "period_in", "solve"]
+__all__ = ["Itinerary", "guess_along", "solve"]
 
 Itinerary = Sequence[tuple[str, str]] | Recurrence
 
@@ -106,59 +110,26 @@ def solve(
     ('stable', True)
     """
     check_digits(digits)
-    exchange: dict[str, Any] = {"unknown": tuple(unknown), "given": given}
+    named, swapped = cast("Any", orbit), tuple(unknown)
     if itinerary is not None:
-        found = _composed(orbit, parameters, guess, itinerary, symmetry, throw=throw, **exchange)
+        system, period = kernels_of(named), period_in(swapped, given)
+        phases, dwell, start = guess_along(system, itinerary, guess)
+        found = solve_itinerary(
+            system, parameters or {}, phases, dwell, start, period=period, symmetry=symmetry
+        )
+        if throw and not found.converged:
+            raise NoConvergence(f"{found.name}: {found.message}")
     elif symmetry is not None:
         raise InputError("a symmetry closes an itinerary: give that, and the system")
     else:
-        named: Any = orbit
         kernels = named if isinstance(named, OrbitKernels) else load_orbit(named)
-        exchange |= {"throw": throw}
+        exchange: Any = {"unknown": swapped, "given": given, "throw": throw}
         if kernels.derived:
             label = orbit if isinstance(orbit, str) else ""
             found = solve_kernels(kernels, parameters, guess, label=label, **exchange)
         else:
             found = solve_declared(kernels, parameters or {}, guess, **exchange)
     return refine(found, digits) if digits > DOUBLE and found.converged else found
-
-
-def _composed(
-    system: Any,
-    parameters: Mapping[str, object] | None,
-    guess: Any,
-    itinerary: Itinerary,
-    symmetry: Symmetries,
-    *,
-    unknown: tuple[str, ...],
-    given: Mapping[str, object] | None,
-    throw: bool,
-) -> Orbit:
-    """Return the orbit of an itinerary of a system, composed from its tables."""
-    kernels = kernels_of(system)
-    period = period_in(unknown, given)
-    phases, dwell, start = guess_along(kernels, itinerary, guess)
-    orbit = solve_itinerary(
-        kernels, parameters or {}, phases, dwell, start, period=period, symmetry=symmetry
-    )
-    if throw and not orbit.converged:
-        raise NoConvergence(f"{orbit.name}: {orbit.message}")
-    return orbit
-
-
-def period_in(unknown: Iterable[str], given: Mapping[str, object] | None) -> object:
-    """Return the period that is given for an itinerary, or None; `InputError` for an exchange.
-
-    Nothing may be solved for in place of unknowns: `unknown` is empty, and `given` holds
-    ``period`` at most.
-    """
-    exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
-    if exchanged:
-        raise InputError(
-            f"an itinerary is composed from its phases: {', '.join(exchanged)} cannot be"
-            " exchanged, as in orbits whose equations are derived"
-        )
-    return (given or {}).get(PERIOD)
 
 
 def guess_along(

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.orbits.orbit import DOUBLE
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closure_equations
 from nonsmooth.runtime.shooting.newton import CONVERGED, SHORTEST, judged
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in, shoot
 from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes
@@ -104,8 +103,7 @@ def _errors(
     numbers = numbers_in(cycle.structure, flat)
     now = shoot(cycle, numbers, dwell, start, np)
     size_of = sizes(_without_drift(cycle, numbers, now), dwell)
-    matrix, right = linearised_closure(now, dwell, size_of, period)
-    matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
+    matrix, right = closure_equations(cycle, numbers, now, dwell, size_of, period)
     errors, of_dwell = np.full(len(flat), math.inf), np.full(dwell.shape, math.inf)
     sound = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
     missed, gaps = np.abs(right), []

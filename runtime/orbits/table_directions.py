@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -12,21 +12,23 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, step_of, stepped
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.table_derivatives import relative_rates
 from nonsmooth.runtime.orbits.directions import SINGULAR, Directions, check_reasons, solve_linear
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
 from nonsmooth.runtime.shooting.derivatives import flows_over
-from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
-from nonsmooth.runtime.shooting.section_map import mechanical_states
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
-from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape, closing_matrix
+from nonsmooth.runtime.shooting.multipliers import MapDerivatives
+from nonsmooth.runtime.shooting.section_map import mechanical_states, timed_maps
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    shoot_along,
+)
 from nonsmooth.runtime.shooting.table_newton import sizes
-from nonsmooth.runtime.shooting.translations import directions_of, projection_along
-from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map, shooting_map
+from nonsmooth.runtime.shooting.translations import projection_along
+from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
@@ -90,33 +92,8 @@ def passed(
     `numbers` are those of q directions; `dwell` (q, p) and `start` (q, N) are in the
     system's units. `lib` is None in double precision.
     """
-    fields = numbers.fields[:, list(cycle.configurations)]
-    if lib is None:
-        flows = np.moveaxis(flows_over(fields, dwell), 1, 0)
-    else:
-        flows = np.array(
-            [
-                [exponential(f, t, lib.mp) for f, t in zip(*pair, strict=True)]
-                for pair in zip(fields, dwell, strict=True)
-            ],
-            dtype=object,
-        )
-        flows = np.moveaxis(flows.reshape(*fields.shape), 1, 0)
-    size = start.shape[-1]
-    unit = np.eye(size, size + 1, dtype=object if lib else complex)
-    changes = np.broadcast_to(unit, (len(start), size, size + 1))
-    found = shooting_map(ARRAYS, phases_in(cycle, numbers), flows, start[..., None], changes)
-    return Shooting(
-        flows,
-        np.array(found.starts)[..., 0],
-        np.array(found.ends)[..., 0],
-        np.array(found.velocities)[..., 0],
-        np.array(found.residual)[..., 0, 0],
-        np.array(found.speeds)[..., 0, 0],
-        np.array(found.rates)[..., 0, :],
-        (),
-        found.variational,
-    )
+    flows = flows_over(numbers.fields[:, list(cycle.configurations)], dwell, lib)
+    return shoot_along(cycle, numbers, np.moveaxis(flows, 1, 0), start)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +102,7 @@ class MovedCycles:
 
     cycle: ItineraryShape  # closed up to translations
     numbers: Numbers  # (k q, ...), with those of the closure
+    directions: np.ndarray  # (k q, m, N), of translations
     dwell: np.ndarray  # (k q, p), with steps
     start: np.ndarray  # (k q, N), with steps
     reasons: np.ndarray  # (k, q), why there are no changes, as `solve_linear` tells it
@@ -163,7 +141,7 @@ def moved_cycles(
     everywhere for members of a `family`.
     """
     (k, size), q = start.shape, len(numbers.fields) // len(start)
-    cycle, closed = closed_along(cycle, numbers)
+    cycle, closed, directions = closed_cycle(cycle, numbers)
     times, states = (np.repeat(part, q, axis=0) for part in (dwell, start))
     plain_times = stepped(times, 0, lib)
     with np.errstate(all="ignore"):
@@ -172,7 +150,6 @@ def moved_cycles(
         plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
         size_of = sizes(now._replace(**plain), dwell)
         every_size = np.repeat(size_of, q, axis=0)
-        fixed = now._replace(starts=np.broadcast_to(states, now.starts.shape))
         usual = np.array(
             [
                 relative_changes([part[n * q : (n + 1) * q] for part in numbers[:3]], each, lib)
@@ -181,9 +158,9 @@ def moved_cycles(
         ).reshape(k, q)
 
         def solved(total: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-            sides = linearised_closure(now, plain_times, every_size, total)
-            arithmetic = FLOATS if lib is None else lib
-            matrix, right = with_forcing(cycle, closed, fixed, every_size, *sides, arithmetic)
+            options: Any = {"start": states, "lib": FLOATS if lib is None else lib}
+            asked = cycle, closed, now, plain_times, every_size, total
+            matrix, right = closure_equations(*asked, **options)
             changed = imaginary_parts(right, lib).reshape(k, q, -1)
             plain_matrix = real_parts(matrix[::q])
             return solve_linear(plain_matrix, np.swapaxes(changed, 1, 2), usual, lib)
@@ -198,7 +175,8 @@ def moved_cycles(
         waits = (starts @ np.swapaxes(rates, 1, 2)).reshape(k * q, -1)
         waits = waits + imaginary_parts(now.rates[..., size].T, lib)
         start = stepped(states, starts.reshape(k * q, size), lib)
-    return MovedCycles(cycle, closed, stepped(times, waits, lib), start, reasons, lib)
+    waits = stepped(times, waits, lib)
+    return MovedCycles(cycle, closed, directions, waits, start, reasons, lib)
 
 
 def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directions:
@@ -253,18 +231,6 @@ def relative_changes(
     return relative_rates(values, changes, size_of.astype(float))
 
 
-def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
-    """Return the cycle closed up to translations, where there are any, and its numbers."""
-    structure = cycle.structure
-    if closing_matrix(structure, *next(iter(_arrays(numbers))), None) is None:
-        return cycle, numbers
-    matrices = [closing_matrix(structure, *arrays, None) for arrays in _arrays(numbers)]
-    last = numbers.resets[:, cycle.transitions[-1].reset]
-    added = np.array([m @ reset for m, reset in zip(matrices, last, strict=True)])
-    resets = np.concatenate([numbers.resets, added[:, None]], axis=1)
-    return closed_shape(cycle, len(cycle)), numbers._replace(resets=resets)
-
-
 def section_along(moved: MovedCycles) -> np.ndarray:
     """Return the map (k q, m, m), with steps, on the section at the start, or the stroboscopic one.
 
@@ -276,16 +242,12 @@ def section_along(moved: MovedCycles) -> np.ndarray:
     maps = now.variational[..., :-1]
     if driven is None:
         return np.asarray(maps)
-    phases = phases_in(cycle, numbers)
-    fields = [phase.field for phase in (*phases[1:], phases[0])]
-    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
     maps = np.eye(len(driven), dtype=int)
-    for part in zip(phases, now.flows, now.velocities[..., None], behind, strict=True):
-        maps = section_map(ARRAYS, *part)[..., driven, :][..., driven] @ maps
-    if not len(directions_of(cycle.structure, *next(iter(_arrays(numbers))))):
+    for local in timed_maps(cycle, numbers, now, driven):
+        maps = local @ maps
+    if not moved.directions.shape[1]:
         return np.asarray(maps)
-    directions = [directions_of(cycle.structure, *a) for a in _arrays(numbers)]
-    along = [projection_along(d)[np.ix_(driven, driven)] for d in directions]
+    along = (projection_along(each)[np.ix_(driven, driven)] for each in moved.directions)
     return np.array([p @ m for p, m in zip(along, maps, strict=True)])
 
 
@@ -300,8 +262,3 @@ def _section(evaluation: TableEvaluation, moved: MovedCycles) -> MapDerivatives:
         return found
     rounded = np.frompyfunc(evaluation.orbit.arithmetic.mp.mpf, 1, 1)
     return found._replace(matrix=rounded(found.matrix), rates=rounded(found.rates))
-
-
-def _arrays(numbers: Numbers) -> Iterator[tuple[Any, Any, Any]]:
-    """Yield fields, rows and resets of each direction."""
-    return zip(numbers.fields, numbers.rows, numbers.resets, strict=True)

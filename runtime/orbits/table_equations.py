@@ -16,25 +16,23 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import (
-    eigenvalues,
-    sorted_by_size,
-)
+from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-from nonsmooth.runtime.orbits.table_limits import limits_at
-from nonsmooth.runtime.orbits.table_motion import motion_along
+from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
+from nonsmooth.runtime.orbits.table_problem import labelled_as, motion_along
 from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.derivatives import (
     ShootingDerivatives,
     dependent_variational,
     shooting_derivatives,
 )
+from nonsmooth.runtime.shooting.multipliers import nontrivial
 from nonsmooth.runtime.shooting.newton import NEGATIVE, SHORTEST
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -42,7 +40,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closing, closing_matrix
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -52,7 +49,7 @@ _IMAGINARY = 1e-30  # of the parameter, in units of max(1, |it|)
 
 
 class TableEquations:
-    """The equations of an orbit without kernels, near it; see `OrbitEquations`.
+    """The equations of an orbit without kernels, near it; see `KernelEquations`.
 
     The period is one of the numbers where it was given and no other number determines it.
     """
@@ -88,13 +85,13 @@ class TableEquations:
 
     @cached_property
     def sizes(self) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         count = len(self._cycle)
         dwell = self.values[:count]
         return np.concatenate([np.full(count, dwell.sum()), sizes_along(self._now, dwell)])
 
     def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
         numbers, changes = self._changing(x, place)
         dwell, start = self._unknowns(x)
@@ -120,11 +117,11 @@ class TableEquations:
         return residual, np.concatenate([jacobian, row[None]])
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         return x[:, : len(self._cycle)]
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         if not self._repeated:
             return []
         start = self._unknowns(x)[1]
@@ -132,7 +129,7 @@ class TableEquations:
         return [np.asarray((starts[count] - start) / sizes) for count in self._repeated]
 
     def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         found = []
         starts, dwell = self._shot(x).starts, self.dwell(x)
         system, visited = self.orbit.system, self._cycle.configurations
@@ -147,7 +144,10 @@ class TableEquations:
         return found
 
     def conditions(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`: the lowest derivative along a flow that is not zero there."""
+        """Return numbers (k, c) that keep their sign while transitions lead where they do.
+
+        Each is the lowest derivative along a flow that is not zero there.
+        """
         now, numbers = self._shot(x), self._tables(x)
         values = [condition.value(numbers, now.ends) for condition in self._conditions.rows]
         return np.stack(values, axis=-1) if values else np.empty((len(x), 0))
@@ -158,34 +158,29 @@ class TableEquations:
 
     @property
     def condition_places(self) -> Sequence[int]:
-        """See `OrbitEquations`."""
+        """The phase at whose end each of these conditions is asked."""
         return [condition.place for condition in self._conditions.rows]
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         return self._conditions.taken(conditions)
 
     def multipliers(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         matrices = dependent_variational(self._shot(x))
         if self._driven is not None:
             field = self._tables(x).fields[:, self._cycle.configurations[0]]
             start = self._unknowns(x)[1]
             matrices = stroboscopic_maps(self._cycle, field, start, matrices, self._driven)
-        values = eigenvalues(matrices)
-        if self.conservative:
-            trivial = np.argmin(abs(values - 1), axis=-1)
-            values[np.arange(len(values)), trivial] = 0
-            values = sorted_by_size(values)
-        return np.asarray(values[:, : self._rank - self.conservative])
+        return nontrivial(eigenvalues(matrices), self._rank, family=self.conservative)
 
     def traces(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         powers = self.multipliers(x) ** self.order
         return np.asarray(powers.sum(axis=-1).real + self._trivial)
 
     def admissible(self, x: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         found = np.full(len(x), False)
         told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(x) > 0).all(axis=-1))
         if not len(told):
@@ -199,7 +194,7 @@ class TableEquations:
         return found
 
     def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         orbit, symmetry = self.orbit, self.orbit.symmetry
         dwell, start = self._unknowns(x)
         parameters = {name: given[name] for name in orbit.parameters}
@@ -216,11 +211,10 @@ class TableEquations:
             found = known_orbit(*asked, dwell, now.starts[0, :-1], float(left), **options)
         if found is None or found.status != NEGATIVE:
             found = solve_itinerary(*asked, dwell.tolist(), start.tolist(), **options)
-        assert isinstance(orbit.problem, TableProblem)
-        return labelled(found, orbit.problem.label, orbit.problem.names)
+        return labelled_as(found, orbit)
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Trajectory:
-        """See `OrbitEquations`."""
+        """See `KernelEquations`."""
         system = piecewise_at(self.orbit.system, x[self._given])
         cycle = self.orbit.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(x)
@@ -246,8 +240,12 @@ class TableEquations:
         )
 
     def _tables(self, x: np.ndarray) -> Numbers:
-        """Return fields, rows and resets at many points."""
-        return self._closed(*tables_at(self.orbit.system, x[:, self._given]))
+        """Return fields, rows and resets at many points, with that of the part's closure."""
+        numbers = Numbers(*tables_at(self.orbit.system, x[:, self._given]))
+        cycle = self.orbit.tables.cycle
+        if self._cycle.structure is cycle.structure:
+            return numbers
+        return closed_cycle(cycle, numbers, self.orbit.symmetry)[1]
 
     def _shot(self, x: np.ndarray) -> ShootingDerivatives:
         """Return the passages of many points, with derivatives."""
@@ -256,21 +254,6 @@ class TableEquations:
             found = shooting_derivatives(self._cycle, self._tables(x), *self._unknowns(x))
             self._passed = x.tobytes(), found
         return found
-
-    def _closed(self, fields: np.ndarray, rows: np.ndarray, resets: np.ndarray) -> Numbers:
-        """Return numbers of many points, with the reset of the part's closure as the last one."""
-        if self._cycle.structure is not self.orbit.tables.cycle.structure:
-            arrays = zip(fields, rows, resets, strict=True)
-            resets = np.stack([self._closed_resets(*each) for each in arrays])
-        return Numbers(fields, rows, resets)
-
-    def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
-        """Return the resets, and behind them the one with which the part closes."""
-        orbit, cycle = self.orbit, self.orbit.tables.cycle
-        matrix = closing_matrix(cycle.structure, fields, rows, resets, orbit.symmetry)
-        last = resets[cycle.transitions[len(self._cycle) - 1].reset]
-        found = last if matrix is None else matrix @ last
-        return np.concatenate([resets, found[None]])
 
 
 def _parts(itinerary: tuple[tuple[str, str], ...]) -> list[int]:

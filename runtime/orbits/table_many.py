@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,20 +16,23 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.admissible import NEITHER
+from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
 from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.orbits.table_batch import Composed, TableBatch
+from nonsmooth.runtime.orbits.table_admissible import first_limits
+from nonsmooth.runtime.orbits.table_digits import without_digits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
+from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
     mechanical_states,
     section_dimension,
     smallest_section,
+    stroboscopic_maps,
 )
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
-    Numbers,
     finite_at,
     guesses,
     itinerary_shape,
@@ -37,10 +41,12 @@ from nonsmooth.runtime.shooting.shooting_map import (
 )
 from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 from nonsmooth.runtime.shooting.translations import (
+    gauges_of,
+    projection_along,
     translations_of,
 )
 
-__all__ = ["section_of", "solve_itineraries"]
+__all__ = ["TableBatch", "section_of", "solve_itineraries"]
 
 CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
 
@@ -97,10 +103,7 @@ def solve_itineraries(
 
     solved = in_parallel(work, parts, threads)
     found = Composed(*map(np.concatenate, zip(*solved, strict=True)))
-    for array in (found.dwell, found.starts, found.maps, found.residual):
-        array[~found.converged] = np.nan
     problem = TableProblem(kernels, cycle.itinerary)
-    columns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
     values = None
     if multipliers:
         values = eigenvalues(found.maps)[:, :dimension]
@@ -108,8 +111,8 @@ def solve_itineraries(
     flat = Orbits(
         problem,
         {name: parameter_array(name, value) for name, value in parameters.items()},
-        dict(zip(problem.unknown_names, columns, strict=True)),
-        np.trace(found.maps, axis1=-2, axis2=-1),
+        dict(zip(problem.unknown_names, found.unknowns, strict=True)),
+        found.trace,
         found.dwell.sum(axis=-1),
         found.residual,
         found.iterations,
@@ -181,7 +184,7 @@ def section_of(
             continue
         at = None if start is None else start[part]
         found = solve_shape(here, flat, dwell[part], at, np.full(1, np.nan))
-        single = Numbers(*_first(numbers_in(group.structure, flat)))
+        single = numbers_in(group.structure, flat[0])
         with np.errstate(all="ignore"):
             now = shoot(here, single, found.dwell[0], found.starts[0, 0], np)
             maps = local_maps(here, single, now)
@@ -193,6 +196,126 @@ def section_of(
     return 0, size - 1, size - 1
 
 
-def _first(numbers: Numbers) -> Any:
-    for part in numbers:
-        yield tuple(p[0] for p in part) if isinstance(part, tuple) else part[0]
+class Composed(NamedTuple):
+    """Orbits at n points; NaN where there is none."""
+
+    dwell: np.ndarray  # (n, p)
+    starts: np.ndarray  # (n, p, N), state at the start of each phase
+    maps: np.ndarray  # (n, m, m), of the section at `first`, or stroboscopic
+    residual: np.ndarray  # (n,)
+    iterations: np.ndarray  # (n,) of int32
+    status: np.ndarray  # (n,) of int32
+    limit: np.ndarray  # (n,) of int, as `first_limits` gives it; NO_ORBIT where not asked for
+
+    @property
+    def unknowns(self) -> np.ndarray:
+        """Dwell times, then the start (p + N, n)."""
+        return np.concatenate([self.dwell, self.starts[:, 0]], axis=1).T
+
+    @property
+    def trace(self) -> np.ndarray:
+        """Of the maps (n,)."""
+        return np.asarray(np.trace(self.maps, axis1=-2, axis2=-1))
+
+
+@dataclass(frozen=True, eq=False)
+class TableBatch:
+    """An itinerary of a system, to be solved at many points."""
+
+    system: SystemKernels
+    cycle: ItineraryShape
+    first: int = 0  # the phase from which orbits are composed
+    translates: bool = False  # whether orbits close up to translations of the system
+
+    def solve(
+        self,
+        points: np.ndarray,
+        dwell: np.ndarray,
+        start: np.ndarray | None,
+        period: np.ndarray,
+        *,
+        limits: bool,
+    ) -> Composed:
+        """Return the orbits at n points from one guess each.
+
+        `points` is (n, parameters), guesses are `dwell` (n, p) and `start` (n, N), or None for
+        the start that fits the dwell times best; `period` (n,) is NaN where it is free. With
+        `limits` the limit of admissibility that fails first is told.
+        """
+        cycle, (count, phases) = self.cycle, dwell.shape
+        size, driven = len(cycle.structure.states), mechanical_states(cycle)
+        width = size if driven is None else len(driven)
+        found = Composed(
+            np.full((count, phases), np.nan),
+            np.full((count, phases, size), np.nan),
+            np.full((count, width, width), np.nan),
+            np.full(count, np.nan),
+            np.zeros(count, dtype=np.int32),
+            np.full(count, INVALID, dtype=np.int32),
+            np.full(count, NO_ORBIT, dtype=int),
+        )
+        sound = np.isfinite(np.concatenate([points, dwell], axis=1)).all(axis=1)
+        if start is not None:
+            sound &= np.isfinite(start).all(axis=1)
+        for group in numbers_at(self.system, points, cycle.configurations) if count else ():
+            here = cycle.at(group.structure)
+            rows, flat, kept = group.places, group.flat, sound[group.places]
+            if not kept.all():
+                rows, flat = rows[kept], flat[kept]
+            if len(rows):
+                guess = dwell[rows], None if start is None else start[rows]
+                self._fill(found, rows, here, flat, *guess, period[rows])
+            if limits:
+                there = np.flatnonzero(found.status[rows] == CONVERGED)
+                at = rows[there]
+                found.limit[at] = first_limits(
+                    self.system, here, points[at], flat[there], found.dwell[at], found.starts[at]
+                )
+        for array in (found.dwell, found.starts, found.maps, found.residual):
+            array[found.status != CONVERGED] = np.nan
+        return found
+
+    def _fill(
+        self,
+        found: Composed,
+        rows: np.ndarray,
+        cycle: ItineraryShape,
+        flat: np.ndarray,
+        dwell: np.ndarray,
+        start: np.ndarray | None,
+        period: np.ndarray,
+    ) -> None:
+        """Solve the points at some rows, whose numbers `flat` have the same modes."""
+        closed, directions = cycle, np.empty((len(flat), 0, len(cycle.structure.states)))
+        if self.translates:
+            numbers = numbers_in(cycle.structure, flat)
+            place = sum(part[0].size for part in numbers[:3])
+            closed, numbers, directions = closed_cycle(cycle, numbers)
+            added = numbers.resets[:, cycle.structure.resets :].reshape(len(flat), -1)
+            flat = np.concatenate([flat[:, :place], added, flat[:, place:]], axis=1)
+        turned, first = closed.rotated(self.first), self.first
+        if start is not None and first:
+            with np.errstate(all="ignore"):
+                numbers = numbers_in(closed.structure, flat)
+                start = shoot(closed, numbers, dwell, start, np).starts[first]
+        solved = solve_shape(turned, flat, np.roll(dwell, -first, axis=1), start, period)
+        found.dwell[rows] = np.roll(solved.dwell, first, axis=1)
+        found.starts[rows] = np.roll(solved.starts, first, axis=1)
+        found.residual[rows], found.iterations[rows] = solved.residual, solved.iterations
+        found.status[rows] = without_digits(turned, flat, solved, period)
+        maps, driven = solved.maps, mechanical_states(cycle)
+        if driven is not None:
+            field = numbers_in(closed.structure, flat).fields[:, cycle.configurations[0]]
+            maps = stroboscopic_maps(closed, field, solved.starts[:, 0], maps, driven)
+            directions = directions[..., driven]
+        found.maps[rows] = _with_translations(maps, directions) if self.translates else maps
+
+
+def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
+    """Return maps (n, k, k) up to translations with the multipliers 1 that these have."""
+    found = maps.copy()
+    for map_, along in zip(found, directions, strict=True):
+        if len(along):
+            map_[:] = projection_along(along) @ map_
+            map_[:, gauges_of(along)] += along.T
+    return found

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from types import MappingProxyType
+from typing import Any, ClassVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
+from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.completion import SystemPoint, system_parameters
+from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
@@ -28,11 +31,10 @@ from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
+from nonsmooth.runtime.orbits.refine import refine_tables
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_directions import table_directions
-from nonsmooth.runtime.orbits.table_motion import motion_along
-from nonsmooth.runtime.orbits.table_refine import refine_shape
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR
 from nonsmooth.runtime.shooting.section_map import assess, saltations
@@ -43,7 +45,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import closing, part_of, whole_orbit
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.table_newton import message_of, sizes
 from nonsmooth.runtime.shooting.translations import (
@@ -54,12 +55,12 @@ from nonsmooth.runtime.shooting.translations import (
 from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["TableEvaluation", "TableProblem", "labelled", "orbit_of"]
+__all__ = ["TableEvaluation", "TableProblem", "labelled", "labelled_as", "motion_along", "orbit_of"]
 
 
 @dataclass(frozen=True)
 class TableProblem:
-    """Orbits of an itinerary by the tables of its system; see `OrbitProblem`."""
+    """Orbits of an itinerary by the tables of its system; see `KernelProblem`."""
 
     system: SystemKernels
     # of the whole period; boundaries that are reached together are joined, "a+b"
@@ -70,10 +71,10 @@ class TableProblem:
     # of the unknowns: dwell times, then start; empty for the usual ones
     names: tuple[str, ...] = ()
 
-    @property
-    def kernels(self) -> None:
-        """None: the equations are composed from the tables."""
-        return
+    kernels: ClassVar[None] = None  # the equations are composed from the tables
+    has_trajectory: ClassVar[bool] = True
+    period_name: ClassVar[str] = PERIOD
+    required: ClassVar[Mapping[str, str]] = MappingProxyType({})  # all parameters are given
 
     @property
     def name(self) -> str:
@@ -82,17 +83,17 @@ class TableProblem:
 
     @property
     def state_names(self) -> tuple[str, ...]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return tuple(self.system.table["states"])
 
     @property
     def parameters(self) -> tuple[ParameterTable, ...]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return self.system.parameters
 
     @property
     def all_parameters(self) -> Mapping[str, ParameterTable]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return {table.name: table for table in self.parameters}
 
     @cached_property
@@ -110,70 +111,55 @@ class TableProblem:
         return self.unknown_names[: len(self.itinerary)]
 
     @property
-    def has_trajectory(self) -> bool:
-        """See `OrbitProblem`."""
-        return True
-
-    @property
     def start_names(self) -> tuple[str, ...]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return self.unknown_names[len(self.itinerary) :]
 
     @property
     def forcing(self) -> tuple[tuple[int, int], ...]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return structure_of(self.system).forcing
 
-    @property
-    def period_name(self) -> str:
-        """See `OrbitProblem`."""
-        return PERIOD
-
-    @property
-    def required(self) -> Mapping[str, str]:
-        """Nothing: all parameters are given."""
-        return {}
-
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return [values[name] for name in self.dwell_time_names]
 
     def followers(self, names: Iterable[str]) -> Collection[str]:
-        """See `OrbitProblem`: all parameters are given."""
+        """See `KernelProblem`: all parameters are given."""
         return ()
 
     def period(self, orbit: Orbit) -> Value | None:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return orbit.given_period
 
     def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
-        """See `OrbitProblem`: nothing is left open."""
+        """See `KernelProblem`: nothing is left open."""
         return system_parameters(self.system, {p.name: values[p.name] for p in self.parameters})
 
     def physical(
         self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
     ) -> SystemPoint:
-        """See `OrbitProblem`: nothing is left open."""
+        """See `KernelProblem`: nothing is left open."""
         return SystemPoint(orbit.parameters, ())
 
     def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return list(orbit.states[0].tolist())
 
     def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
-        """See `OrbitProblem`: the orbit itself."""
+        """See `KernelProblem`: the orbit itself."""
         return orbit
 
     def message(self, status: int, *, timed: bool) -> str:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return message_of(status, timed=timed)
 
     def evaluation(self, orbit: Orbit) -> TableEvaluation:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         return TableEvaluation(self, orbit)
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
-        """See `OrbitProblem`."""
+        """See `KernelProblem`."""
         point = piecewise_at(self.system, parameters)
         configuration = point.structure.configuration(self.itinerary[phase][0])
         times = np.asarray(since, dtype=float)
@@ -182,8 +168,8 @@ class TableProblem:
         return states.reshape(*times.shape, len(start))
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-        """See `OrbitProblem`: with mpmath, in whichever arithmetic is asked for."""
-        return orbit.tables.refined(digits)
+        """See `KernelProblem`: with mpmath, in whichever arithmetic is asked for."""
+        return refine_tables(orbit, digits)
 
 
 def orbit_of(
@@ -218,6 +204,12 @@ def orbit_of(
     )
 
 
+def labelled_as(orbit: Orbit, known: Orbit) -> Orbit:
+    """Return an orbit with the label and the names of unknowns of another one by tables."""
+    assert isinstance(known.problem, TableProblem)
+    return labelled(orbit, known.problem.label, known.problem.names)
+
+
 def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
     """Return the orbit with the label and the names of unknowns that a declaration gives it.
 
@@ -231,19 +223,19 @@ def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
 
 @dataclass(frozen=True, eq=False)
 class TableEvaluation:
-    """The quantities that the tables give at an orbit; see `Evaluation`."""
+    """The quantities that the tables give at an orbit; see `KernelEvaluation`."""
 
     problem: TableProblem
     orbit: Orbit
 
     @property
     def tables(self) -> TableEvaluation:
-        """See `Evaluation`."""
+        """Itself: it is by the tables of the system."""
         return self
 
     @property
     def states(self) -> np.ndarray:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         assert self.orbit.starts is not None
         return self.orbit.starts
 
@@ -267,18 +259,18 @@ class TableEvaluation:
 
     @property
     def shift(self) -> dict[str, Any]:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         return dict(zip(self.problem.state_names, self.moved.tolist(), strict=True))
 
     @property
     def free_states(self) -> tuple[str, ...]:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         names = self.problem.state_names
         return tuple(names[k] for k in np.flatnonzero(self.translations.any(axis=0)))
 
     @property
     def border(self) -> tuple[str, str]:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         for place, transition in enumerate(self.cycle.transitions):
             if len(transition.boundaries) > 1:
                 names = self.problem.itinerary[place][1].replace("+", " and ")
@@ -286,11 +278,11 @@ class TableEvaluation:
         return "", ""
 
     def directions(self, by: Sequence[str]) -> Directions:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         return table_directions(self, by)
 
     def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, None]:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         return OrbitMotionDerivatives(self.orbit, found.by, found.directions), None
 
     @property
@@ -320,22 +312,20 @@ class TableEvaluation:
         self._check_found()
         lib = self.orbit.arithmetic if self.orbit.precise else FLOATS
         part, numbers, now, dwell = self._part
-        size_of = sizes(now, dwell)
-        found = linearised_closure(now, dwell, size_of)
-        matrix, _ = with_forcing(part, numbers, now, size_of, *found, lib)
+        matrix, _ = closure_equations(part, numbers, now, dwell, sizes(now, dwell), lib=lib)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
         return bool(values[-1] <= LEAST * values[0])
 
     @cached_property
     def stability(self) -> Stability:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         self._check_found()
         found = self._assessed(self._closed(None))
         return replace(found, verdict="undecided") if self.cycle.one_sided else found
 
     @cached_property
     def part_stability(self) -> Stability:
-        """See `Evaluation`; `InputError` if the orbit was not composed from a part."""
+        """Multipliers over the part that the symmetry closes; `InputError` if there is none."""
         self._check_found()
         if self.problem.symmetry is None:
             raise InputError("the orbit was not composed from a part and a symmetry")
@@ -343,17 +333,17 @@ class TableEvaluation:
 
     @property
     def poincare_jacobian(self) -> np.ndarray:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         return np.asarray(self.shooting.variational[:, :-1])
 
     @property
     def saltations(self) -> np.ndarray:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         return np.asarray(saltations(self.cycle, self._numbers, self.shooting))
 
     @property
     def monodromy(self) -> np.ndarray:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         matrix = np.eye(self.states.shape[1], dtype=self.states.dtype)
         for flow, jump in zip(self.shooting.flows, self.saltations, strict=True):
             matrix = jump @ flow[:, :-1] @ matrix
@@ -361,7 +351,7 @@ class TableEvaluation:
 
     @cached_property
     def admissibility(self) -> Admissibility:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         self._check_found()
         system = piecewise(self.problem.system, self.orbit.parameters)
         cycle = self.cycle.at(system.structure)
@@ -370,7 +360,7 @@ class TableEvaluation:
         return assess_cycle(cycle, system, now, dwell)
 
     def trajectory(self, periods: int) -> Trajectory:
-        """See `Evaluation`."""
+        """See `KernelEvaluation`."""
         self._check_found()
         return motion_along(
             piecewise(self.problem.system, self.orbit.parameters),
@@ -380,43 +370,6 @@ class TableEvaluation:
             self.shooting.ends.astype(float),
             self.moved.astype(float),
             periods,
-        )
-
-    def refined(self, digits: int) -> Orbit:
-        """Return the same orbit to true decimal digits, with mpmath numbers.
-
-        `InputError` is raised for a symmetry that holds in double precision only,
-        `NoConvergence` if Newton's method leaves the orbit, as it does where the equations
-        are singular.
-        """
-        orbit, system, symmetry = self.orbit, self.problem.system, self.problem.symmetry
-        period, parameters = orbit.given_period, orbit.parameters
-        precise = refine_shape(
-            system,
-            self.cycle,
-            parameters,
-            self._part[-1].astype(float),
-            self.states[0].astype(float),
-            period if symmetry is None or period is None else part_of(period, symmetry.order),
-            digits,
-            symmetry,
-        )
-        lib = Mpmath(digits + GUARD)
-        with lib.working(digits + GUARD):
-            point = piecewise_in(system, parameters, lib)
-            cycle = self.cycle.at(point.structure)
-            part = precise.dwell, precise.states
-            dwell, states = whole_orbit(point, cycle, symmetry, *part, lib.mp)
-        return orbit_of(
-            self.problem,
-            parameters,
-            period,
-            dwell,
-            states,
-            precise.residual,
-            digits,
-            orbit.iterations + precise.iterations,
-            orbit.status,
         )
 
     @cached_property
@@ -453,3 +406,48 @@ class TableEvaluation:
     def _check_found(self) -> None:
         if self.orbit.status not in (CONVERGED, SINGULAR):
             raise InputError(f"there is no orbit: {self.orbit.message}")
+
+
+def motion_along(
+    system: PiecewiseLinear,
+    cycle: ItineraryShape,
+    dwell: np.ndarray,
+    starts: np.ndarray,
+    ends: np.ndarray,
+    shift: np.ndarray,
+    periods: int,
+) -> Trajectory:
+    """Return the motion through phases one after the other, from time 0 on, some periods long.
+
+    All is in double precision: `dwell` (p,), states `starts` and `ends` (p, N) of the
+    phases, and the shift (N,) by which a period moves the state. One phase without a
+    transition is not cut.
+    """
+    if cycle.uninterrupted:
+        run = Run(
+            np.zeros(1),
+            np.array(cycle.configurations[:1], dtype=np.int32),
+            starts[:1],
+            starts[:1],
+            np.zeros(1, dtype=mask_type(cycle.structure)),
+            (),
+            Status.UNTIL,
+            float(periods * dwell.sum()),
+        )
+        return Trajectory(system, run)
+    masks = [mask_of(t.boundaries) for t in cycle.transitions]
+    moved = np.repeat(np.arange(periods), len(dwell))[:, None] * shift
+    behind = np.tile(np.concatenate([starts[1:], starts[:1] + shift]), (periods, 1)) + moved
+    times = np.cumsum(np.tile(dwell, periods))
+    following = np.tile(np.roll(cycle.configurations, -1), periods)
+    run = Run(
+        np.concatenate([[0.0], times]),
+        np.concatenate([cycle.configurations[:1], following]).astype(np.int32),
+        np.concatenate([starts[:1], np.tile(ends, (periods, 1)) + moved]),
+        np.concatenate([starts[:1], behind]),
+        np.array([0, *masks * periods], dtype=mask_type(cycle.structure)),
+        (),
+        Status.TRANSITIONS,
+        float(times[-1]),
+    )
+    return Trajectory(system, run)

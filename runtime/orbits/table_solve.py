@@ -6,38 +6,52 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.engine_layout import numbers_of
-from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_digits import digits_of
-from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
+from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, orbit_of
+from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     guesses,
     itinerary_shape,
 )
-from nonsmooth.runtime.shooting.symmetric_orbit import (
-    closing,
+from nonsmooth.runtime.shooting.symmetry import (
     part_of,
+    symmetry_of,
     whole_itinerary,
     whole_orbit,
     whole_shape,
 )
-from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
-from nonsmooth.runtime.shooting.table_newton import TableSolution, solve_shape
+from nonsmooth.runtime.shooting.table_newton import TableSolution, fitting_start, solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
-__all__ = ["CONTINUATION_STEPS", "Symmetries", "known_orbit", "solve_itinerary", "steps_between"]
+__all__ = [
+    "CONTINUATION_STEPS",
+    "Symmetries",
+    "guess_by_name",
+    "known_orbit",
+    "period_in",
+    "solve_declared",
+    "solve_itinerary",
+    "steps_between",
+    "unknowns_of",
+    "value_of",
+    "whole_names",
+]
 
 CONTINUATION_STEPS = 24  # from a reference orbit to other parameters
 
@@ -64,16 +78,21 @@ def solve_itinerary(
     that the system does not allow, or what is no symmetry of the system at these
     parameters.
     """
-    stated = _stated(system, parameters, itinerary, period, symmetry)
-    structure = stated.point.structure
-    dwell = guesses("the guess of the dwell times", dwell_times, len(stated.part), positive=True)
-    begin, directions = None, translations_of(stated.point)
-    if start is not None:
-        begin = guesses("the guess of the start", start, len(structure.states)).reshape(1, -1)
-        begin = up_to_shift(begin, directions)
-    found = solve_shape(stated.part, stated.flat, dwell.reshape(1, -1), begin, stated.length)
-    found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
-    return _orbit(stated, found)
+
+    def solved(
+        point: PiecewiseLinear, part: ItineraryShape, flat: np.ndarray, length: np.ndarray
+    ) -> TableSolution:
+        dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
+        begin, directions = None, translations_of(point)
+        if start is not None:
+            size = len(point.structure.states)
+            begin = guesses("the guess of the start", start, size).reshape(1, -1)
+            begin = up_to_shift(begin, directions)
+        found = solve_shape(part, flat, dwell.reshape(1, -1), begin, length)
+        found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
+        return found
+
+    return _orbit(system, parameters, itinerary, period, symmetry, solved)
 
 
 def known_orbit(
@@ -93,7 +112,6 @@ def known_orbit(
     they are. Other arguments, and `InputError`, are as for `solve_itinerary`. The
     result's `status` says whether a dwell time, or all of it, is lost in rounding.
     """
-    stated = _stated(system, parameters, itinerary, period, symmetry)
     found = TableSolution(
         dwell_times[None],
         states[None],
@@ -102,30 +120,22 @@ def known_orbit(
         np.zeros(1, dtype=np.int32),
         np.full(1, CONVERGED, dtype=np.int32),
     )
-    return _orbit(stated, found)
+    return _orbit(system, parameters, itinerary, period, symmetry, lambda *_: found)
 
 
-class _Stated(NamedTuple):
-    """The equations of an orbit at one point; `part` is what a symmetry or translations close."""
-
-    kernels: SystemKernels
-    point: PiecewiseLinear
-    cycle: ItineraryShape
-    mirror: Symmetry | None
-    part: ItineraryShape
-    flat: np.ndarray
-    period: Value | None
-    length: np.ndarray
-
-
-def _stated(
+def _orbit(
     system: SystemKernels,
     parameters: Mapping[str, object],
     itinerary: Sequence[tuple[str, str]],
     period: object,
     symmetry: Symmetries,
-) -> _Stated:
-    """Return the equations; `length` (1,) is the sum of the part's dwell times, NaN where free."""
+    solved: Callable[[PiecewiseLinear, ItineraryShape, np.ndarray, np.ndarray], TableSolution],
+) -> Orbit:
+    """Return the record of a solution, with its digits and the routes that it takes.
+
+    `solved` gives it, from the system, the part that a symmetry or translations close, the
+    numbers (1, size) of that part, and the sum (1,) of its dwell times, NaN where free.
+    """
     mirror, phases = None, itinerary
     if symmetry is not None:
         declared = piecewise(system, parameters)
@@ -144,20 +154,15 @@ def _stated(
         raise InputError(f"period = {wanted} is not positive and finite")
     if wanted is not None and mirror is not None:
         length = float(part_of(wanted, mirror.order))
-    flat = numbers_of(closed)[None]
-    return _Stated(kernels, point, cycle, mirror, part, flat, wanted, np.array([length]))
-
-
-def _orbit(stated: _Stated, found: TableSolution) -> Orbit:
-    """Return the record of a solution, with its digits and the routes that it takes."""
-    digits, status = digits_of(stated.part, stated.flat, found, stated.length)
-    point, cycle, mirror = stated.point, stated.cycle, stated.mirror
+    asked = part, numbers_of(closed)[None]
+    found = solved(point, *asked, np.array([length]))
+    digits, status = digits_of(*asked, found, np.array([length]))
     times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
-    kernels = with_routes_at(stated.kernels, point, cycle.itinerary, times, states)
+    kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     return orbit_of(
         TableProblem(kernels, cycle.itinerary, mirror),
         point.parameters,
-        stated.period,
+        wanted,
         times,
         states,
         float(found.residual[0]),
@@ -173,3 +178,194 @@ def steps_between(begin: np.ndarray, end: np.ndarray) -> Iterator[np.ndarray]:
     ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
     for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1):
         yield np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
+
+
+def period_in(
+    unknown: Iterable[str], given: Mapping[str, object] | None, name: str = "an itinerary"
+) -> object:
+    """Return the period that is given for what is composed, or None; `InputError` for an exchange.
+
+    Nothing may be solved for in place of unknowns: `unknown` is empty, and `given` holds
+    ``period`` at most. The message begins with the `name`.
+    """
+    exchanged = [*unknown, *(each for each in given or {} if each != PERIOD)]
+    if exchanged:
+        raise InputError(
+            f"{name} is composed from its phases: {', '.join(exchanged)} cannot be"
+            " exchanged, as in orbits whose equations are derived"
+        )
+    return (given or {}).get(PERIOD)
+
+
+def guess_by_name(
+    guess: Sequence[float] | Mapping[str, float] | None, names: Sequence[str], of: str, least: int
+) -> Mapping[str, float]:
+    """Return a guess by the names of the unknowns, of all or of the first `least` of them.
+
+    `InputError` is raised for another number of them, in words `of` an orbit of this name.
+    """
+    if guess is None or isinstance(guess, Mapping):
+        return guess or {}
+    if len(guess) not in (len(names), least):
+        raise InputError(
+            f"the guess has {len(guess)} values, {of} has {len(names)} unknowns: {', '.join(names)}"
+        )
+    return dict(zip(names, guess, strict=False))
+
+
+def value_of(name: str, given: object) -> Value:
+    """Return a value; the message of the `InputError` begins with its name."""
+    try:
+        return as_value(given)
+    except InputError as problem:
+        raise InputError(f"{name}: {problem}") from None
+
+
+def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
+    """Return the names of a declared orbit's unknowns: dwell times, then the start."""
+    dwell = _part_names(kernels)
+    taken = {*dwell, *(p.name for p in kernels.system.parameters)}
+    states = kernels.system.table["states"]
+    return (*dwell, *start_names(states, taken, kernels.table.get("start")))
+
+
+def _part_names(kernels: OrbitKernels) -> tuple[str, ...]:
+    return tuple(name for _, _, name in kernels.table["phases"])
+
+
+def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
+    """Return the unknowns' names for an orbit of `count` phases over the whole period.
+
+    Names of phases that are images by the symmetry bear the image's number.
+    """
+    part = _part_names(kernels)
+    images = count // len(part)
+    dwell = [n if k == 0 else f"{n}_{k + 1}" for k in range(images) for n in part]
+    return (*dwell, *unknowns_of(kernels)[len(part) :])
+
+
+def solve_declared(
+    kernels: OrbitKernels,
+    parameters: Mapping[str, object],
+    guess: Sequence[float] | Mapping[str, float] | None = None,
+    *,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, object] | None = None,
+    throw: bool = True,
+) -> Orbit:
+    """Compose an orbit that was declared by its phases, whose equations have no closed form.
+
+    Absent parameters take the reference point's values; where the declaration names a
+    period its name is among them. The guess has dwell times and coordinates of the start,
+    all in their order or some by name: absent dwell times take the reference's guess,
+    absent coordinates that or what fits best. Without a guess the reference orbit is
+    followed to these parameters where it can be. Nothing may be solved for in place of
+    unknowns: `unknown` has to be empty, and `given` may hold ``period`` only. With
+    `throw`, `NoConvergence` is raised if no orbit is found; `InputError` is raised for
+    wrong names or values, and for a dwell time that is neither given nor in a reference.
+    """
+    period = period_in(unknown, given, kernels.name)
+    reference = kernels.table["reference"] or {"parameters": {}, "guess": {}}
+    values: dict[str, Any] = {**reference["parameters"], **parameters}
+    declared = kernels.table.get("period")
+    if declared is not None:
+        own = values.pop(declared["name"], None)
+        period = own if period is None else period
+    symmetry: Mapping[str, str] | None = kernels.table.get("symmetry") or None
+    named = _named(kernels, guess, reference["guess"])
+    phases = [(configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]]
+    names = unknowns_of(kernels)
+    count = len(phases)
+    rest = [named.get(name) for name in names[: count - 1]]
+    if period is not None and names[count - 1] not in named and None not in rest:
+        # the last phase takes what the others leave
+        named[names[count - 1]] = float(as_value(period)) - sum(x for x in rest if x is not None)
+    missing = [name for name in names[:count] if name not in named]
+    if missing:
+        raise InputError(
+            f"{kernels.name} declares no guess of {', '.join(missing)}: give one, as in"
+            f" --guess {','.join(f'{name}=1' for name in missing)}; a motion that was simulated"
+            " tells them (nonsmooth.itinerary_of)"
+        )
+    dwell = [named[name] for name in names[:count]]
+    known = [named.get(name) for name in names[count:]]
+    orbit = None
+    if guess is None and period is None and values != reference["parameters"]:
+        defaults = dict(reference["parameters"])
+        if defaults.keys() == values.keys():
+            start = _start(piecewise(kernels.system, defaults), phases, dwell, known, symmetry)
+            orbit = _followed(kernels.system, defaults, values, (phases, dwell, start), symmetry)
+    if orbit is None:
+        start = _start(piecewise(kernels.system, values), phases, dwell, known, symmetry)
+        orbit = solve_itinerary(
+            kernels.system, values, phases, dwell, start, period=period, symmetry=symmetry
+        )
+    names = whole_names(kernels, len(orbit.itinerary))
+    orbit = labelled(orbit, kernels.name, names)
+    if throw and not orbit.converged:
+        raise NoConvergence(f"{kernels.name}: {orbit.message}")
+    return orbit
+
+
+_Guess = tuple[list[tuple[str, str]], list[float], list[float] | None]
+
+
+def _followed(
+    system: SystemKernels,
+    defaults: Mapping[str, object],
+    values: Mapping[str, Any],
+    guess: _Guess,
+    symmetry: Mapping[str, str] | None,
+) -> Orbit | None:
+    """Return the reference orbit carried to the parameters; None if it gets lost."""
+    phases, dwell, start = guess
+    end = {name: float(value) for name, value in system_parameters(system, values).items()}
+    begin = np.array([float(as_value(defaults[name])) for name in end])
+    orbit = None
+    for step, here in enumerate(steps_between(begin, np.array([*end.values()]))):
+        last = step == CONTINUATION_STEPS
+        point = values if last else dict(zip(end, here.tolist(), strict=True))
+        orbit = solve_itinerary(system, point, phases, dwell, start, symmetry=symmetry)
+        if not orbit.converged:
+            return None
+        dwell = orbit.dwell_times.tolist()[: len(phases)]
+        start = orbit.states[0].tolist()
+    return orbit
+
+
+def _named(
+    kernels: OrbitKernels,
+    guess: Sequence[float] | Mapping[str, float] | None,
+    reference: Mapping[str, str],
+) -> dict[str, float]:
+    """Return a guess by the unknowns' names; a start's coordinate may have its state's name."""
+    names = unknowns_of(kernels)
+    states = kernels.system.table["states"]
+    synonyms = dict(zip(states, names[len(names) - len(states) :], strict=True))
+    guess = guess_by_name(guess, names, kernels.name, len(names) - len(states))
+    found = {}
+    for name, value in {**reference, **guess}.items():
+        if name not in names and name not in synonyms:
+            raise unknown_name("variable", str(name), names)
+        found[synonyms.get(name, name)] = float(value_of(name, value))
+    return found
+
+
+def _start(
+    point: PiecewiseLinear,
+    phases: Sequence[tuple[str, str]],
+    dwell: Sequence[float],
+    known: Sequence[float | None],
+    symmetry: Mapping[str, str] | None,
+) -> list[float] | None:
+    """Return a guess of the start (N): unknown entries are those that fit the dwell times best."""
+    given = [value for value in known if value is not None]
+    if len(given) == len(known):
+        return given
+    if not given or symmetry:
+        return None
+    cycle = itinerary_shape(point.structure, phases)
+    flat = numbers_of(point)[None]
+    with np.errstate(all="ignore"):
+        start = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
+    return [fitted if value is None else value for fitted, value in zip(start, known, strict=True)]

@@ -21,9 +21,9 @@ from nonsmooth.runtime.model.kernels import (
 )
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace
+from nonsmooth.runtime.orbits.table_solve import unknowns_of
 from nonsmooth.runtime.present.files.named_entries import saved_listing
 from nonsmooth.runtime.shooting.multipliers import Stability
 

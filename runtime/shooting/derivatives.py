@@ -11,8 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.matrices import exponentials
 from nonsmooth.runtime.model.balancing import balanced
+from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, shooting_map
@@ -100,16 +102,21 @@ def cycle_maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...
     )
 
 
-def flows_over(fields: np.ndarray, dwell: np.ndarray) -> np.ndarray:
+def flows_over(fields: np.ndarray, dwell: np.ndarray, lib: Mpmath | None = None) -> np.ndarray:
     """Flows (..., N, N + 1) of fields (..., N, N + 1) over times (...), in the system's unit.
 
     Fields may be complex: a tiny imaginary part comes out as a derivative. Flows that are not
-    finite are NaN.
+    finite are NaN. `lib` is None in double precision.
     """
     size = fields.shape[-2]
+    flat = fields.reshape(-1, size, size + 1)
+    if lib is not None:
+        mp, times = lib.mp, dwell.ravel()
+        flows = [exponential(f, mp.mpc(t), mp) for f, t in zip(flat, times, strict=True)]
+        return np.array(flows, dtype=object).reshape(fields.shape)
     kind = np.result_type(fields, dwell)
     generators = np.zeros((dwell.size, size + 1, size + 1), dtype=kind)
-    generators[:, :size] = fields.reshape(-1, size, size + 1)
+    generators[:, :size] = flat
     with np.errstate(all="ignore"):  # of what is not finite nothing is
         _, units = balanced(generators.real)
         scaled = generators * units[:, None] / units[:, :, None] * dwell.reshape(-1, 1, 1)

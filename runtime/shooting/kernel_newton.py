@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.matrices import inverses
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,
@@ -35,7 +36,6 @@ __all__ = [
     "Solved",
     "condition_number",
     "equations_at",
-    "error_bound",
     "error_bounds",
     "frequency_spread",
     "natural_scales",
@@ -186,7 +186,7 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     if status == CONVERGED:
         equations = equations_at(kernels, x)
         residual, jacobian = equations.residual, equations.jacobian
-        errors = error_bound(kernels, x, places, equations)
+        errors = error_bounds(kernels, x, places, equations)
         error = errors.largest
         if not error < DETERMINED:
             size = np.maximum(np.abs(x[places]), 1)
@@ -204,7 +204,7 @@ def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
 
 
 class LinearisedEquations(NamedTuple):
-    """Residual (n,), Jacobian (n, n + p) by unknowns and then parameters, and the spectrum."""
+    """Residual (..., n), Jacobian (..., n, n + p) by unknowns and parameters, and spectrum."""
 
     residual: np.ndarray
     jacobian: np.ndarray
@@ -212,90 +212,63 @@ class LinearisedEquations(NamedTuple):
 
 
 def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
-    """The full equations at a point x (n + p,) of unknowns, then parameters."""
-    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
+    """The full equations at points x (..., n + p) of unknowns, then parameters."""
+    unknowns, parameters = _halves(kernels, x)
     spectrum, derivatives = kernels.spectrum(parameters)
-    residual, by_unknowns, by_parameters = kernels.evaluate(
+    residual, *by = kernels.evaluate(
         "residual",
         "jacobian",
         "parameter_jacobian",
         at=(parameters, spectrum, unknowns, derivatives),
     )
-    jacobian = np.concatenate([by_unknowns, by_parameters], axis=1)
-    return LinearisedEquations(residual, jacobian, spectrum)
+    return LinearisedEquations(residual, np.concatenate(by, axis=-1), spectrum)
+
+
+def _halves(kernels: OrbitKernels, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    count = len(kernels.unknowns)
+    return x[..., :count], x[..., count:]
 
 
 class Errors(NamedTuple):
     """Bounds on the errors of a solution, and the dwell times of its phases that take time."""
 
-    largest: Any  # (...), of all numbers in units of max(1, |x|), inf where nothing is known
+    largest: Any  # (...), of all numbers in units of max(1, |x|), NaN where nothing is known
     dwell: np.ndarray  # (..., p)
     of_dwell: np.ndarray  # (..., p), bounds on the errors of the dwell times
 
 
-def error_bound(
+def error_bounds(
     kernels: OrbitKernels,
     x: np.ndarray,
     places: Sequence[int] | slice,
     equations: LinearisedEquations,
 ) -> Errors:
-    """Bounds on the errors of the numbers at some places of x (n + p,).
+    """Bounds on the errors of the numbers at some places of points x (..., n + p).
 
     J^-1 is applied to the residual and to the rounding errors of all that enters the equations:
     parameters and unknowns, and the states along the orbit, whose differences the equations are.
-    `equations` are those at x. The bounds are inf where J is singular.
+    `equations` are those at x. The bounds are NaN where J is singular.
     """
     residual, jacobian, spectrum = equations
-    unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
-    states = kernels.evaluate("states", at=(parameters, spectrum, unknowns))
-    sizes = np.array([np.abs(x)] * 2)
-    sizes[0, places] = np.maximum(sizes[0, places], 1.0)
-    rounding = np.abs(jacobian) @ sizes.T + np.abs(states).max()
-    noise = np.abs(residual)[:, None] + 4 * _EPSILON * rounding
-    errors = np.zeros((len(x), 2))
+    unknowns, parameters = _halves(kernels, x)
     with np.errstate(all="ignore"):
-        try:
-            errors[places] = np.abs(np.linalg.inv(jacobian[:, places])) @ noise
-        except np.linalg.LinAlgError:
-            errors[places] = math.inf
-        largest = float((errors[places, 0] / sizes[0, places]).max())
-        waits = _waits(kernels, x, errors[:, 1])
-    return Errors(largest if math.isfinite(largest) else math.inf, *waits)
-
-
-def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.ndarray) -> Errors:
-    """Bounds on the errors of all unknowns (count, n), as `error_bound` gives them, at many points.
-
-    `parameters` are (count, p). The bounds are inf where nothing is known.
-    """
-    with np.errstate(all="ignore"):
-        spectrum, derivatives = kernels.spectrum(parameters)
-        at = (parameters, spectrum, unknowns, derivatives)
-        residual, jacobian, by_parameters = kernels.evaluate(
-            "residual", "jacobian", "parameter_jacobian", at=at
-        )
-        states = np.abs(kernels.evaluate("states", at=at))
-        scale = np.maximum(np.abs(unknowns), 1)
-        sizes = np.stack([scale, np.abs(unknowns)], axis=-1)
-        rounding = np.abs(jacobian) @ sizes
-        rounding += np.abs(by_parameters) @ np.abs(parameters)[..., None]
-        rounding += states.reshape(len(unknowns), -1).max(axis=-1)[:, None, None]
+        states = np.abs(kernels.evaluate("states", at=(parameters, spectrum, unknowns)))
+        sizes = np.abs(x)[..., None] * np.ones(2)
+        sizes[..., places, 0] = np.maximum(sizes[..., places, 0], 1.0)
+        largest = states.reshape(*x.shape[:-1], -1).max(axis=-1)
+        rounding = np.abs(jacobian) @ sizes + largest[..., None, None]
         noise = np.abs(residual)[..., None] + 4 * _EPSILON * rounding
-        sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
-        x = np.concatenate([unknowns, parameters], axis=-1)
         errors = np.zeros((*x.shape, 2))
-        errors[:, : unknowns.shape[1]] = np.inf
-        inverse = np.abs(np.linalg.inv(jacobian[sound]))
-        errors[sound, : unknowns.shape[1]] = inverse @ noise[sound]
-        largest = (errors[:, : unknowns.shape[1], 0] / scale).max(axis=-1)
+        errors[..., places, :] = np.abs(inverses(jacobian[..., places])) @ noise
+        largest = (errors[..., places, 0] / sizes[..., places, 0]).max(axis=-1)
         waits = _waits(kernels, x, errors[..., 1])
-    return Errors(np.where(np.isfinite(largest), largest, np.inf), *waits)
+    return Errors(largest, *waits)
 
 
 def _waits(
     kernels: OrbitKernels, x: np.ndarray, errors: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Dwell times (..., p) of the phases that take time, and their errors from those of x."""
+    """Dwell times (p,) or (k, p) of the phases that take time, and their errors."""
     names = (*kernels.unknowns, *kernels.parameter_names)
     durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
     own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
@@ -304,7 +277,7 @@ def _waits(
         if name not in kernels.table["vanishing"]:
             dwell.append(durations[name])
             of_dwell.append(sum(abs(factor) * own[term] for term, factor in terms.items()))
-    return np.stack(dwell, axis=-1), np.stack(of_dwell, axis=-1)
+    return np.array(dwell).T, np.array(of_dwell).T
 
 
 def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:

@@ -35,6 +35,7 @@ __all__ = [
     "section_dimension",
     "smallest_section",
     "stroboscopic_maps",
+    "timed_maps",
 ]
 
 _RANK = 1e-9  # relative length below which a direction is none, in double precision
@@ -68,7 +69,7 @@ def _timed(
     """Derivatives, at fixed times, of states behind transitions by those before the flows."""
     phases = phases_in(cycle, numbers)
     fields = [phase.field for phase in (*phases[1:], phases[0])]
-    behind = map(ARRAYS.apply, fields, now.starts[1:, :, None])
+    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
     parts = zip(phases, flows, now.velocities[..., None], behind, strict=True)
     return [section_map(ARRAYS, *part) for part in parts]
 
@@ -86,15 +87,15 @@ def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
     return [k for k in range(len(cycle.structure.states)) if k not in own]
 
 
-def _timed_maps(
+def timed_maps(
     cycle: ItineraryShape, numbers: Numbers, now: Shooting, states: list[int]
 ) -> list[Any]:
-    """Derivatives, at fixed times, of the state behind each phase by that at its start.
+    """Derivatives (..., k, k), at fixed times, of the state behind each phase by that at its start.
 
-    Only the given states count.
+    Only the k given states count.
     """
     found = _timed(cycle, numbers, now, now.flows)
-    return [matrix[np.ix_(states, states)] for matrix in found]
+    return [matrix[..., states, :][..., states] for matrix in found]
 
 
 def stroboscopic_maps(
@@ -217,7 +218,7 @@ def assess(
         maps = local_maps(cycle, numbers, now)
         dimension = section_dimension(cycle, numbers, size_of, lib)
     else:
-        maps, size_of = _timed_maps(cycle, numbers, now, driven), size_of[driven]
+        maps, size_of = timed_maps(cycle, numbers, now, driven), size_of[driven]
         dimension = len(driven) - len(translations)
         translations = translations[:, driven]
     if len(translations):

@@ -9,7 +9,7 @@ axes, one point each.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -42,6 +42,7 @@ __all__ = [
     "numbers_in",
     "phases_in",
     "shoot",
+    "shoot_along",
 ]
 
 _T = TypeVar("_T")
@@ -278,13 +279,20 @@ def shoot(cycle: ItineraryShape, numbers: Numbers, dwell: Any, start: Any, lib: 
     arithmetic with `sin`, `cos` and `exp` of arrays. The n = N + 1 unknowns of the result are the
     start and the 1 that multiplies constants.
     """
-    size = start.shape[-1]
-    unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)
-    changes = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
     flows = (
         flow_at(cycle.structure, numbers, configuration, dwell[..., place], lib)
         for place, configuration in enumerate(cycle.configurations)
     )
+    return shoot_along(cycle, numbers, flows, start)
+
+
+def shoot_along(
+    cycle: ItineraryShape, numbers: Numbers, flows: Iterable[Any], start: Any
+) -> Shooting:
+    """The passage that `shoot` gives, from the flows (..., N, N + 1) of the phases."""
+    size = start.shape[-1]
+    unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)
+    changes = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
     phases = phases_in(cycle, numbers)
     found = shooting_map(ARRAYS, phases, flows, start[..., None], changes)
     return Shooting(

@@ -1,18 +1,44 @@
-"""Symmetries of a system: signed permutations of the states that map motions to motions."""
+"""Symmetries of a system: signed permutations of the states that map motions to motions.
+
+An orbit that a symmetry maps to itself, shifted by a part of its period, is known by that part:
+its phases lead from a start to the start's image, and the symmetry leads back.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    itinerary_shape,
+    numbers_in,
+    shoot,
+)
+from nonsmooth.runtime.shooting.translations import (
+    gauges_of,
+    translations_of,
+)
 
-__all__ = ["Symmetry", "images_of", "matrix_of", "same_maps", "seen_in_images", "symmetry_of"]
+__all__ = [
+    "Symmetry",
+    "images_of",
+    "matrix_of",
+    "part_of",
+    "same_maps",
+    "seen_in_images",
+    "symmetry_of",
+    "whole_itinerary",
+    "whole_orbit",
+    "whole_shape",
+]
 
 _SAME = 1e-12  # of the largest entry: numbers that are equal but for rounding
 _LARGEST_ORDER = 64
@@ -273,3 +299,94 @@ class _Images:
             )
             for row, along, holds in transition.conditions
         )
+
+
+def whole_itinerary(
+    structure: Structure, symmetry: Symmetry, part: Sequence[tuple[str, str]]
+) -> tuple[tuple[str, str], ...]:
+    """Itinerary of the whole orbit whose first part is given, and which a symmetry closes.
+
+    The symmetry maps the end of a part to its start: each part is the preimage of the one
+    before it. Raises `InputError` if the part is malformed or has names that do not exist.
+    """
+    try:
+        part = tuple((c, b) for c, b in part)
+    except (TypeError, ValueError):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
+    backward = {image: c for c, image in enumerate(symmetry.configurations)}
+    whole = []
+    phases = [_phase(structure, *pair) for pair in part]
+    for _ in range(symmetry.order):
+        for configuration, places in phases:
+            names = [structure.boundaries[configuration][b].name for b in sorted(places)]
+            whole.append((structure.configurations[configuration], "+".join(names)))
+        phases = [
+            (backward[c], [symmetry.boundaries[backward[c]].index(b) for b in places])
+            for c, places in phases
+        ]
+    return tuple(whole)
+
+
+def whole_shape(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> ItineraryShape:
+    """The whole cycle of a part that the symmetry closes.
+
+    Raises `InputError` as `itinerary_shape` does, and where the resets at boundaries are not the
+    images of each other.
+    """
+    cycle = itinerary_shape(system.structure, whole_itinerary(system.structure, symmetry, part))
+    for place, transition in enumerate(cycle.transitions):
+        image = place - len(part)
+        resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
+        if not same_maps(seen_in_images(symmetry.matrix, resets[0]), resets[1]):
+            names = " and ".join(cycle.itinerary[k][1] for k in (place, image))
+            raise InputError(f"symmetry: {names}, its image, reset the state in different ways")
+    return cycle
+
+
+def whole_orbit(
+    system: PiecewiseLinear,
+    cycle: ItineraryShape,
+    symmetry: Symmetry | None,
+    dwell: np.ndarray,
+    states: np.ndarray,
+    lib: Any,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Dwell times (q,) and states (q, N) of the whole orbit from those (p,), (p, N) of its part.
+
+    States are those at the start of each phase; q is p times the order of the symmetry, or p
+    without one. `cycle` is the whole one, of that system. All is in the system's units, and
+    `lib` is an arithmetic with `sin`, `cos` and `exp` of arrays.
+    """
+    if symmetry is None:
+        return dwell, states
+    directions = translations_of(system)
+    shift = np.zeros_like(states[0])
+    if len(directions):  # by how much the image of the part's end is moved from its start
+        first = len(states) - 1
+        last = replace(
+            cycle,
+            itinerary=cycle.itinerary[first : first + 1],
+            configurations=cycle.configurations[first : first + 1],
+            boundaries=cycle.boundaries[first : first + 1],
+            transitions=cycle.transitions[first : first + 1],
+        )
+        end = shoot(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
+        image = symmetry.matrix @ end
+        shift = image[gauges_of(directions)] @ directions
+    parts = [states]
+    for _ in range(symmetry.order - 1):
+        parts.append((parts[-1] + shift) @ symmetry.matrix)  # its inverse from the left
+    return np.tile(dwell, symmetry.order), np.concatenate(parts)
+
+
+def part_of(period: Value, order: int) -> Value:
+    """The `order`-th part of a period, exactly."""
+    if period.exact is not None:
+        return as_value(period.exact / order)
+    return parse(f"({period.text})/{order}")
+
+
+def _phase(structure: Structure, name: str, boundary: Any) -> tuple[int, list[int]]:
+    configuration = structure.configuration(str(name))
+    names = boundary.split("+") if isinstance(boundary, str) else boundary
+    return configuration, [structure.boundary(configuration, str(b)) for b in names]

@@ -9,7 +9,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.orbits import table_limits
+from nonsmooth.runtime.orbits import table_admissible
 from nonsmooth.runtime.shooting.multipliers import family_margins
 from tests.pictures import figure_in
 from tests.places import GALLERY
@@ -238,7 +238,7 @@ def test_limits_are_those_of_the_guaranteed_search(
 ) -> None:
     plane = {name: values[::4] for name, values in PLANES[orbit].items()}
     fast = ns.chart(orbit, **plane)
-    monkeypatch.setattr(table_limits, "compiled_engine", lambda: None)
+    monkeypatch.setattr(table_admissible, "compiled_engine", lambda: None)
     np.testing.assert_array_equal(fast.limit.values, ns.chart(orbit, **plane).limit.values)
 
 

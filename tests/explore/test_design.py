@@ -14,7 +14,7 @@ from nonsmooth.runtime.explore.design.condition import condition_in
 from nonsmooth.runtime.explore.design.following import BranchFollower
 from nonsmooth.runtime.explore.design.largest import radius_rows
 from nonsmooth.runtime.explore.design.quantities import multiplier_gap
-from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives, multiplier_derivatives
+from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
 from tests.places import GALLERY
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"

@@ -14,7 +14,6 @@ from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import _admissible_numpy, admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import search
-from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.present.report import orbit_json
 
 ORBIT = "dry-friction/global-stick"
@@ -104,7 +103,7 @@ def record(point, unknowns):
     """An orbit of given numbers, without solving."""
     given = {n: as_value(float(v)) for n, v in zip(PARAMETERS, point, strict=True)}
     numbers = dict(zip(UNKNOWNS, map(float, unknowns), strict=True))
-    return Orbit(KernelProblem(load_orbit(ORBIT)), given, numbers, {}, 0.0, DOUBLE, 0, 0)
+    return Orbit(KernelProblem(load_orbit(ORBIT)), given, numbers, {}, 0.0, 15, 0, 0)
 
 
 def random_points(seed, count):

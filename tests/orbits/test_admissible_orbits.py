@@ -11,7 +11,6 @@ from nonsmooth import Orbit, refine, solve, solve_many
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.admissible import admissible_points
-from nonsmooth.runtime.orbits.orbit import DOUBLE
 from tests.declared import RANGES, Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
@@ -25,7 +24,7 @@ def records(name, points):
     for i in np.flatnonzero(many.converged):
         given = {n: as_value(float(a[i])) for n, a in points.items()}
         unknowns = {n: float(a[i]) for n, a in many.unknowns.items()}
-        yield Orbit(many.problem, given, unknowns, {}, float(many.residual[i]), DOUBLE, 0, 0)
+        yield Orbit(many.problem, given, unknowns, {}, float(many.residual[i]), 15, 0, 0)
 
 
 def sampled(piece, start, duration, count):

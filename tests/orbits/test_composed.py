@@ -5,11 +5,10 @@ import pytest
 
 from nonsmooth import InputError, NoConvergence, refine, solve, solve_many
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.model.kernels import compiled_engine, kernels_of, load_system
+from nonsmooth.runtime.model.kernels import compiled_engine, load_system
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.shooting import table_newton
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
@@ -297,11 +296,10 @@ def test_threads_and_chunks_change_nothing(threads, monkeypatch):
     monkeypatch.setattr("nonsmooth.runtime.orbits.table_many.CHUNK", 3)
     data = STICK_DATA | {"V": np.linspace(0.98, 1.02, 8)}
     start = stick().states[0]
-    many = solve_itineraries(
-        kernels_of("dry-friction"), STICK, data, STICK_GUESS, start, threads=threads
-    )
+    guess = [*STICK_GUESS, *start]
+    many = solve_many("dry-friction", data, guess, itinerary=STICK, threads=threads)
     monkeypatch.undo()
-    whole = solve_itineraries(kernels_of("dry-friction"), STICK, data, STICK_GUESS, start)
+    whole = solve_many("dry-friction", data, guess, itinerary=STICK)
     np.testing.assert_array_equal(many.dwell_times, whole.dwell_times)
     np.testing.assert_array_equal(many.trace, whole.trace)
 
@@ -312,23 +310,16 @@ def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
     exact = solve(
         "dry-friction", STICK_DATA, turned(STICK_GUESS, first), itinerary=turned(STICK, first)
     )
-    many = solve_itineraries(
-        kernels_of("dry-friction"),
-        turned(STICK, first),
-        STICK_DATA,
-        exact.dwell_times,
-        exact.states[0],
-    )
+    guess = [*exact.dwell_times, *exact.states[0]]
+    many = solve_many("dry-friction", STICK_DATA, guess, itinerary=turned(STICK, first))
     assert many.converged
     assert many.iterations == 1
 
 
 def test_no_points_and_lost_points():
-    none = solve_itineraries(kernels_of("dry-friction"), STICK, STICK_DATA | {"V": []}, STICK_GUESS)
+    none = solve_many("dry-friction", STICK_DATA | {"V": []}, STICK_GUESS, itinerary=STICK)
     assert none.dwell_times.shape == (0, 4)
-    lost = solve_itineraries(
-        kernels_of("dry-friction"), STICK, STICK_DATA | {"V": [-1, 1]}, STICK_GUESS
-    )
+    lost = solve_many("dry-friction", STICK_DATA | {"V": [-1, 1]}, STICK_GUESS, itinerary=STICK)
     assert lost.status.tolist() == [INVALID, CONVERGED]
     assert np.isnan(lost.dwell_times[0]).all()
     assert np.isnan(lost.trace[0])

@@ -18,8 +18,8 @@ from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background
 from nonsmooth.runtime.model.loading.caching import cache_folder
 from nonsmooth.runtime.model.loading.load import load_path, many_points_key
-from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
-from nonsmooth.runtime.orbits.kernel_points import _largest_sizes
+from nonsmooth.runtime.orbits.declared_many import declared_kernels
+from nonsmooth.runtime.shooting.multipliers import margins
 from tests.places import GALLERY
 
 pytestmark = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
@@ -143,7 +143,7 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
     assert own is not None
     assert not own.alone
     every = {**load_orbit(SUBHARMONIC).table["reference"]["parameters"], **values}
-    kernels = own.solve(every, admissibility=True, threads=1, chunk=100)
+    kernels = own.solve_many(every, admissibility=True, threads=1, chunk=100)
     assert kernels.admissible is not None
     assert not kernels.admissible.all()
     both = ns.solve_many(SUBHARMONIC, values)
@@ -283,12 +283,13 @@ def test_a_chart_keeps_the_kernels_that_it_began_with(
     assert sorted(other) == sorted(before)
 
 
-def test_largest_multiplier_of_two() -> None:
+def test_margins_of_many_maps() -> None:
     matrices = np.random.default_rng(2).normal(size=(500, 2, 2))
     matrices[:3] = [[0, -1], [1, 0]], [[1, 1], [0, 1]], [[0, 0], [0, 0]]
-    expected = np.abs(np.linalg.eigvals(matrices)).max(axis=-1)
-    np.testing.assert_allclose(_largest_sizes(matrices), expected, rtol=1e-12, atol=1e-12)
+    largest = np.abs(np.linalg.eigvals(matrices)).max(axis=-1)
+    found = margins(matrices, np.trace(matrices, axis1=1, axis2=2), 2, family=False)
+    np.testing.assert_allclose(found, 1 - largest, rtol=1e-12, atol=1e-12)
     three = np.random.default_rng(3).normal(size=(4, 3, 3))
-    np.testing.assert_array_equal(
-        _largest_sizes(three), np.abs(np.linalg.eigvals(three)).max(axis=-1)
-    )
+    largest = np.abs(np.linalg.eigvals(three)).max(axis=-1)
+    found = margins(three, np.trace(three, axis1=1, axis2=2), 3, family=False)
+    np.testing.assert_array_equal(found, 1 - largest)

@@ -8,9 +8,8 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
-from nonsmooth.runtime.model.kernels import kernels_of, load_system
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.simulation.starting import start_state
 
 ONE = [("free", "stop-reaches-stop")]
@@ -94,13 +93,8 @@ def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
 
 def test_many_points_as_one() -> None:
     speeds = np.array([1.95, 2.0, 2.05])
-    found = solve_itineraries(
-        kernels_of(impact()),
-        ONE,
-        {**DATA, "Omega": speeds, "zeta": 0.05, "r": 0.8},
-        [3.14],
-        multipliers=True,
-    )
+    data = {**DATA, "Omega": speeds, "zeta": 0.05, "r": 0.8}
+    found = ns.solve_many(impact(), data, [3.14], itinerary=ONE, multipliers=True)
     assert found.converged.all()
     for k, speed in enumerate(speeds):
         one = ns.solve(impact(), DATA | {"Omega": speed}, [2 * np.pi / speed], itinerary=ONE)

@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.kernels import compiled_engine, load_system, uncomp
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import table_derivatives, table_rates
-from nonsmooth.runtime.orbits import table_directions_many as many
+from nonsmooth.runtime.orbits import many_derivatives as many
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape

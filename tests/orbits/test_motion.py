@@ -11,7 +11,6 @@ from scipy.integrate import solve_ivp
 import nonsmooth
 from nonsmooth import InputError, Motion
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.orbits.motion import orbit_motion
 from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
@@ -31,13 +30,13 @@ def orbit(name: str = ORBIT, point: int | None = None) -> nonsmooth.Orbit:
 
 @pytest.fixture
 def motion() -> Motion:
-    return orbit_motion(orbit())
+    return orbit().motion()
 
 
 @pytest.fixture(params=orbit_names())
 def each(request: pytest.FixtureRequest) -> Motion:
     """The motion along every orbit."""
-    return orbit_motion(orbit(request.param))
+    return orbit(request.param).motion()
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])
@@ -49,7 +48,7 @@ def test_motion_solves_the_equations_of_each_phase(
         pytest.importorskip("nonsmooth.generated._kernels")
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     found = orbit(POINTS[point][0], point)
-    motion = orbit_motion(found)
+    motion = found.motion()
     for index, piece in enumerate(Declared(found).pieces):
         assert motion.configurations[index] == piece.configuration
         begin, end = motion.breaks[index : index + 2]
@@ -61,7 +60,7 @@ def test_motion_solves_the_equations_of_each_phase(
 
 @pytest.mark.parametrize("name", orbit_names())
 def test_motion_is_that_of_an_integrator(name: str) -> None:
-    motion, begin = orbit_motion(orbit(name)), 0.0
+    motion, begin = orbit(name).motion(), 0.0
     state = np.append(motion.starts[0], 1)
     for piece, end in zip(Declared(orbit(name)).pieces, motion.breaks[1:], strict=True):
         times = np.linspace(begin, end, 25, endpoint=False)
@@ -123,7 +122,7 @@ def test_motion_broadcasts(motion: Motion) -> None:
 
 
 def test_a_phase_that_takes_no_time_is_passed_over() -> None:
-    motion = orbit_motion(orbit("dry-friction/solution-ii"))
+    motion = orbit("dry-friction/solution-ii").motion()
     assert motion.breaks[:2].tolist() == [0, 0]
     assert motion.configurations[:2] == ("stick-stick", "slip-stick")
     assert motion.configuration(0) == "slip-stick"
@@ -136,7 +135,7 @@ def test_a_phase_that_takes_no_time_is_passed_over() -> None:
 
 
 def test_samples_show_the_impact_before_and_behind() -> None:
-    motion = orbit_motion(orbit("rigid-stop/one-impact"))
+    motion = orbit("rigid-stop/one-impact").motion()
     samples = motion.sample(100, 3)
     twice = np.flatnonzero(np.diff(samples.times) == 0)
     assert len(twice) == 2

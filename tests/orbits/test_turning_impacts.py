@@ -20,7 +20,7 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.orbits.kernel_equations import KernelEquations
+from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.present.report import trace_proof_json
 
 X, Y, V, W = sp.symbols("x y v w", real=True)
@@ -105,7 +105,8 @@ def test_a_chart_has_the_margin_of_the_orbit(reverse: bool, tmp_path: Path) -> N
 
 def test_a_branch_has_the_multipliers_of_the_orbit() -> None:
     orbit = turned()
-    largest = np.abs(KernelEquations(orbit).multipliers(KernelEquations(orbit).values[None]))
+    equations = equations_of(orbit)
+    largest = np.abs(equations.multipliers(equations.values[None]))
     assert largest[0] == pytest.approx(1 - orbit.stability.margin)
 
 

@@ -24,8 +24,7 @@ from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document.describe import describe_itinerary
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.model.kernels import load_orbit
 
 HALF = [("free-free", "right-reaches-stop", "T")]
 DATA = Reference({"r": "0.7"}, {"T": "2.6"})
@@ -164,9 +163,8 @@ def test_a_declaration_in_numbers_alone() -> None:
     (entry,) = found.orbits
     # the rest oscillates below the velocity of the belt
     assert entry.share + found.share(Outcome.FAMILY) == 1
-    many = solve_itineraries(
-        kernels_of(belt), entry.itinerary, {}, [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]]
-    )
+    guesses = [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]]
+    many = ns.solve_many(belt, {}, guesses, itinerary=entry.itinerary)
     assert many.dwell_times.shape == (3, 2)
     np.testing.assert_allclose(many.period, entry.period, rtol=1e-12)
     runs = ns.simulate_many(belt, {}, np.zeros((4, 2)), transitions=9)

@@ -6,7 +6,6 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.model.completion import chosen_value
-from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.proof.orbit_to_prove import subject_of
 
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
@@ -45,7 +44,7 @@ def test_solve_chart_continue_and_certify_agree() -> None:
 
 def test_what_plays_no_part_is_kept_where_it_is_given() -> None:
     orbit = ns.solve(SYMMETRIC, {"us1": "0.0127", "ur1": "0.0255"})
-    point = physical_parameters(orbit)
+    point = orbit.problem.physical(orbit)
     assert point.chosen == ("us2",)
     assert (point.values["us1"].text, point.values["ur1"].text) == ("0.0127", "0.0255")
     assert subject_of(orbit).values == point.values

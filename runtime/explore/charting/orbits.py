@@ -30,11 +30,15 @@ from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
-from nonsmooth.runtime.orbits.declared_kernels import DeclaredKernels, declared_kernels
+from nonsmooth.runtime.orbits.declared_many import (
+    DeclaredKernels,
+    OrbitPoints,
+    declared_kernels,
+    points_of,
+)
 from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
-from nonsmooth.runtime.orbits.points import OrbitPoints, points_of
 
 __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch

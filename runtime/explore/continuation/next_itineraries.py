@@ -23,9 +23,10 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
-from nonsmooth.runtime.shooting.symmetric_orbit import closing, whole_shape
+from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
 from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.simulate import simulate

@@ -32,7 +32,7 @@ class OrbitFamily:
     The branch begins at `orbit`; `parameter` is a number that was given for it, and `length`,
     that of its interval, is the parameter's unit of measure. The attribute `names` has the
     names of the unknowns, `first` (n + 1,) the point where the branch begins, and `sizes`
-    (n + 1,) the units of measure. What is not described is as in `OrbitEquations`. Raises
+    (n + 1,) the units of measure. What is not described is as in `KernelEquations`. Raises
     `InputError` for a period that the other parameters determine, or for several forcings.
     """
 

@@ -14,7 +14,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
-    from nonsmooth.runtime.shooting.multiplier_derivatives import MultiplierDerivatives
+    from nonsmooth.runtime.shooting.multipliers import MultiplierDerivatives
 
 __all__ = ["MultiplierGroup", "multiplier_groups"]
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
 from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over

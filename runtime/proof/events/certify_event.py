@@ -23,8 +23,8 @@ from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.saved_system import same_system
+from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
