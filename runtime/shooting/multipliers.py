@@ -183,7 +183,7 @@ def _largest_sizes(matrices: np.ndarray) -> np.ndarray:
 
 def family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
     """Return margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
-    if values.shape[-1] == 1:  # the trivial one is alone
+    if rank == 1:  # the trivial one is alone
         return np.zeros(len(values))
     values = sorted_by_size(values)
     trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]

@@ -112,3 +112,18 @@ def test_a_branch_has_the_multipliers_of_the_orbit() -> None:
 
 def test_no_criterion_of_its_trace_is_proved() -> None:
     assert trace_proof_json(ns.refine(turned(), 30))["statement"] is None
+
+
+def test_beside_the_trivial_multiplier_alone_an_orbit_is_neutral(tmp_path: Path) -> None:
+    place = Parameter("p", "place of the stop", lower=-sp.oo)
+    free = Configuration("free", SecondOrder([[1]], [[1]]), (Boundary("hits", X - place.symbol),))
+    bounce = Transition("free", {"hits"}, "free", (), {V: -V})
+    system = System("one-mass", "", (X, V), (place,), (free,), (bounce,))
+    known = Reference({"p": "-0.5", "T": "4"}, {"v0": "-1"})
+    phases, period = (Phase("free", "hits", "T"),), Parameter("T", "period")
+    orbit = ns.solve(Itinerary("bouncing", system, phases, period=period, reference=known))
+    for name, found in (("T", orbit), ("period", orbit.problem.by_tables(orbit))):
+        assert (found.stability.verdict, found.stability.margin) == ("neutral", 0)
+        found.save(tmp_path / f"{name}.json")
+        chart = ns.chart(str(tmp_path / f"{name}.json"), p=(-0.5, -0.49), **{name: 4.0})
+        assert chart["margin"].values.tolist() == [0, 0]
