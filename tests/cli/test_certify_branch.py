@@ -2,31 +2,14 @@
 
 import json
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
-from typer.testing import CliRunner
 
-from nonsmooth.runtime.cli.program import app
+from tests.cli.test_cli import run
 
 pytestmark = pytest.mark.compiled  # much slower without it
 
 ASKED = ("certify", "dry-friction/symmetric", "V=0.9:1.2", "--branch")
-
-
-class Answer(NamedTuple):
-    """What a command answers."""
-
-    code: int
-    out: str
-    err: str
-
-
-def run(*arguments: str) -> Answer:
-    result = CliRunner().invoke(app, list(arguments))
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return Answer(result.exit_code, result.stdout, result.stderr)
 
 
 @pytest.mark.slow

@@ -7,10 +7,9 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
+from tests.cli.test_cli import Ended, run
 from tests.user_systems import declare
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -18,16 +17,12 @@ pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without
 STICK = "dry-friction/global-stick"
 
 
-def run(*arguments: str) -> tuple[int, str, str]:
-    """Exit code, stdout and stderr."""
-    result = CliRunner().invoke(app, ["certify", *arguments])
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result.exit_code, result.stdout, result.stderr
+def certify(*arguments: str) -> Ended:
+    return run("certify", *arguments)
 
 
 def test_json_holds_claims_and_enclosures() -> None:
-    code, out, err = run(STICK, "eta=0.98", "--digits", "40", "--json")
+    code, out, err = certify(STICK, "eta=0.98", "--digits", "40", "--json")
     assert (code, err) == (0, "")
     told = json.loads(out)
     assert told["claims"] == dict.fromkeys(("existence", "admissibility", "stability"), "proved")
@@ -39,7 +34,7 @@ def test_json_holds_claims_and_enclosures() -> None:
 
 
 def test_people_see_claims_reasons_and_margins() -> None:
-    code, out, _ = run("dry-friction/symmetric")
+    code, out, _ = certify("dry-friction/symmetric")
     assert code == 0
     assert "not stable: a multiplier lies outside the unit circle" in out
     assert "left open: chosen for this proof" in out
@@ -71,7 +66,7 @@ def test_people_see_claims_reasons_and_margins() -> None:
     ],
 )
 def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
-    found, _, err = run(*arguments)
+    found, _, err = certify(*arguments)
     assert found == code
     assert told in err
     assert len(err.splitlines()) == bool(told)
@@ -80,7 +75,7 @@ def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
 def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
     path = tmp_path / "proof.json"
     by = ("--derivatives", "eta,e1")
-    code, out, err = run(STICK, *by, "--json", "--save", str(path))
+    code, out, err = certify(STICK, *by, "--json", "--save", str(path))
     assert (code, err) == (0, "")
     told = json.loads(out)
     assert told["directions"] == {"eta": {"eta": "1"}, "e1": {"ur1": "1"}}
@@ -89,11 +84,11 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
         for name, rate in zip(sharp.by, sharp.quantity(quantity)[1], strict=True):
             found = told["derivatives"][quantity][name]
             assert abs(rate - type(rate)(found["mid"])) < float(found["rad"]) < 1e-36
-    code, shown, _ = run(STICK, *by)
+    code, shown, _ = certify(STICK, *by)
     assert code == 0
     assert "derivative" in shown
     assert "with e1 by 1 moves ur1 by 1" in shown
-    code, again, _ = run("--check", str(path))
+    code, again, _ = certify("--check", str(path))
     assert code == 0
     rows = [line.split() for line in shown.splitlines() if line.strip().startswith("tau1 ")]
     assert rows
@@ -103,7 +98,7 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
 
 
 def test_people_see_why_there_is_no_derivative() -> None:
-    code, out, _ = run("dry-friction/solution-ii", "--derivatives", "V")
+    code, out, _ = certify("dry-friction/solution-ii", "--derivatives", "V")
     assert code == 1
     assert "no derivatives by V: no orbit is proved to exist" in out
 
@@ -111,13 +106,13 @@ def test_people_see_why_there_is_no_derivative() -> None:
 def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
     declare(tmp_path)
     path = tmp_path / "certificate.json"
-    code, out, _ = run(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
+    code, out, _ = certify(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
     assert code == 0
     assert f"{path} written" in out
-    code, out, err = run("--check", str(path))
+    code, out, err = certify("--check", str(path))
     assert (code, err) == (0, "")
     assert "every claim holds" in out
-    code, out, _ = run("--check", str(path), "--json", "--require", "proved")
+    code, out, _ = certify("--check", str(path), "--json", "--require", "proved")
     assert code == 0
     assert json.loads(out)["same"] is True
 
@@ -126,10 +121,10 @@ def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     ns.certify(ns.solve(STICK)).save(path)
     path.write_text(path.read_text().replace('"bits": 128', '"bits": 129', 1))
-    code, out, err = run("--check", str(path))
+    code, out, err = certify("--check", str(path))
     assert (code, out) == (1, "")
     assert "the checksum differs" in err
-    code, out, _ = run("--check", str(path), "--json")
+    code, out, _ = certify("--check", str(path), "--json")
     assert code == 1
     assert json.loads(out)["same"] is False
 
@@ -139,7 +134,7 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     path, picture = tmp_path / "map.json", tmp_path / "map.png"
     box = ("dry-friction/symmetric", "V=0.6:1.3")
-    code, out, err = run(*box, "--tiles", "5", "--save", str(path), "--json")
+    code, out, err = certify(*box, "--tiles", "5", "--save", str(path), "--json")
     assert (code, err) == (1, "")  # more than one percent is undecided
     told = json.loads(out)
     assert told["box"] == {"V": ["3/5", "13/10"]}
@@ -148,15 +143,14 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     widths = [Fraction(high) - Fraction(low) for (low, high) in (x["V"] for x in told["undecided"])]
     assert float(sum(widths)) == pytest.approx(0.7 * told["shares"]["undecided"])
     assert float(told["enclosures"]["trace"]["rad"]) > 0
-    code, out, err = run("--resume", str(path), "--tiles", "4000", "--plot", str(picture))
+    code, out, err = certify("--resume", str(path), "--tiles", "4000", "--plot", str(picture))
     assert (code, err) == (0, "")
     assert "unstable" in out
     assert "not admissible" in out
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert ns.load(path).decided > told["shares"]["proved"]
     again = tmp_path / "again.svg"
-    drawn = CliRunner().invoke(app, ["plot", str(path), "--out", str(again)])
-    assert drawn.exit_code == 0, drawn.stderr
+    assert run("plot", str(path), "--out", str(again)).code == 0
     assert "svg" in again.read_text()[:300]
 
 
@@ -181,13 +175,13 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     ],
 )
 def test_exit_codes_of_boxes(arguments: list[str], code: int, told: str) -> None:
-    found, _, err = run(*arguments)
+    found, _, err = certify(*arguments)
     assert found == code, err
     assert told in err
 
 
 def test_events_over_a_range_are_enclosed() -> None:
-    code, out, err = run(
+    code, out, err = certify(
         "dry-friction/symmetric", "V=0.6:1.3", "--events", "--digits", "40", "--json"
     )
     assert (code, err) == (0, "")
@@ -196,10 +190,10 @@ def test_events_over_a_range_are_enclosed() -> None:
     for event in told["events"]:
         assert event["claim"] == "proved"
         assert 0 < float(event["enclosures"]["V"]["rad"]) < 1e-38
-    code, out, _ = run("rigid-stop/one-impact", "T=5.5:7.5", "--events")
+    code, out, _ = certify("rigid-stop/one-impact", "T=5.5:7.5", "--events")
     assert code == 1
     assert "no regular root" in " ".join(out.split())
     for arguments in (["V=1"], ["V=0.9:1.1", "eta=0.9:1.1"]):
-        code, _, err = run(STICK, *arguments, "--events")
+        code, _, err = certify(STICK, *arguments, "--events")
         assert code == 2
         assert "one range" in err

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.test_certify_branch import run
+from tests.cli.test_cli import run
 
 pytestmark = pytest.mark.compiled  # much slower without it
 

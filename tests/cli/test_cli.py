@@ -27,6 +27,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.files import write_files
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from nonsmooth.runtime.orbits import kernel_problem, solve
+from tests.cli.terminal import Ended
 from tests.places import CHECKOUT, GALLERY
 from tests.user_systems import declare
 
@@ -42,12 +43,12 @@ EXAMPLES = [
 ]
 
 
-def run(*arguments: str) -> tuple[int, str, str]:
-    """Exit code, stdout and stderr of a command, run in this process."""
+def run(*arguments: str) -> Ended:
+    """Run a command in this process."""
     result = CliRunner().invoke(app, list(arguments))
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
-    return result.exit_code, result.stdout, result.stderr
+    return Ended(result.exit_code, result.stdout, result.stderr)
 
 
 def run_process(*command: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -721,6 +722,9 @@ def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str)
     "arguments",
     [
         ["solv"],
+        ["simulate"],
+        ["find"],
+        ["simulate", "rigid-stop", "--transitions", "many"],
         ["solve"],
         ["solve", ORBIT, "--digits", "many"],
         ["solve", ORBIT, "--require", "proved"],

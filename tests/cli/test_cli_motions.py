@@ -177,8 +177,6 @@ def test_prove():
         (("--transitions 12", "--until 5 --in stick"), "unknown configuration 'stick'"),
         (("--transitions 12", "--until 5 --save m.txt"), "m.txt does not end in .npz, .csv"),
         (("--transitions 12", "--until 5 --plot m.gif"), "m.gif does not end in .png, .svg, .pdf"),
-        (("--transitions 12", "--until 5 --save /dev/null/m.npz"), "/dev/null is not a folder"),
-        (("--transitions 12", "--until 5 --plot /dev/null/m.png"), "cannot write /dev/null/m.png"),
         (("--transitions 12", "--until 5 --observe --since 6"), "since = 6.0"),
         (("--transitions 12", "--until 5 --observe --since nan"), "'nan'"),
         (("v2=0", "v2=sqrt(2)/4"), None),
@@ -204,7 +202,6 @@ def test_masses_and_stops():
 
 
 def test_unwritable_files(tmp_path, monkeypatch):
-    refused(f"{SIMULATE} --save {tmp_path}", "it is a folder")
     monkeypatch.setattr("os.access", lambda path, mode: False)
     for command in (f"{SIMULATE} --save m.npz", f"{FIND} --save f.json", f"{SWEEP} --plot s.png"):
         refused(command, "permission denied")
@@ -294,11 +291,8 @@ def test_seed_and_box_reach_the_search(found):
         ("--basins x1=0:1:3,x2=0:1:1 --plot b.png", "count of x2 = 1"),
         ("--basins x1=0:1:3,z2=0:1:3 --plot b.png", "unknown state 'z2'"),
         ("--basins x1=0:1:3,x2=0:1:3 --plot b.gif", "b.gif does not end in .png, .svg, .pdf"),
-        ("--basins x1=0:1:3,x2=0:1:3 --plot /dev/null/b.png", "cannot write /dev/null/b.png"),
         ("--basins x1=0:1:3,x2=0:1:3 --plot b.png --from q=1", "unknown state 'q'"),
         ("--from x1=1", "--basins, which is missing"),
-        ("--save /dev/null/f.json", "cannot write /dev/null/f.json"),
-        ("--save .", "it is a folder"),
         ("V=2", "parameter V is given twice"),
         ("z=16..30", "z: '16..30' is no number; a range, where one is taken, is 16:30"),
         ("--starts -3", "invalid value for '--starts'"),
@@ -311,12 +305,7 @@ def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
         command += " --starts 3"
     if "--transitions" not in options:
         command += " --transitions 60"
-    code, out, err = run(*command.split())
-    assert (code, out) == (2, "")
-    (line,) = (line for line in err.splitlines() if line.startswith("nonsmooth: "))
-    assert line.startswith("nonsmooth: error: ")
-    assert part in line
-    assert told(*command.split(), code=2)["error"] in line
+    refused(command, part)
     assert not list(tmp_path.iterdir())
 
 
@@ -379,18 +368,13 @@ def test_a_diagram_may_go_downward():
         (("--transient 50", "--transient -1"), "transient = -1"),
         (("--samples 12", "--samples 0"), "samples = 0"),
         (("--samples 12", "--plot d.gif"), "d.gif does not end in .png, .svg, .pdf"),
-        (("--samples 12", "--plot /dev/null/d.png"), "cannot write /dev/null/d.png"),
     ],
 )
 def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     command = SWEEP.replace(*change)
     assert command != SWEEP
-    code, out, err = run(*command.split())
-    assert (code, out) == (2, "")
-    (line,) = (line for line in err.splitlines() if line.startswith("nonsmooth: "))
-    assert line.startswith("nonsmooth: error: ")
-    assert part in line
+    refused(command, part)
     assert not list(tmp_path.iterdir())
 
 
@@ -414,21 +398,6 @@ def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypat
     assert f"{kept} written" in out.replace("\n", "")
     assert err == "nonsmooth: error: no picture: no colours\n"
     assert kept.exists()
-
-
-def test_no_traceback_for_usage():
-    for command in ("simulate", "find", "simulate rigid-stop --transitions many"):
-        code, out, err = run(*command.split())
-        assert (code, out) == (2, "")
-        (line,) = err.splitlines()
-        assert line.endswith(f"nonsmooth {command.split()[0]} --help shows the usage")
-
-
-def test_help_has_an_example_of_each():
-    for command in ("simulate", "find", "sweep"):
-        code, out, _ = run(command, "--help")
-        assert code == 0
-        assert f"nonsmooth {command} " in out.partition("Examples:")[2]
 
 
 def test_a_chart_of_motions_says_what_its_start_needs(tmp_path):

@@ -1,7 +1,6 @@
 """What makes the command line pleasant: completion, doctor, `python -m`, and whole lists."""
 
 import importlib
-import json
 import os
 import shutil
 import subprocess
@@ -12,9 +11,8 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from typer.testing import CliRunner
 
-from nonsmooth.runtime.cli.program import app
+from tests.cli.test_cli import run, told
 from tests.places import GALLERY
 
 COMMAND = Path(sys.executable).with_name("nonsmooth")
@@ -22,16 +20,9 @@ BASH = shutil.which("bash")
 COMPILED = ("nonsmooth.generated._kernels", "nonsmooth.runtime._engine")
 
 
-def run(*arguments: str) -> str:
-    """What a command of this process prints."""
-    result = CliRunner().invoke(app, list(arguments))
-    assert result.exit_code == 0, result.output
-    return result.stdout
-
-
 def diagnoses() -> dict[str, Any]:
     """What the doctor says, by names."""
-    return {entry["name"]: entry for entry in json.loads(run("doctor", "--json"))["diagnoses"]}
+    return {entry["name"]: entry for entry in told("doctor")["diagnoses"]}
 
 
 def in_bash(script: str, home: Path, **environment: str) -> str:
@@ -172,11 +163,11 @@ def test_a_reader_that_has_seen_enough_is_no_error(tmp_path: Path) -> None:
 
 
 def test_list_shows_the_whole_system() -> None:
-    shown = run("list", str(GALLERY / "impact_oscillator.py"))
+    _, shown, _ = run("list", str(GALLERY / "impact_oscillator.py"))
     for words in ("states: x v c1 s1", "0 < w", "0 <= r <= 1", "wall-reaches-stop", "exceeded"):
         assert words in shown
     assert "free or contact" in shown
-    (system,) = json.loads(run("list", "dry-friction", "--json"))["systems"]
+    (system,) = told("list", "dry-friction")["systems"]
     sources = {transition["source"] for transition in system["transitions"]}
     assert sources <= set(system["configurations"]) == set(system["boundaries"])
     for transition in system["transitions"]:

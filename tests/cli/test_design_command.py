@@ -4,21 +4,13 @@ import json
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
+from tests.cli.test_cli import run
 from tests.places import GALLERY
 
 ORBIT = "dry-friction/symmetric"
 STABLEST = ("design", ORBIT, "V=0.3:3", "--minimise", "spectral_radius")
-
-
-def run(*arguments: str) -> tuple[int, str, str]:
-    result = CliRunner().invoke(app, list(arguments))
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result.exit_code, result.stdout, result.stderr
 
 
 @pytest.mark.slow

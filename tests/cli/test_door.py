@@ -9,15 +9,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import one_line, unknown_name
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits import solve
-from tests.cli.test_cli import PROGRAM
+from tests.cli.test_cli import PROGRAM, run
 from tests.places import CHECKOUT
 from tests.user_systems import KICKED
 
@@ -32,11 +30,11 @@ _LEAVING = "class S(System):\n    def __getattribute__(self, name): raise System
 
 def refused(*arguments: str, code: int = 2) -> str:
     """The one line on stderr."""
-    result = CliRunner().invoke(app, list(arguments))
-    assert result.exit_code == code, result.output
-    (line,) = result.stderr.splitlines()
+    ended = run(*arguments)
+    (line,) = ended.err.splitlines()
+    assert ended.code == code, line
     assert line.startswith("nonsmooth: ")
-    assert not result.stdout
+    assert not ended.out
     return line
 
 
@@ -58,10 +56,10 @@ def test_whatever_goes_wrong_is_one_line(problem, code, said, monkeypatch) -> No
 
     monkeypatch.setattr(solve, "solve", fail)
     assert refused("solve", ORBIT, code=code).startswith(f"nonsmooth: {said}")
-    traced = CliRunner().invoke(app, ["solve", ORBIT, "--debug"])
-    assert traced.exit_code == code
-    assert "Traceback (most recent call last)" in traced.stderr
-    assert f"nonsmooth: {said}" in traced.stderr.splitlines()[-1]
+    traced = run("solve", ORBIT, "--debug")
+    assert traced.code == code
+    assert "Traceback (most recent call last)" in traced.err
+    assert f"nonsmooth: {said}" in traced.err.splitlines()[-1]
 
 
 def test_exceptions_that_cannot_be_shown_are_one_line(monkeypatch) -> None:

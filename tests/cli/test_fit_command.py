@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
+from tests.cli import test_cli
+from tests.cli.test_cli import Ended
 from tests.places import GALLERY
 
 KNOWN = "c=0.05 h=0.2 w=2.1"
@@ -29,11 +29,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def run(command: str) -> tuple[int, str, str]:
-    result = CliRunner().invoke(app, shlex.split(command))
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result.exit_code, result.stdout, result.stderr
+def run(command: str) -> Ended:
+    return test_cli.run(*shlex.split(command))
 
 
 @pytest.mark.slow

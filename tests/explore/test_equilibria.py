@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from nonsmooth import find_orbits
 from nonsmooth.derive import SoftStop, oscillator
-from nonsmooth.runtime.explore.finding.steady import equilibria
-from nonsmooth.runtime.model.piecewise import piecewise
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -27,7 +26,8 @@ def test_a_state_that_vanishes_is_zero(seed: int) -> None:
         load=list(stiffness * place),
         elements=[SoftStop("x1", at=100, stiffness=1, name="far")],
     )
-    (found,) = equilibria(piecewise(system, {}))
+    (entry,) = find_orbits(system, {}, 1, transitions=20, seed=1).equilibria
+    found = entry.equilibrium
     assert found.state[[0, 2, 3, 4, 5]].tolist() == [0.0] * 5
     assert not np.signbit(found.state).any()
     assert found.state[1] == pytest.approx(float(place[1]), rel=1e-14)

@@ -1,25 +1,23 @@
 """Periodic orbits that live in a system: the known ones are found, and what is found is one."""
 
-import hashlib
 import json
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth import InputError, find_orbits, simulate, solve
+from nonsmooth import InputError, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.explore.finding import primitive
-from nonsmooth.runtime.explore.finding.found import label_names
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.explore.finding.basins import basins
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.present.files.found import load_found
-from nonsmooth.runtime.simulation.recurrence import Candidate, canonical
+from nonsmooth.runtime.present.pictures.maps import draw_basins
+from nonsmooth.runtime.simulation.recurrence import canonical
 from tests.places import GALLERY
 
 # the engine in Python takes minutes for these starts; test_cli_motions has a short one
@@ -37,6 +35,13 @@ STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
 def found(name):
     data, starts = {"A": (A, 800), "B": (B, 120)}[name]
     return find_orbits("dry-friction", data, starts, transitions=1500, seed=1)
+
+
+def names_of(result, x, y):
+    """Names in the legend of a map of basins."""
+    figure = draw_basins(basins(result, (x, -1, 1, 2), (y, -1, 1, 2)))
+    _, labels = figure.axes[0].get_legend_handles_labels()
+    return [label.rpartition(" (")[0] for label in labels]
 
 
 def by_period(name, period):
@@ -106,8 +111,7 @@ def test_shares_sum_to_one_and_orbits_are_in_order(name):
     counts = [(result.labels == i).sum() for i in range(len(result.orbits))]
     assert counts == [o.starts for o in result.orbits]
     assert set(result.labels.tolist()) <= {*range(len(result.orbits)), *Outcome}
-    names = label_names(result)
-    assert [names[i] for i, o in enumerate(result.orbits) if o.starts] == [
+    assert names_of(result, "x1", "v2")[: sum(o.starts > 0 for o in result.orbits)] == [
         f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(result.orbits) if o.starts
     ]
 
@@ -116,8 +120,8 @@ def test_names_tell_orbits_of_one_period_apart():
     """Those of a picture's legend: beyond their numbers."""
     data = {"d": "0.5", "r": "0.8", "w": "1.5"}
     result = find_orbits(str(GALLERY / "two_stops.py"), data, 12, transitions=400)
-    names = label_names(result)
-    told = [names[i].split(", ", 1)[1] for i, o in enumerate(result.orbits) if o.starts]
+    names = names_of(result, "x", "v")[: sum(o.starts > 0 for o in result.orbits)]
+    told = [name.split(", ", 1)[1] for name in names]
     assert len(told) > 1
     assert len({name.split(", ")[0] for name in told}) == 1
     assert len(set(told)) == len(told)
@@ -164,33 +168,6 @@ def test_labels_are_where_the_starts_lead():
         motion = simulate("dry-friction", B, result.starts[place], transitions=1500)
         lasted = motion.times[-1] - motion.times[-1 - len(orbit.itinerary)]
         assert lasted == pytest.approx(orbit.period, rel=1e-6)
-
-
-def test_a_doubled_orbit_is_the_same_from_either_turn(monkeypatch):
-    turn = (("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward"))
-
-    states = np.random.default_rng(2).normal(size=(4, 4))
-    orbit = SimpleNamespace(
-        itinerary=turn * 2,
-        dwell_times=np.array([1, 2, 1.5, 2.5]),
-        period=7.0,
-        tables=SimpleNamespace(
-            states_up_to_shift=states,
-            translations=np.empty((0, 4)),
-            cycle=SimpleNamespace(uninterrupted=False),
-        ),
-    )
-    monkeypatch.setattr(primitive, "orbit_scale", lambda orbit: np.ones(4))
-    _same = primitive.same_orbit
-
-    def doubled(*dwell, state=states[2]):
-        return Candidate(turn * 2, np.array(dwell), state, 0.0)
-
-    assert _same(orbit, doubled(1.5, 2.5, 1, 2))
-    assert _same(orbit, doubled(1, 2, 1.5, 2.5, state=states[0]))
-    assert not _same(orbit, doubled(1.5, 2.5, 1, 2, state=-states[2]))
-    assert not _same(orbit, doubled(2, 1.5, 2.5, 1))
-    assert not _same(orbit, Candidate(turn, np.array([1, 2]), states[0], 0))
 
 
 # --- seeds, boxes, engines
@@ -323,7 +300,7 @@ def saved(tmp_path_factory):
 
 
 def test_what_is_saved_comes_back(saved, tmp_path):
-    wanted, loaded = found("B"), load_found(saved)
+    wanted, loaded = found("B"), load(saved)
     np.testing.assert_array_equal(loaded.starts, wanted.starts)
     np.testing.assert_array_equal(loaded.labels, wanted.labels)
     np.testing.assert_array_equal(loaded.box, wanted.box)
@@ -342,74 +319,31 @@ def test_what_is_saved_comes_back(saved, tmp_path):
         assert one.verdict == other.verdict
     again = tmp_path / "again.json"
     loaded.save(again)
-    assert load_found(again).orbits[0].orbit.unknowns == wanted.orbits[0].orbit.unknowns
+    assert load(again).orbits[0].orbit.unknowns == wanted.orbits[0].orbit.unknowns
 
 
-def signed(content):
-    """A file with its checksum made right again."""
-    covered = {name: entry for name, entry in content.items() if name != "sha256"}
-    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-    return json.dumps(covered | {"sha256": digest})
-
-
-def edited(text, edit):
-    content = json.loads(text)
+def edited(path, edit, other):
+    """Another file of changed content, with its checksum made right again."""
+    content = json.loads(path.read_text())
     edit(content)
-    return content
-
-
-@pytest.mark.parametrize("share", [0.0, 0.3, 0.99])
-def test_cut_files_are_refused(saved, tmp_path, share):
-    text = saved.read_text()
-    path = tmp_path / "cut.json"
-    path.write_text(text[: int(share * len(text))])
-    with pytest.raises(InputError, match=r"cut\.json: cut, or not JSON"):
-        load_found(path)
-
-
-def test_edited_and_foreign_files_are_refused(saved, tmp_path):
-    text, path = saved.read_text(), tmp_path / "file.json"
-    cases = [
-        (text.replace('"starts": 120', '"starts": 121', 1), "edited or damaged"),
-        (text.replace("nonsmooth found orbits", "nonsmooth orbit"), "not a file of found orbits"),
-        ("[1, 2]", "not a file of found orbits"),
-        ("{}", "not a file of found orbits"),
-        ("\x00" * 50, "not JSON"),
-        (signed(edited(text, lambda c: c.update(version=99))), "version 99"),
-        (signed(edited(text, lambda c: c.update(system="none"))), "unknown system 'none'"),
-    ]
-    for content, match in cases:
-        path.write_text(content)
-        with pytest.raises(InputError, match=match) as problem:
-            load_found(path)
-        assert str(path) in str(problem.value)
-    with pytest.raises(InputError, match=r"absent\.json: cannot be read"):
-        load_found(tmp_path / "absent.json")
-    path.write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(InputError, match="not JSON"):
-        load_found(path)
+    del content["sha256"]
+    other.write_text(json.dumps(content | {"sha256": checksum_of(content)}))
+    return other
 
 
 @pytest.mark.parametrize(
     "edit",
     [
-        lambda c: c.pop("labels"),
-        lambda c: c.pop("orbits"),
-        lambda c: c.update(orbits=3),
-        lambda c: c.update(labels=["a"]),
         lambda c: c.update(labels=c["labels"][:-1]),
         lambda c: c.update(labels=[99] * len(c["labels"])),
         lambda c: c.update(start_states=[["0", "0"]]),
-        lambda c: c["orbits"][0].update(share="most"),
         lambda c: c["box"].pop("x1"),
-        lambda c: c.update(parameters=[]),
+        lambda c: c.update(system="none"),
     ],
 )
 def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
-    path = tmp_path / "nonsense.json"
-    path.write_text(signed(edited(saved.read_text(), edit)))
     with pytest.raises(InputError, match=r"nonsense\.json"):
-        load_found(path)
+        load(edited(saved, edit, tmp_path / "nonsense.json"))
 
 
 @pytest.mark.parametrize(
@@ -424,9 +358,8 @@ def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
 def test_an_orbit_that_is_none_of_its_system_is_refused_when_asked_for(
     saved, tmp_path, edit, reason
 ):
-    path = tmp_path / "other.json"
-    path.write_text(signed(edited(saved.read_text(), edit)))
-    entry = load_found(path).orbits[0]
+    path = edited(saved, edit, tmp_path / "other.json")
+    entry = load(path).orbits[0]
     for asked in (lambda: entry.orbit, lambda: solve(f"{path}:1")):
         with pytest.raises(InputError, match=rf"other\.json: orbit 1, of period .*{reason}"):
             asked()
@@ -438,8 +371,7 @@ def test_what_is_none_of_its_system_leaves_the_rest(saved, tmp_path):
     first = len(orbits) + 1  # number of the first equilibrium
 
     def given(edit):
-        path.write_text(signed(edited(saved.read_text(), edit)))
-        return load_found(path)
+        return load(edited(saved, edit, path))
 
     def refused(loaded, kind, told):
         entry, known = getattr(loaded, kind)[0], getattr(wanted, kind)[0]

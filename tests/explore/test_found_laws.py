@@ -12,20 +12,13 @@ from scipy.linalg import expm
 import nonsmooth as ns
 from nonsmooth import InputError, find_orbits, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
-from nonsmooth.runtime.explore.finding import outcomes
-from nonsmooth.runtime.explore.finding.mirrors import mirrors
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.primitive import orbit_scale
-from nonsmooth.runtime.explore.finding.settled import (
-    EQUILIBRIUM,
-    PERIODIC,
-    UNINTERRUPTED,
-    settled,
-)
+from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
 from nonsmooth.runtime.model.kernels import kernels_of
-from nonsmooth.runtime.model.piecewise import piecewise
 
 pytestmark = pytest.mark.compiled
+
+UNINTERRUPTED, EQUILIBRIUM = 1, 2  # as files of sweeps have them
 
 
 @cache
@@ -117,6 +110,12 @@ def stroboscopic(orbit, turns):
     return motion(first + np.arange(turns) * orbit.period / turns)
 
 
+def sizes(orbit):
+    """The largest size of each state along an orbit."""
+    times = np.linspace(0, float(orbit.period), 500)
+    return np.abs(np.asarray(orbit.trajectory(1)(times))).max(axis=0)
+
+
 # --- the law of what is listed
 
 CASES = [
@@ -159,7 +158,7 @@ def test_each_orbit_closes_and_is_primitive(build, seed):
         orbit, (turns,) = entry.orbit, entry.forcing_periods
         speed = float(orbit.parameters["w1" if build is rubbing else "Omega"])
         assert entry.period * speed / (2 * np.pi) == pytest.approx(turns, abs=1e-9)
-        scale = orbit_scale(orbit)
+        scale = sizes(orbit)
         if turns <= 4:
             motion = ns.simulate(
                 build(), orbit.parameters, orbit.states[0], orbit.itinerary[0][0],
@@ -179,7 +178,7 @@ def test_no_motion_is_listed_twice(build, seed):
     known = []
     for entry in found.orbits:
         (turns,) = entry.forcing_periods
-        points, scale = stroboscopic(entry.orbit, turns), orbit_scale(entry.orbit)
+        points, scale = stroboscopic(entry.orbit, turns), sizes(entry.orbit)
         for other in known:
             apart = np.abs(other[:, None] - points[None]) / scale
             assert apart.max(axis=2).min() > 1e-7, "another orbit passes through the same state"
@@ -357,10 +356,7 @@ def test_a_long_transient_is_no_chaos():
     # it strikes the stop nearly a thousand times more, gently, and then never again
     start = [[1.0, 0.22202226193837551, -0.0003265565473231795, 9.956807746317763e-05]]
     motions = simulate_many(kernels, data, start, transitions=20, keep=20)
-    attractors = outcomes.attractors_of(kernels, piecewise(kernels, data), ())
-    labels = attractors.labels(motions)
-    assert labels.tolist() == [Outcome.UNCLASSIFIED]
-    assert attractors.measured(motions, labels).tolist() == [Outcome.FAMILY]
+    assert settled(kernels, data, motions).outcomes.tolist() == [Outcome.FAMILY]
 
 
 def test_one_motion_at_each_point_is_named_alike():
@@ -384,8 +380,6 @@ def test_one_motion_at_each_point_is_named_alike():
 def test_mirror_images_are_marked():
     data = {"Omega": "1.5", "gap": "0.5", "r": "0.8"}
     found = found_at(between(), data, 20)
-    (symmetry,) = mirrors(piecewise(between(), data))
-    assert symmetry.matrix.diagonal().tolist() == [-1, -1, -1, -1]
     pairs = [(k, e) for k, e in enumerate(found.orbits) if e.mirror not in (None, k)]
     assert pairs
     for place, entry in pairs:
@@ -397,7 +391,8 @@ def test_mirror_images_are_marked():
         assert sorted(swapped[b] for _, b in entry.itinerary) == sorted(
             b for _, b in other.itinerary
         )
-    assert not mirrors(piecewise(stopped(), {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}))
+    alone = law(stopped, 1)[1]
+    assert {entry.mirror for entry in (*alone.orbits, *alone.equilibria)} == {None}
 
 
 def free_on_the_ground():
@@ -457,14 +452,20 @@ def apart(orbit, image, other):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("declared", [free_on_the_ground, twins, between_soft_stops])
-def test_an_orbit_that_is_its_own_mirror_image_has_no_other(declared):
+@pytest.mark.parametrize(
+    ("declared", "own"),
+    [
+        (free_on_the_ground, -np.eye(4)),
+        (twins, np.eye(6)[[1, 0, 3, 2, 4, 5]]),
+        (between_soft_stops, -np.eye(4)),
+    ],
+)
+def test_an_orbit_that_is_its_own_mirror_image_has_no_other(declared, own):
     found = found_at(declared(), {}, 4)
-    (symmetry,) = mirrors(piecewise(declared(), {}))
     orbits = [entry.orbit for entry in found.orbits]
     assert orbits
     for place, entry in enumerate(found.orbits):
-        own, none = symmetry.matrix, np.eye(len(symmetry.matrix))
+        none = np.eye(len(own))
         before = [
             other for other in range(place + 1) if apart(orbits[place], own, orbits[other]) < 0.05
         ]

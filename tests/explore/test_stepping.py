@@ -1,93 +1,118 @@
-"""A path that is interrupted and gone on with is the path that nothing interrupts."""
+"""A branch that is interrupted and gone on with is the branch that nothing interrupts.
+
+A stop at place + d - q^2 closes the branch of the orbits with one impact over q: near its fold
+q^2 = d - a (y - y0)^2 is nearly an ellipse.
+"""
 
 from __future__ import annotations
 
+from functools import cache
+from typing import Any
+
 import numpy as np
 import pytest
+import sympy as sp
 
-from nonsmooth.runtime.explore.continuation.stepping import (
-    CLOSED,
-    INTERRUPTED,
-    Path,
-    trace_both_ways,
-)
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from tests.explore.test_continuation_forced import R, W, branch, closed_forms
 
-
-class Circle:
-    """x^2 + p^2 = 1: no phases, and no other branch."""
-
-    names = ("x",)
-    dwell_names: tuple[str, ...] = ()
-    first = np.array([np.cos(2.0), np.sin(2.0)])
-    sizes = np.ones(2)
-
-    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Its equation and gradient."""
-        return np.array([z @ z - 1]), 2 * z[None]
-
-    def dwell(self, z: np.ndarray) -> np.ndarray:
-        """None."""
-        return np.empty((len(z), 0))
-
-    def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
-        """Never."""
-        return False
+D = 1e-2
+CLOSED = ("the branch is closed",) * 2
+INTERVALS = {"closed": (-1.0, 1.0), "open": (-0.05, 1.0)}  # of q, which reaches sqrt(D)
+STEP = 0.01
 
 
-class Stop:
-    """Ctrl-C behind a point."""
+@cache
+def system() -> System:
+    r, place, w, q, d = sp.symbols("r place w q d")
+    return oscillator(
+        "impact-oscillator-on-an-ellipse",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=place + d - q**2, restitution=r, name="wall")],
+        parameters=[
+            Parameter("place", "where the fold is", lower=-sp.oo),
+            Parameter("w", "frequency of the forcing"),
+            Parameter("q", "followed", lower=-sp.oo),
+            Parameter("d", "how large the branch is", lower=-sp.oo),
+        ],
+    )
 
-    def __init__(self, left: int) -> None:
-        self.left = left
 
-    def __call__(self, *_: np.ndarray) -> None:
-        """Count a point."""
-        self.left -= 1
-        if self.left < 0:
+@cache
+def first() -> ns.Orbit:
+    """The orbit at q = 0 on one side of the fold."""
+    fold, sigma = closed_forms()[0], branch().parameter_values
+    near = branch().orbit_at(int(np.argmin(abs(sigma - fold - D))))
+    data = {"r": R, "w": W, "place": repr(fold), "q": 0, "d": D}
+    guess = [*near.dwell_times.tolist(), *near.states[0].tolist()]
+    return ns.solve(system(), data, guess, itinerary=near.itinerary)
+
+
+def followed(kind: str, stop: int | None = None, **options: Any) -> ns.Branch:
+    """The branch, or what it has when so many points were told."""
+
+    def progress(done: int, *_: int) -> None:
+        if stop is not None and done >= stop:
             raise KeyboardInterrupt
 
+    given: dict[str, Any] = {"step": STEP, "progress": progress, **options}
+    try:
+        return ns.continue_orbit(first(), "q", INTERVALS[kind], **given)
+    except ns.Interrupted as stopped:
+        found: Any = stopped.partial
+        return found
 
-def turned(points: np.ndarray) -> np.ndarray:
-    """Angles from each point to the next one, all in one direction."""
-    angles = np.diff(np.unwrap(np.arctan2(points[:, 0], points[:, 1])))
+
+@cache
+def whole(kind: str) -> ns.Branch:
+    return followed(kind)
+
+
+def turned(found: ns.Branch) -> np.ndarray:
+    """Angles around the middle of the ellipse from each point to the next, in one direction."""
+    across = whole("closed").quantity("v0")
+    middle, size = (across.max() + across.min()) / 2, np.ptp(across) / 2
+    height = (found.quantity("v0") - middle) / size
+    angles = np.diff(np.unwrap(np.arctan2(height, found.parameter_values / np.sqrt(D))))
     assert (angles > 0).all() or (angles < 0).all()
     return np.abs(angles)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("limits", [(-2.0, 2.0), (-0.5, 2.0)])
-def test_a_path_goes_on_to_the_whole_from_every_point(limits: tuple[float, float]) -> None:
-    circle, step = Circle(), 0.2
-    whole = trace_both_ways(circle, limits, step, 100, Stop(1000))
-    length = turned(whole.points).sum()
-    closed = limits[0] < -1
-    assert (whole.ends == (CLOSED, CLOSED)) == closed
-    assert length == pytest.approx(2 * np.pi if closed else 4 * np.pi / 3)
-    for left in range(len(whole.points) - 3):
-        part = trace_both_ways(circle, limits, step, 100, Stop(left))
-        assert INTERRUPTED in part.ends
-        again = trace_both_ways(circle, limits, step, 100, Stop(1000), part)
-        assert again.ends == whole.ends
-        assert turned(again.points).sum() == pytest.approx(length)
+@pytest.mark.parametrize("kind", INTERVALS)
+def test_a_branch_goes_on_to_the_whole_from_every_point(kind: str) -> None:
+    known = whole(kind)
+    length = turned(known).sum()
+    assert (known.ends == CLOSED) == (kind == "closed")
+    assert length == pytest.approx(2 * np.pi if kind == "closed" else 4 * np.pi / 3, rel=0.01)
+    for stop in range(2, len(known) - 3, 9):
+        part = followed(kind, stop)
+        assert "interrupted" in part.ends
+        again = followed(kind, resume=part)
+        assert again.ends == known.ends
+        assert turned(again).sum() == pytest.approx(length, rel=1e-6)
 
 
-@pytest.mark.parametrize("gap", [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-5])
-def test_a_path_does_not_pass_its_other_end(gap: float) -> None:
-    angles = np.linspace(2.0, 2.0 + 2 * np.pi - gap, 50)
-    points = np.column_stack([np.cos(angles), np.sin(angles)])
-    tangents = np.column_stack([-np.sin(angles), np.cos(angles)])
-    part = Path(points, tangents, (INTERRUPTED, INTERRUPTED), 20)
-    again = trace_both_ways(Circle(), (-2.0, 2.0), 0.2, 1000, Stop(1000), part)
-    assert again.ends == (CLOSED, CLOSED)
-    assert turned(again.points).sum() == pytest.approx(2 * np.pi)
+@pytest.mark.parametrize("left", [1, 2, 5, 20])
+@pytest.mark.parametrize("fine", [1e-2, 2e-3])
+def test_a_branch_does_not_pass_its_other_end(left: int, fine: float) -> None:
+    """Though its first steps, when it goes on, would be longer than what is left."""
+    count = len(followed("closed", step=fine)) - 1
+    part = followed("closed", count - left, step=fine)
+    assert "interrupted" in part.ends
+    again = followed("closed", step=0.05, resume=part)
+    assert again.ends == CLOSED
+    assert turned(again).sum() == pytest.approx(2 * np.pi, rel=1e-6)
 
 
 def test_points_count_those_that_are_known() -> None:
-    limits, step = (-0.5, 2.0), 0.05
-    part = trace_both_ways(Circle(), limits, step, 9, Stop(13))
-    assert part.ends == ("9 points", INTERRUPTED)
-    again = trace_both_ways(Circle(), limits, step, 9, Stop(1000), part)
-    assert (again.ends, again.start, len(again.points)) == (("9 points",) * 2, 9, 19)
-    more = trace_both_ways(Circle(), limits, step, 1000, Stop(1000), again)
+    part = followed("open", 8, points=5)
+    assert part.ends == ("5 points", "interrupted")
+    again = followed("open", points=5, resume=part)
+    assert (again.ends, again.start, len(again)) == (("5 points",) * 2, 5, 11)
+    more = followed("open", resume=again)
     assert more.ends == ("end of the interval",) * 2
-    np.testing.assert_array_equal(more.points[more.start], again.points[9])
+    np.testing.assert_array_equal(more.unknowns[more.start], again.unknowns[5])

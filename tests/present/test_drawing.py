@@ -93,7 +93,7 @@ def test_tick_labels_stand_apart_at_every_draw() -> None:
 
 def test_the_legend_of_a_square_picture_is_within_a_wide_panel() -> None:
     """Of multipliers with many digits beside the unit circle."""
-    figure = Figure(figsize=(4.2, 2.4), layout="constrained")
+    figure = Figure(figsize=(6, 2.2), layout="constrained")
     axes = figure.add_subplot()
     orbit = replace(ns.solve("rigid-stop/one-impact"))
     multipliers = tuple(Multiplier(-0.0799775 * number, 0.0) for number in range(1, 5))
