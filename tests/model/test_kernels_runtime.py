@@ -278,20 +278,6 @@ def test_flows_broadcast():
     assert_allclose(stacked, np.broadcast_to(together, (3, 7, 4)), atol=1e-15)
 
 
-def test_energy_is_conserved_where_friction_is_constant():
-    """v1^2/2 + v2^2/(2 eta) + elastic energy - the constant forces' work."""
-    system = load_system(SYSTEM)
-    for values, state, first, second in draws(34, 20):
-        parameters = np.array([values[n] for n in PHYSICAL])
-        chi = values["chi"]
-        states = system.flow("slip-slip", parameters, np.linspace(first, second, 9), state)
-        x1, x2, v1, v2 = states.T
-        energy = v1**2 / 2 + v2**2 / (2 * values["eta"])
-        energy += x1**2 / 2 - chi * x1 * x2 + chi * x2**2 / 2
-        energy -= values["us1"] * x1 + values["us2"] * x2
-        assert_allclose(energy, energy[0], rtol=1e-11, atol=1e-11)
-
-
 # --- parameters
 
 E1 = Fraction("3.0195")

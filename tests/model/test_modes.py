@@ -104,15 +104,6 @@ def test_near_critical_damping_loses_no_digits(distance: float, sign: int) -> No
         assert np.abs(summed(modes, t) - exact(field, t)).max() < 3e-13
 
 
-@pytest.mark.parametrize("distance", 10.0 ** -np.arange(1, 14))
-def test_near_resonance(distance: float) -> None:
-    """What a rounding of the field changes grows with the cube of the time."""
-    field = forced(1 + distance)
-    modes = numeric_modes(field)
-    for t in (0.1, 1.0, 10.0, 100.0):
-        assert np.abs(summed(modes, t) - exact(field, t)).max() < 2e-12 + 2e-16 * t**3
-
-
 def test_random_fields() -> None:
     random = np.random.default_rng(11)
     for size in range(1, 9):

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 import sympy as sp
 from numpy.testing import assert_allclose
-from scipy.linalg import expm
 
 from nonsmooth import Orbit, refine, solve, solve_many
 from nonsmooth.derive import (
@@ -26,7 +25,7 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.derive.equations.energy import energy_of, is_conservative
-from nonsmooth.derive.systems import SYSTEMS, declaration, elastic_stop, rigid_stop
+from nonsmooth.derive.systems import SYSTEMS, declaration, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.declared import RANGES, Declared, itinerary_of, random_points
 
@@ -93,24 +92,6 @@ def test_energy_is_kept_by_the_field(system: str) -> None:
             field = matrix * sp.Matrix(declared.states) + offset
             gradient = sp.Matrix([[sp.diff(energy, s) for s in declared.states]])
             assert sp.simplify((gradient * field)[0]) == 0
-
-
-@pytest.mark.parametrize("configuration", ["free", "contact"])
-def test_energy_is_conserved_along_exponentials(configuration: str) -> None:
-    system, random = elastic_stop.system, np.random.default_rng(71)
-    dynamics = system.configuration(configuration).dynamics
-    energy = energy_of(dynamics, system.states)
-    matrix, offset = dynamics.field(system.states)
-    symbols = [p.symbol for p in system.parameters]
-    numbers = sp.lambdify([symbols, system.states], [matrix, offset, energy])
-    for _ in range(20):
-        values, start = np.exp(random.uniform(-1, 1, len(symbols))), random.uniform(-2, 2, 4)
-        field = np.zeros((5, 5))
-        field[:4, :4], column, first = numbers(values, start)
-        field[:4, 4] = np.ravel(column)
-        for time in random.uniform(0, 20, 5):
-            state = (expm(field * time) @ [*start, 1])[:4]
-            assert numbers(values, state)[2] == pytest.approx(first, rel=1e-11, abs=1e-11)
 
 
 def test_what_has_no_energy() -> None:

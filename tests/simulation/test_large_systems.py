@@ -16,7 +16,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
-from tests.engines import with_both, with_engine
+from tests.engines import ENGINES, with_both, with_engine
 from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
 
 pytestmark = pytest.mark.compiled
@@ -48,23 +48,13 @@ def test_chains_follow_matrix_exponentials(
     system, state = chain(count, rubbing, factored), start_of(count, 3)
     if rubbing is not None:
         state[count + rubbing] = abs(state[count + rubbing])
-    found = with_engine("c", follow, system, state, 0, transitions=transitions)
     times, places, states = integrated(system, state, 0, transitions)
-    assert found.configurations.tolist() == places
     assert rubbing is None or set(places) == {0, 1, 2}
-    np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-11)
-    np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-11)
-
-
-@pytest.mark.parametrize("factored", [False, True])
-@pytest.mark.parametrize(("count", "rubbing"), [(9, None), (20, None), (12, 5)])
-def test_chains_follow_the_other_engine(count: int, rubbing: int | None, factored: bool) -> None:
-    system = chain(count, rubbing, factored)
-    found, known = with_both(follow, system, start_of(count, 5), 0, transitions=20)
-    assert (found.status, found.sets.tolist()) == (known.status, known.sets.tolist())
-    assert found.configurations.tolist() == known.configurations.tolist()
-    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
-    np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
+    for engine in ENGINES[: 2 if count <= 12 else 1]:
+        found = with_engine(engine, follow, system, state, 0, transitions=transitions)
+        assert found.configurations.tolist() == places
+        np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-11)
+        np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-11)
 
 
 @pytest.mark.parametrize("count", [15, 16, 17, 40])

@@ -81,16 +81,6 @@ def test_jacobians_of_composed_orbits(name):
         np.testing.assert_allclose(measured, derived, rtol=0, atol=1e-7)
 
 
-def test_a_section_in_a_stick_phase_has_rank_one():
-    data, itinerary = ORBITS["dry-friction/global-stick"]
-    orbit = solve("dry-friction/global-stick")
-    mapped = poincare_map("dry-friction", data, section(itinerary))
-    jacobian = mapped.jacobian(orbit.states[0] + origin(data))
-    assert jacobian.shape == (2, 2)
-    assert np.trace(jacobian) == pytest.approx(orbit.trace, abs=1e-7)
-    assert abs(np.linalg.det(jacobian)) < 1e-7
-
-
 @pytest.mark.parametrize("step", [1e-3, 1e-4])
 def test_differences_are_of_the_second_order(step):
     data, itinerary = ORBITS["dry-friction/symmetric"]
