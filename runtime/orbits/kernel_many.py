@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, reduce
 from typing import Any, ClassVar
@@ -360,7 +360,7 @@ def _admissible_ones(
         other = (moved > _SAME * np.maximum(1, np.abs(again.unknowns))).any(axis=-1)
         found = np.flatnonzero((again.status == CONVERGED) & other)
         fit, least = admissible_points(kernels, points[rest[found]], again.unknowns[found])
-        fit &= _allowed(kernels.other_parameters, kernels.unknowns, again.unknowns[found])
+        fit &= _allowed(kernels, again.unknowns[found])
         better = rest[found[fit]]
         for array, values in zip(solved, again, strict=True):
             array[better] = values[found[fit]]
@@ -395,7 +395,7 @@ def _solve_points(
         for array, found in zip(solved, again, strict=True):
             array[lost[better]] = found[better]
     if kernels.solved_for:
-        outside = ~_allowed(kernels.other_parameters, kernels.unknowns, solved.unknowns)
+        outside = ~_allowed(kernels, solved.unknowns)
         solved.status[outside & (solved.status == CONVERGED)] = OUTSIDE
     return solved
 
@@ -408,14 +408,11 @@ def _inside(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
     return reduce(np.logical_and, sorted(told, key=np.size))  # what is shared is told first
 
 
-def _allowed(
-    tables: Iterable[ParameterTable], names: Sequence[str], points: np.ndarray
-) -> np.ndarray:
-    """Return at which points the parameters among the names lie in their domains."""
-    inside = np.full(len(points), True)
-    for table in tables:
-        if table.name in names:
-            inside &= in_domains(table, points[:, names.index(table.name)])
+def _allowed(kernels: OrbitKernels, unknowns: np.ndarray) -> np.ndarray:
+    """Return where the parameters among the unknowns (count, n) lie in their domains."""
+    inside = np.full(len(unknowns), True)
+    for name in kernels.solved_for:
+        inside &= in_domains(kernels.tables[name], unknowns[:, kernels.unknowns.index(name)])
     return inside
 
 

@@ -17,7 +17,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
@@ -136,22 +135,15 @@ def enclosed_trace(orbit: Orbit) -> Any:
 
     The box holds exactly one solution of the orbit's equations; None if that is not shown.
     """
-    lib, names = Balls(), list(orbit.unknowns)
+    lib = Balls()
     x = [exact_ball(value) for value in orbit.unknowns.values()]
     with lib.working(_bits(orbit.digits + GUARD + 2 * MARGIN)):
-        residual, _ = _at(orbit, names, x, lib)
-        radii = _krawczyk(orbit, names, x, residual, lib)
+        radii, _ = _krawczyk(orbit, x, lib)
         if radii is None:
             return None
         box = [v + r * lib.flint.arb(0, 1) for v, r in zip(x, radii, strict=True)]
-        values = {name: lib.number(value) for name, value in orbit.given.items()}
-        values |= dict(zip(names, box, strict=True))
-        kernels = orbit.kernels
-        parameters = [values[name] for name in kernels.parameter_names]
-        spectrum, _ = kernels.spectrum(parameters, lib)
-        unknowns = [values[name] for name in kernels.unknowns]
-        at = (parameters, spectrum, unknowns)
-        return lib.flint.arb(kernels.evaluate("trace", at=at, lib=lib))
+        at = _arguments(orbit, box, lib)
+        return lib.flint.arb(orbit.kernels.evaluate("trace", at=at, lib=lib))
 
 
 def check_digits(digits: object) -> None:
@@ -172,32 +164,40 @@ def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
     return replace(orbit, unknowns=named, residual=residual, digits=digits, iterations=iterations)
 
 
-def _equations(
-    kernels: OrbitKernels, names: Sequence[str], values: dict[str, Any], lib: Any
-) -> tuple[list[Any], list[list[Any]]]:
-    """Return the residual and its Jacobian by the names, in any arithmetic."""
+def _arguments(
+    orbit: Orbit, x: Sequence[Any] | np.ndarray, lib: Any
+) -> tuple[list[Any], Any, list[Any], Any]:
+    """Return what the kernels of an orbit take, in any arithmetic, where its unknowns are x."""
+    values = {name: lib.number(value) for name, value in orbit.given.items()}
+    values |= dict(zip(orbit.unknowns, x, strict=True))
+    kernels = orbit.kernels
     parameters = [values[name] for name in kernels.parameter_names]
-    unknowns = [values[name] for name in kernels.unknowns]
     spectrum, derivatives = kernels.spectrum(parameters, lib)
-    at = (parameters, spectrum, unknowns, derivatives)
-    if tuple(names) == kernels.unknowns:
+    return parameters, spectrum, [values[name] for name in kernels.unknowns], derivatives
+
+
+def _equations(
+    orbit: Orbit, x: Sequence[Any] | np.ndarray, lib: Any
+) -> tuple[list[Any], list[list[Any]]]:
+    """Return the residual and its Jacobian by what was solved for, at x, in any arithmetic."""
+    kernels, at = orbit.kernels, _arguments(orbit, x, lib)
+    if tuple(orbit.unknowns) == kernels.unknowns:
         residual, by_unknowns = kernels.evaluate("residual", "jacobian", at=at, lib=lib)
         return residual, by_unknowns
     residual, by_unknowns, by_parameters = kernels.evaluate(
         "residual", "jacobian", "parameter_jacobian", at=at, lib=lib
     )
     order = [*kernels.unknowns, *kernels.parameter_names]
-    places = [order.index(name) for name in names]
+    places = [order.index(name) for name in orbit.unknowns]
     rows = zip(by_unknowns, by_parameters, strict=True)
     return residual, [[([*a, *b])[i] for i in places] for a, b in rows]
 
 
 def _with_mpmath(orbit: Orbit, digits: int) -> tuple[Any, Any, int]:
     lib = Mpmath(_START_DIGITS)
-    names = list(orbit.unknowns)
 
     def step_at(x: np.ndarray, _: bool) -> tuple[list[Any], list[Any]]:
-        residual, jacobian = _at(orbit, names, x, lib)
+        residual, jacobian = _equations(orbit, x, lib)
         return [-s for s in lib.solve(jacobian, residual)], residual
 
     start = np.array([lib.mp.mpf(value) for value in orbit.unknowns.values()], dtype=object)
@@ -207,20 +207,19 @@ def _with_mpmath(orbit: Orbit, digits: int) -> tuple[Any, Any, int]:
 
 
 def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
-    lib, names = Balls(), list(orbit.unknowns)
+    lib = Balls()
     x = [exact_ball(value) for value in orbit.unknowns.values()]
     steps = precisions(digits, _START_DIGITS)
     for precision in steps:
         with lib.working(_bits(precision + MARGIN)):
-            residual, jacobian = _at(orbit, names, x, lib)
+            residual, jacobian = _equations(orbit, x, lib)
             try:
                 step = lib.solve(jacobian, residual)
             except ZeroDivisionError:
                 raise lost(orbit.name, precision) from None
             x = [(v - s).mid() for v, s in zip(x, step, strict=True)]
     with lib.working(_bits(digits + 2 * MARGIN)):
-        residual, _ = _at(orbit, names, x, lib)
-        radii = _krawczyk(orbit, names, x, residual, lib)
+        radii, residual = _krawczyk(orbit, x, lib)
         bound = lib.rational(1, 10 ** (digits - MARGIN))
         if radii is None or not all(r < bound for r in radii):
             raise lost(orbit.name, digits)
@@ -229,34 +228,26 @@ def _with_balls(orbit: Orbit, digits: int) -> tuple[list[Any], Any, int]:
         return [middle(mp, v) for v in x], largest, len(steps) + 1
 
 
-def _at(
-    orbit: Orbit, names: list[str], x: Sequence[Any] | np.ndarray, lib: Any
-) -> tuple[list[Any], list[list[Any]]]:
-    given = {name: lib.number(value) for name, value in orbit.given.items()}
-    return _equations(orbit.kernels, names, given | dict(zip(names, x, strict=True)), lib)
+def _krawczyk(orbit: Orbit, x: list[Any], lib: Balls) -> tuple[list[Any] | None, list[Any]]:
+    """Return radii of a box around x that provably holds one solution, and the residual at x.
 
-
-def _krawczyk(
-    orbit: Orbit, names: list[str], x: list[Any], residual: list[Any], lib: Balls
-) -> list[Any] | None:
-    """Return radii of a box around x that provably holds one solution; None if that is not shown.
-
+    The radii are None if that is not shown.
     K(X) = x - Y F(x) + (I - Y F'(X)) (X - x) is inside the interior of X, with Y near
     F'(x)^-1 (Krawczyk's test).
     """
     matrix, ball = lib.flint.arb_mat, lib.flint.arb
-    _, jacobian = _at(orbit, names, x, lib)
+    residual, jacobian = _equations(orbit, x, lib)
     try:
         inverse = matrix(jacobian).mid().inv().mid()
     except ZeroDivisionError:
-        return None
+        return None, residual
     offset = (inverse * matrix([[r] for r in residual])).entries()
     tiny = ball(2) ** (-lib.flint.ctx.prec)
     radii = [
         2 * abs(o).upper() + tiny * (1 + abs(v)).upper() for o, v in zip(offset, x, strict=True)
     ]
     box = [v + r * ball(0, 1) for v, r in zip(x, radii, strict=True)]
-    _, spread = _at(orbit, names, box, lib)
+    _, spread = _equations(orbit, box, lib)
     unit = matrix([[int(i == j) for j in range(len(x))] for i in range(len(x))])
     contraction = unit - inverse * matrix(spread)
     growth = [
@@ -264,7 +255,7 @@ def _krawczyk(
         for i in range(len(x))
     ]
     inside = all(abs(o) + g < r for o, g, r in zip(offset, growth, radii, strict=True))
-    return radii if inside else None
+    return (radii if inside else None), residual
 
 
 def _bits(digits: int) -> int:
