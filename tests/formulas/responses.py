@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 from scipy.linalg import expm
 
-from nonsmooth.derive.document.notation.letters import Responses
+from nonsmooth.derive.document.notation.symbols import Responses
 
 __all__ = ["response_functions"]
 

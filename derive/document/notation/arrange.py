@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.blocks import width
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.symbols import grouped_by
 from nonsmooth.derive.symbols import meaning_of

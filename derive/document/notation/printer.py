@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from nonsmooth.derive.document.layout import width
+from nonsmooth.derive.document.blocks import width
 from nonsmooth.derive.document.notation.symbols import Symbols, is_written
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference

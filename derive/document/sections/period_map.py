@@ -107,9 +107,7 @@ def period_map_section(view: View) -> list[Block]:
         separate=separate,
         cited=naming.cited("linear start"),
         start=[naming.equal(s, e.xreplace(numerators)) for s, e in assigned if s not in numerators],
-        compatibility=view.numbered(
-            PERIOD_MAP, turn.compatibility, [e for _, e in turn.compatibility]
-        ),
+        compatibility=view.numbered(PERIOD_MAP, turn.compatibility),
         contained=[labels[k] for k in turn.contained],
         square=square,
         compatible=naming.cited("compatibility"),

@@ -7,11 +7,10 @@ from itertools import groupby
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, in_one_line
+from nonsmooth.derive.document.notation.wording import Naming, count, enumeration
 from nonsmooth.derive.document.sections.equations import cycle_end
 from nonsmooth.derive.document.sections.template import compose, sentence
 from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.explicit_start import explicit_start
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.elimination import entry
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
@@ -97,15 +96,17 @@ def reduction_section(view: View) -> list[Block]:
 
 def _rest(view: View) -> list[Formula]:
     """The equations of the reduced system as numbered formulas."""
-    written = [expression for _, expression in view.reduction.equations]
-    return view.numbered("The reduction", view.equations.reduction.equations, written)
+    return view.numbered("The reduction", view.equations.reduction.equations)
 
 
 def _both_roots(view: View) -> list[Block]:
     """Blocks with the roots of a quadratic reduced equation; none for another one."""
-    if not view.reduction.roots:
+    if not view.equations.reduction.roots:
         return []
-    (unknown,), ((_, equation),) = view.reduction.unknowns, view.reduction.equations
+    (unknown,), ((_, equation),) = (
+        view.equations.reduction.unknowns,
+        view.equations.reduction.equations,
+    )
     a, b, c = sp.Poly(sp.expand(equation), unknown).all_coeffs()
     latex = view.naming.notation.latex
     return compose(
@@ -280,13 +281,12 @@ def _alone(view: View) -> list[Block]:
         stage = _stage(view, f"{symbol}: ")
         if stage is not None:
             ((_, expression),) = stage.assignments
-            written = view.written.get(symbol)
             blocks += compose(
                 view,
                 "Equation @where [blocks: then] gives\n$$\n@line\n$$",
                 where=view.labels_of(elimination.rule.removeprefix("linear in: ")),
                 blocks=blocks,
-                line=view.naming.equal(symbol, expression, written=written),
+                line=view.naming.equal(symbol, expression),
             )
     return blocks
 
@@ -303,18 +303,12 @@ def _together(view: View) -> list[Block]:
     unknowns = [e.unknown for e in together]
     meanings = together[0].rule.removeprefix("linear in: ").split("; ")
     labels = [label for m in meanings for label in view.labels_of(m)]
-    table = [
-        naming.equal(s, e, written=view.written.get(s))
-        for s, e in (coefficients.assignments if coefficients else ())
-    ]
-    column = [
-        naming.sum(s, e, view.written.get(s)) for s, e in (right.assignments if right else ())
-    ]
+    table = [naming.equal(s, e) for s, e in (coefficients.assignments if coefficients else ())]
+    column = [naming.sum(s, e) for s, e in (right.assignments if right else ())]
     # an entry that is one function of time has no name
     named = len(table) == len(unknowns) ** 2 and len(column) == len(unknowns)
     titles = ("determinant of the linear", "numerators of", f"{', '.join(map(str, unknowns))} by")
     solved = [s for title in titles if (s := _stage(view, title)) is not None]
-    *factors, starts = [[naming.equal(s, e) for s, e in stage.assignments] for stage in solved]
     return compose(
         view,
         """
@@ -336,8 +330,8 @@ def _together(view: View) -> list[Block]:
         $$
         @solved
         $$
-        [reduction.equations: Where $@determinant$ vanishes the start is not determined: there is no
-        such orbit, or a whole family of them.]
+        [equations.reduction.equations: Where $@determinant$ vanishes the start is not determined:
+        there is no such orbit, or a whole family of them.]
         """,
         alone=len(unknowns) < view.equations.chain.start.dimension,
         labels=labels,
@@ -347,7 +341,7 @@ def _together(view: View) -> list[Block]:
         system=_system(naming, unknowns) if named else [],
         table=table if named else [*table, *column],
         column=column if named else [],
-        solved=[*(line for stage in factors for line in stage), in_one_line(starts)],
+        solved=[naming.equal(s, e) for stage in solved for s, e in stage.assignments],
         determinant=determinant,
     )
 
@@ -365,34 +359,22 @@ def _system(naming: Naming, unknowns: list[sp.Symbol]) -> Line:
 
 
 def _explicit(view: View) -> list[Block]:
-    """Blocks with the start written out, where nothing remains to be solved."""
-    notation, period = view.naming.notation, view.equations.itinerary.period
-    found = explicit_start(view)
-    of = f"({notation.symbol(period.symbol)})" if period else ""
-    lines = [found.determinant, *found.coordinates] if found else []
+    """Blocks on a start for which nothing remains to be solved."""
+    determinants = [d for d, _ in view.equations.reduction.determinants]
     return compose(
         view,
         """
-        Nothing remains to be solved: the orbit is explicit.
+        Nothing remains to be solved: the orbit is explicit. [inside: The phase begins on its own
+        boundary, and leads inside only where $@inside < 0$: elsewhere this is no motion of the
+        system.]
 
-        [found: Written out@found.because, it is]
-        $$
-        @lines
-        $$
-        [inside: The phase begins on its own boundary, and leads inside only where $@inside@of < 0$:
-        elsewhere this is no motion of the system.]
-
-        [singular: The zeros of $@determinant@of$ are the singular periods: at such a
-        $@period.symbol$ there is no orbit of this kind, or, where the numerators vanish with it, a
-        family of them.]
+        [singular: The zeros of @determinants are the singular periods: at such a $@period.symbol$
+        there is no orbit of this kind, or, where the numerators vanish with it, a family of them.]
         """,
-        found=found,
-        of=of,
-        lines=[Line(f"{x.left}{of}", "=", x.pieces, x.subject, x.shows) for x in lines],
-        inside=_inward_rate(view) if found else None,
-        singular=found and period,
-        determinant=found and found.determinant.left,
-        period=period,
+        inside=_inward_rate(view),
+        determinants=determinants,
+        singular=determinants and view.equations.itinerary.period,
+        period=view.equations.itinerary.period,
     )
 
 

@@ -9,14 +9,9 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import (
-    Naming,
-    count,
-    in_one_line,
-    number,
-)
-from nonsmooth.derive.document.sections.template import compose, summed, zeros
-from nonsmooth.derive.document.views.monodromy import FACTOR, keeps_volume, monodromy_trace
+from nonsmooth.derive.document.notation.wording import Naming, count, number
+from nonsmooth.derive.document.sections.template import compose, zeros
+from nonsmooth.derive.document.views.monodromy import keeps_volume, monodromy_trace
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
@@ -214,22 +209,10 @@ def _conservative(view: View) -> list[Block]:
             sum=_sum(view),
         )
     notation = view.naming.notation
-    names = found.names if found else {}
-    factors = [
-        Line(
-            notation.symbol(s),
-            "=",
-            notation.signed(sorted(sp.Add.make_args(e), key=_degree)),
-            None,
-            e,
-        )
-        for s, e in names.items()
-        if s == FACTOR
-    ]
     trace: list[Line] = []
     if found:
-        total = sp.Add(*found.terms).xreplace(names)
-        pieces = summed(notation, found.terms)
+        total = sp.Add(*found.terms).xreplace(found.factors).xreplace(found.names)
+        pieces = notation.signed(found.terms)
         trace = [Line(r"\operatorname{tr} \mathcal{M}", "=", pieces, None, total)]
     return compose(
         view,
@@ -256,13 +239,9 @@ def _conservative(view: View) -> list[Block]:
         costs the eigenvalues of $\mathcal{M}$ half their digits.
         """,
         trace=trace,
-        factors=factors,
+        factors=[view.naming.equal(s, e) for s, e in found.factors.items()] if found else [],
         label=view.label("The trace"),
     )
-
-
-def _degree(term: sp.Expr) -> tuple[int, str]:
-    return len(term.free_symbols), str(term)
 
 
 def _slope(view: View) -> list[Block]:
@@ -376,7 +355,7 @@ def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
             for p, x in texts.items()
         ],
         cited=view.naming.cited("reference"),
-        unknowns=in_one_line(unknowns),
+        unknowns=unknowns,
         period=_number(orbit.period),
         trace=_number(orbit.map.trace()),
         shown=1 < size <= _LARGEST,

@@ -14,7 +14,7 @@ from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.symmetry import translations
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
-from nonsmooth.derive.document.notation.letters import Letters
+from nonsmooth.derive.document.notation.symbols import Letters
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.monodromy import where_zero
 from nonsmooth.derive.equations.linearisation import saltation_matrix
@@ -55,13 +55,6 @@ class Passing:
     def saltation(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
         """Saltation matrix (N x N) at a state on the boundary."""
         matrix = saltation_matrix(self.reset, self.normal, self.before, self.behind)
-        return self._on_boundary(matrix, states)
-
-    def difference(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        """Field behind less the reset of the field in front (N x 1), at a state on the boundary."""
-        return self._on_boundary(self.behind - self.reset * self.before, states)
-
-    def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
         condition = (self.normal * sp.Matrix(states))[0] + self.constant
         return where_zero(condition, states, matrix)
 
