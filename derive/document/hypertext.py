@@ -162,11 +162,11 @@ def equation_html(lines: Sequence[tuple[str, str]], name: str) -> str | None:
         from latex2mathml.converter import convert
     except ImportError:
         return None  # a notebook then takes the LaTeX
-    rows = ""
-    for number, (latex, note) in enumerate(lines, start=1):
-        parts = re.split(r"\$([^$]+)\$", note.replace("*", ""))
-        text = "".join(convert(p) if i % 2 else escape(p) for i, p in enumerate(parts))
-        rows += f"<tr><td>({number})</td><td>{convert(latex)}</td><td>{text}</td></tr>"
+    page = _Page(convert)
+    rows = "".join(
+        f"<tr><td>({k})</td><td>{page.text(f'${latex}$')}</td><td>{page.text(note)}</td></tr>"
+        for k, (latex, note) in enumerate(lines, start=1)
+    )
     caption = f"{escape(name)}; (k) marks the state behind phase k"
     return f"<table><caption>{caption}</caption>{rows}</table>"
 

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -40,7 +41,6 @@ from nonsmooth.derive.document.describe import (
 )
 from nonsmooth.derive.document.hypertext import mended, to_html, to_markdown
 from nonsmooth.derive.document.latex import compile_pdf, to_latex
-from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -155,6 +155,20 @@ def test_the_ends_of_a_domain_are_told_apart() -> None:
     assert table.rows[-1][2] == r"$0 \le r \le 1$"
     (table,) = (b for b in system_of("dry-friction").section("The system") if isinstance(b, Table))
     assert table.rows[0][2] == r"$0 < \chi < 1$"
+
+
+def test_what_a_user_writes_is_one_paragraph() -> None:
+    words = "one\n\n  two\n\t\n\nthree"
+    declared = drop().system
+    parameters = (replace(declared.parameters[0], description=words), *declared.parameters[1:])
+    system = replace(declared, description=words, parameters=parameters, model=(words,))
+    document = describe_system(system)
+    (table,) = (b for b in document.section("The system") if isinstance(b, Table))
+    assert [row[1] for row in table.rows] == ["one two three", "r", "w"]
+    for text in (to_markdown(document), to_latex(document)):
+        assert text.count("one two three") == 3
+        assert "one\n" not in text
+    assert "\n| $g$ | one two three | $g > 0$ |\n" in to_markdown(document)
 
 
 def test_latex_is_balanced(document: Document) -> None:
@@ -292,8 +306,8 @@ def test_letters_of_linear_equations_are_free() -> None:
 def test_an_arranged_sum_is_the_sum() -> None:
     written = written_of("elastic-stop/one-contact")
     for expression in written.equations.residual:
-        terms = by_function(written.notation, expression)
-        assert sp.expand(sp.Add(*terms) - written.notation.plain(expression)) == 0
+        terms = written.notation.by_function(expression)
+        assert sp.cancel(sp.Add(*terms) - written.notation.plain(expression)) == 0
         assert len(terms) == 4
 
 
@@ -303,7 +317,7 @@ def test_functions_share_a_coefficient_up_to_its_sign() -> None:
     one, two, three = (named[f"cos_omega{i}_{t}"] for i, t in ((1, "tau"), (2, "tau"), (3, "tau1")))
     p, omega, y = named["p1"], named["omega1"], written.equations.unknowns[0]
     total = (p - y) * one + (y - p) * two * omega + 3 * three
-    terms = by_function(written.notation, total)
+    terms = written.notation.by_function(total)
     assert len(terms) == 2
     assert sp.expand(sp.Add(*terms) - total) == 0
 

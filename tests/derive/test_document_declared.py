@@ -28,7 +28,6 @@ from nonsmooth.derive import (
 from nonsmooth.derive.document.blocks import Document, Line, Paragraph, Table
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.derive.document.notation.arrange import characteristic_pieces
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.views.cycle import Cycle, harmonics_of
@@ -120,28 +119,6 @@ def test_the_lines_say_what_they_show(name: str) -> None:
             continue
         found = read.matrix(text) if line.shows.is_Matrix else read(text)
         assert np.allclose(found, value_of(line, values), rtol=1e-12, atol=1e-12)
-
-
-@pytest.mark.parametrize("system", [forced_stop(), chain(), switched()], ids=lambda s: str(s.name))
-def test_the_characteristic_polynomial_is_that_of_the_field(system: System) -> None:
-    draw = np.random.default_rng(2)
-    values = {p.symbol: float(draw.uniform(0.2, 0.9)) for p in system.parameters}
-    notation = Notation(system.states, tuple(values))
-    names = {notation.symbol(s): v for s, v in values.items()}
-    for configuration in system.configurations:
-        matrix, _ = configuration.dynamics.field(system.states)
-        pieces = characteristic_pieces(notation, matrix, r"\lambda")
-        if pieces is None:
-            continue
-        for root in draw.uniform(-2, 2, 3):
-            expected = np.linalg.det(root * np.eye(matrix.rows) - numbers(matrix, values))
-            read = Reader({**names, r"\lambda": float(root)})
-            assert read(" ".join(pieces)) == pytest.approx(expected, rel=1e-10, abs=1e-12)
-
-
-def test_a_long_characteristic_polynomial_is_left_out() -> None:
-    entries = sp.Matrix(6, 6, sp.symbols("a1:37", real=True))
-    assert characteristic_pieces(Notation((), ()), entries, r"\lambda") is None
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,6 @@ import nonsmooth as ns
 from nonsmooth.derive import derive_equations
 from nonsmooth.derive.document.blocks import Formula, Table
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.derive.document.sections.reduction import difference_of_squares
 from nonsmooth.derive.equations.section import start_of
 from nonsmooth.derive.equations.symmetry import end_conditions
 from nonsmooth.derive.flows.modal import TIME
@@ -316,16 +315,3 @@ def test_elimination_tells_each_unknown(written: Written) -> None:
         assert written.notation.symbol(elimination.unknown) in text
     for unknown in written.equations.reduction.unknowns:
         assert f"${written.notation.symbol(unknown)}$" in text
-
-
-def test_a_discriminant_is_a_difference_of_squares() -> None:
-    """Lagrange's identity, where the quadratic equation is a sum of squares."""
-    a, b, c, d, x, determinant = sp.symbols("a b c d x determinant")
-    sides = sp.Poly(sp.expand((a + b * x) ** 2 + (c + d * x) ** 2 - determinant**2), x)
-    square, middle, rest = sides.all_coeffs()
-    found = difference_of_squares((middle / 2) ** 2 - square * rest)
-    assert sp.expand(found - (middle / 2) ** 2 + square * rest) == 0
-    assert len(found.args) == 2
-    assert found.subs(determinant, 0) == -((a * d - b * c) ** 2)
-    plain = a**2 - 4 * b * c
-    assert difference_of_squares(plain) == plain

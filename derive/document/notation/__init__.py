@@ -3,7 +3,6 @@
 ==========  ==============================================================
 `printer`   expressions as LaTeX, in the order that a person would choose
 `symbols`   how symbols of the derivation are written, letters that none has
-`arrange`   sums function by function of time, characteristic polynomials
 `wording`   words and lines that all sections share
 ==========  ==============================================================
 """

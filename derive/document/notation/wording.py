@@ -12,7 +12,6 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Line
-from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.symbols import Letters, free_letters, head
 
@@ -80,7 +79,7 @@ class Naming:
 
     def sum(self, left: sp.Symbol, right: sp.Expr) -> Line:
         """The line ``left = right``, arranged function by function of time."""
-        pieces = self.notation.signed(by_function(self.notation, right))
+        pieces = self.notation.signed(self.notation.by_function(right))
         return Line(self.notation.symbol(left), "=", pieces, left, sp.sympify(right))
 
     def list(self, symbols: Iterable[sp.Symbol]) -> str:

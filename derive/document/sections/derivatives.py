@@ -274,7 +274,8 @@ def _saltation(view: View) -> list[Block]:
         times the saltation matrix
         $$
         S_{k} &= @saltation
-            = [resets: R_{k} ]\left(I - \frac{f_{k} n_{k}}{n_{k} f_{k}}\right) + f_{k}^{+}\, \frac{n_{k}}{n_{k} f_{k}},
+            = [resets: R_{k} ]\left(I - \frac{f_{k} n_{k}}{n_{k} f_{k}}\right)
+            + f_{k}^{+}\, \frac{n_{k}}{n_{k} f_{k}},
         $$
         with the vector field $f_{k}^{+}$ behind the transition. At the orbit [jumps: | $f_{k}^{+} =
         [resets: R_{k} ]f_{k}$, hence]
@@ -294,7 +295,7 @@ def _saltation(view: View) -> list[Block]:
         $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$[equations.chain.forcing: ,
         and the multiplier 1 of what no motion changes: the amplitudes of the forcing [phases: and
         the differences of phase]].
-        """,  # noqa: E501
+        """,
         saltation=sentence(view, SALTATION, at="k", resets=_resets(view), **_LETTERS),
         resets=_resets(view),
         jumps=any(m != k.reset for k, m in zip(view.links, saltations(view), strict=True)),

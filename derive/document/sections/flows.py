@@ -9,10 +9,9 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.arrange import characteristic_pieces
+from nonsmooth.derive.document.blocks import Block, Line, Paragraph
 from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.symbols import Letters, is_response
+from nonsmooth.derive.document.notation.symbols import is_response
 from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.document.sections.responses import response_flows
 from nonsmooth.derive.document.sections.template import (
@@ -63,9 +62,7 @@ def flow_section(
         blocks += more
     others = [naming.system.configuration(name) for name in names if name not in flows]
     if others:
-        letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
-        blocks += _exponential(naming, letters, others)
-        more, further = _eigenvalues(naming, letters, others, max(numbers.values(), default=0))
+        more, further = _exponentials(naming, others, max(numbers.values(), default=0))
         blocks += more
         numbers |= further
     return blocks, numbers
@@ -266,10 +263,21 @@ def _pieces(
     return with_signs(found) or ("0",)
 
 
-def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuration]) -> list[Block]:
-    """Blocks that say how flows without a closed form are computed."""
+def _exponentials(
+    naming: Naming, chosen: Sequence[Configuration], known: int
+) -> tuple[list[Block], dict[str, int]]:
+    """Blocks that say how flows without a closed form are computed, and the number of each.
+
+    `known` is the number of flows that are written out already.
+    """
+    letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
+    alike: dict[sp.Matrix, list[str]] = {}
+    for configuration in chosen:
+        matrix, _ = configuration.dynamics.field(naming.system.states)
+        alike.setdefault(matrix, []).append(configuration.name)
+    shared = dict(enumerate(alike.values(), start=known + 1))
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
-    return compose(
+    blocks = compose(
         naming,
         r"""
         The flow of [none: no configuration is written | @listed is not written] out in the
@@ -279,7 +287,8 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         , zeros for a held one],] it is read off the exponential of an augmented matrix,
         $$
         @state(t) &= \Phi(t)\,@state(0) + @forcing(t),\qquad
-            \left(\begin{matrix}\Phi(t) & @forcing(t)\\0 & 1\end{matrix}\right) = \mathrm{e}^{@augmented t},\qquad
+            \left(\begin{matrix}\Phi(t) & @forcing(t)\\0 & 1\end{matrix}\right)
+            = \mathrm{e}^{@augmented t},\qquad
             @augmented = \left(\begin{matrix}@matrix & @offset\\0 & 0\end{matrix}\right).
         $$
         The exponential is a sum over clusters of eigenvalues. An eigenvalue that is well apart from
@@ -287,63 +296,31 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         apart, make one together. With the centre $@centre_{j}$ of a cluster and the projector
         $@projector_{j}$ on its invariant subspace,
         $$
-        \mathrm{e}^{@augmented t} &= \sum_{j} \mathrm{e}^{@centre_{j} t} \sum_{k \ge 0} \frac{t^{k}}{k!} \left(@augmented - @centre_{j} I\right)^{k} @projector_{j}.
+        \mathrm{e}^{@augmented t} &= \sum_{j} \mathrm{e}^{@centre_{j} t}
+            \sum_{k \ge 0} \frac{t^{k}}{k!} \left(@augmented - @centre_{j} I\right)^{k}
+            @projector_{j}.
         $$
         Of a single eigenvalue the term $k = 0$ remains, of equal ones as many terms as there are;
         nearly equal ones are taken together, by divided differences of the exponential at these
         eigenvalues, in which no digits cancel. Two conjugate eigenvalues give a cosine and a sine,
         and the eigenvalue 0 of the last column holds what $@offset$ does.
-        """,  # noqa: E501
+
+        @numbered
+        """,
         none=len(chosen) == len(naming.system.configurations) > 1,
         listed=enumeration([f"*{c.name}*" for c in chosen]),
         second=second,
         held=any(d.held for d in second),
+        numbered=[
+            Paragraph(
+                rf"$\Phi_{{{number}}}$, {naming.flow_of(sharing)}: the {len(naming.system.states)}"
+                f" eigenvalues are found from the numbers of the matrix ${letters.matrix}$."
+            )
+            for number, sharing in shared.items()
+        ],
         **vars(letters),
     )
-
-
-def _eigenvalues(
-    naming: Naming, letters: Letters, chosen: Sequence[Configuration], known: int
-) -> tuple[list[Block], dict[str, int]]:
-    """Blocks on the eigenvalues of flows without a closed form, and the number of each flow.
-
-    `known` is the number of flows that are written out already.
-    """
-    alike: dict[sp.Matrix, list[str]] = {}
-    for configuration in chosen:
-        matrix, _ = configuration.dynamics.field(naming.system.states)
-        alike.setdefault(matrix, []).append(configuration.name)
-    numbers: dict[str, int] = {}
-    blocks: list[Block] = []
-    for number, (matrix, sharing) in enumerate(alike.items(), start=known + 1):
-        numbers |= dict.fromkeys(sharing, number)
-        pieces = characteristic_pieces(naming.notation, matrix, letters.eigenvalue)
-        blocks += compose(
-            naming,
-            r"""
-            $\Phi_{@number}$, @flow: the [pieces: eigenvalues are the roots of | @field.rows
-            eigenvalues are found from the numbers of the matrix $@letters.matrix$.]
-            $$
-            @polynomial
-            $$
-            """,
-            number=number,
-            flow=naming.flow_of(sharing),
-            pieces=pieces,
-            field=matrix,
-            letters=letters,
-            polynomial=[
-                relation(
-                    naming,
-                    rf"\det\left({letters.eigenvalue} I - {letters.matrix}\right)",
-                    pieces,
-                    ".",
-                )
-            ]
-            if pieces
-            else [],
-        )
-    return blocks, numbers
+    return blocks, {name: number for number, sharing in shared.items() for name in sharing}
 
 
 def centre_of(flow: Flow) -> sp.Matrix | None:

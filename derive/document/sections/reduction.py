@@ -18,7 +18,7 @@ from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reduction import Elimination
 from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
-__all__ = ["difference_of_squares", "elimination_section", "reduction_section", "solution_section"]
+__all__ = ["elimination_section", "reduction_section", "solution_section"]
 
 
 def reduction_section(view: View) -> list[Block]:
@@ -101,13 +101,12 @@ def _rest(view: View) -> list[Formula]:
 
 def _both_roots(view: View) -> list[Block]:
     """Blocks with the roots of a quadratic reduced equation; none for another one."""
-    if not view.equations.reduction.roots:
+    reduction = view.equations.reduction
+    if not reduction.roots:
         return []
-    (unknown,), ((_, equation),) = (
-        view.equations.reduction.unknowns,
-        view.equations.reduction.equations,
-    )
+    (unknown,), ((_, equation),) = reduction.unknowns, reduction.equations
     a, b, c = sp.Poly(sp.expand(equation), unknown).all_coeffs()
+    poles = [d for d, _ in reduction.determinants]
     latex = view.naming.notation.latex
     return compose(
         view,
@@ -121,23 +120,9 @@ def _both_roots(view: View) -> list[Block]:
         """,
         unknown=view.naming.notation.symbol(unknown),
         half=latex(sp.factor_terms(-b / 2)),
-        radicand=latex(difference_of_squares((b / 2) ** 2 - a * c)),
+        radicand=latex(sp.collect(sp.expand((b / 2) ** 2 - a * c), poles, sp.factor)),
         a=latex(a),
     )
-
-
-def difference_of_squares(expression: sp.Expr) -> sp.Expr:
-    """A polynomial as p g^2 - q^2 with one of its symbols g, if it has that form."""
-    expanded = sp.expand(expression)
-    for symbol in sorted(expanded.free_symbols, key=str):
-        coefficients = sp.Poly(expanded, symbol).as_dict()
-        if set(coefficients) != {(0,), (2,)}:
-            continue
-        number, factors = sp.factor_list(-coefficients[(0,)])
-        if sp.sqrt(number).is_rational and all(power % 2 == 0 for _, power in factors):
-            root = sp.Mul(sp.sqrt(number), *(base ** (power // 2) for base, power in factors))
-            return sp.factor_terms(coefficients[(2,)]) * symbol**2 - root**2
-    return expanded
 
 
 def _parts(view: View) -> list[Block]:
@@ -394,7 +379,7 @@ def _inward_rate(view: View) -> sp.Symbol | None:
 def elimination_section(cycle: Cycle) -> list[Block]:
     """Blocks on the start as the solution of a linear system, given the dwell times."""
     notation, harmonics = cycle.naming.notation, cycle.harmonics
-    several = cycle.count > 1
+    several, based = cycle.count > 1, not cycle.start.constant.is_zero_matrix
     return compose(
         cycle,
         r"""
@@ -402,12 +387,15 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         @state^{(0)} + @remainder$, with
         $$
         @passage &= @product[resets: @reset_{@index} ]\Phi^{(@phase)},\qquad
-        @remainder &= [several: \sum_{k=1}^{@count} \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right) [resets: \left(@added\right) | @added] | @added],
+        @remainder &= [several: \sum_{k=1}^{@count}
+            \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right)
+            [resets: \left(@added\right) | @added] | @added],
         $$
         [several: the factors of later phases standing on the left. The | so that the] closure is
         linear in the start and determines it [directions: and $@shift$],
         $$
-        \left(I - @embedding^{+} @passage @embedding\right) @letters.coordinates &= @embedding^{+} [enclosed: \left([based: @passage @base + ]@remainder[directions:  - @letters.directions @shift]\right) | @remainder].
+        \left(I - @embedding^{+} @passage @embedding\right) @letters.coordinates &= @embedding^{+}
+            [enclosed: \left(@moved\right) | @moved].
         \tag{@label}
         $$
         What is left are the switching conditions (@conditions)[free: , as many as dwell times;
@@ -420,7 +408,7 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         s] of the forcing, and the phase[many harmonics: s] of it at the start [many harmonics: are
         unknowns | is an unknown] in place of the sum. The other rows of (@label) determine the
         other coordinates from these.]
-        """,  # noqa: E501
+        """,
         ends=cycle_end(cycle),
         several=several,
         inner=cycle.index.replace("k", "i"),
@@ -428,8 +416,12 @@ def elimination_section(cycle: Cycle) -> list[Block]:
             cycle,
             "[resets: @reset_{@index} ]@forcing^{(@phase)}[resets:  + @jump_{@index}]",
         ),
-        based=not cycle.start.constant.is_zero_matrix,
-        enclosed=not cycle.start.constant.is_zero_matrix or cycle.directions,
+        moved=sentence(
+            cycle,
+            "[based: @passage @base + ]@remainder[directions:  - @letters.directions @shift]",
+            based=based,
+        ),
+        enclosed=based or cycle.directions,
         label=cycle.label("The reduction"),
         conditions=cycle.label("The equations", 1),
         free=cycle.itinerary.period is None,

@@ -8,7 +8,7 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.document.blocks import Block, Formula, Line
-from nonsmooth.derive.document.notation.arrange import polynomial_pieces
+from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.symbols import CONSTANT, Factors, Letters
 from nonsmooth.derive.document.notation.wording import Naming, letters_of
 from nonsmooth.derive.document.sections.template import compose, relation, summed, with_signs
@@ -84,7 +84,7 @@ def _definitions(naming: Naming, letters: Letters) -> list[Block]:
             relation(
                 naming,
                 rf"{responses.polynomial}_{{{responses.number(factor)}}}({variable})",
-                polynomial_pieces(notation, [sp.Integer(1), *reversed(factor)], variable),
+                _polynomial_pieces(notation, [sp.Integer(1), *reversed(factor)], variable),
             )
             for factor in factors
         ],
@@ -95,6 +95,25 @@ def _definitions(naming: Naming, letters: Letters) -> list[Block]:
         high=any(len(factor) > 2 for factor in factors),
         single=[Formula(_single(naming, letters, f)) for f in single if len(f) <= 2],
     )
+
+
+def _polynomial_pieces(
+    notation: Notation, coefficients: Sequence[sp.Expr], variable: str
+) -> tuple[str, ...]:
+    """LaTeX of the terms of a monic polynomial, the highest power first."""
+    degree = len(coefficients) - 1
+    pieces: list[str] = []
+    for place, coefficient in enumerate(coefficients):
+        if coefficient == 0:
+            continue
+        power = degree - place
+        raised = variable if power == 1 else f"{variable}^{{{power}}}" if power else ""
+        sign, text = notation.factor(coefficient) if power else notation.term(coefficient)
+        if text == "1" and power:
+            text = ""
+        term = " ".join(filter(None, (text, raised)))
+        pieces.append(f"- {term}" if sign < 0 else f"+ {term}" if pieces else term)
+    return tuple(pieces)
 
 
 def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:

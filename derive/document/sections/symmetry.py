@@ -117,24 +117,15 @@ def _closure(view: View) -> list[Block]:
         holding=number(total - len(left)),
         staying=[naming.prose(m) for m in staying],
         labels=[label for m in staying for label in view.labels_of(m)],
-        deciding=[Line("", "", (f"{_multiple(view, e)} = 0,",), None, e) for e in deciding],
+        deciding=[
+            Line("", "", (f"{notation.latex(sp.factor(e))} = 0,",), None, e) for e in deciding
+        ],
         zeros=zeros(naming, equations.vanishing),
         values=[f"${notation.symbol(p)} = {notation.latex(v)}$" for p, v in required.items()],
         grazed=grazed,
         beside=beside,
         coordinates=count(equations.chain.start.dimension, "coordinate"),
     )
-
-
-def _multiple(view: View, condition: sp.Expr) -> str:
-    """LaTeX of a multiple of a coordinate, with the factor in front."""
-    notation = view.naming.notation
-    _, _, start = view.undecided
-    coordinate = next((q for q in start.coordinates if q in condition.free_symbols), None)
-    factor = sp.expand(sp.diff(condition, coordinate)) if coordinate else condition
-    if coordinate is None or not factor.is_Add:
-        return notation.latex(condition)
-    return rf"\left({notation.latex(factor)}\right) {notation.symbol(coordinate)}"
 
 
 def _otherwise(view: View, conditions: Sequence[sp.Expr]) -> tuple[list[sp.Symbol], bool]:

@@ -249,6 +249,7 @@ def _slope(view: View) -> list[Block]:
     reduction = view.equations.reduction
     symbol = view.naming.notation.symbol
     first, *others = reduction.unknowns
+    x = symbol(first)
     stages, trace = view.equations.trace_program
     base = {s for stage in reduction.stages for s, _ in stage.assignments}
     return compose(
@@ -264,7 +265,8 @@ def _slope(view: View) -> list[Block]:
         Both are functions of $@x$, [others: since @others [many others: follow | follows] from
         @where, here $F = 0$. By implicit differentiation, with $y = @y$, | so that]
         $$
-        \operatorname{tr} J = \frac{\mathrm{d} Q}{\mathrm{d} q} &= \frac{\partial_{@x} Q[others:  - \partial_{y} Q\, \left(\partial_{y} F\right)^{-1} \partial_{@x} F]}{\partial_{@x} q}.
+        \operatorname{tr} J &= \frac{\mathrm{d} Q}{\mathrm{d} q}
+            = \frac{\partial_{@x} Q[others: @implicit]}{\partial_{@x} q}.
         $$
         In the symbols of the stages this reads
         $$
@@ -272,10 +274,11 @@ def _slope(view: View) -> list[Block]:
         \tag{@label}
         $$
         @derivatives
-        """,  # noqa: E501
+        """,
+        implicit=rf" - \partial_{{y}} Q\, \left(\partial_{{y}} F\right)^{{-1}} \partial_{{{x}}} F",
         reduction=reduction,
         start=symbol(reduction.start),
-        x=symbol(first),
+        x=x,
         others=others,
         where=[f"({view.label('The reduction', i)})" for i in range(len(others))],
         y=", ".join(map(symbol, others)),

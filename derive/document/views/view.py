@@ -11,7 +11,6 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.document.blocks import Formula, Line
-from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.equations.chain import PHASE, Link
@@ -92,7 +91,7 @@ class View:
         ends = [f"{phase.boundary} ends {phase.configuration}" for phase in phases]
         for i, (meaning, expression) in enumerate(equations):
             if any(map(notation.is_function, expression.free_symbols)):
-                pieces = notation.signed(by_function(notation, expression))
+                pieces = notation.signed(notation.by_function(expression))
             else:
                 pieces = notation.pieces(notation.tidy(expression))
             line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
