@@ -154,7 +154,7 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
             PERIOD_MAP: period_map_section if turn else None,
             "The reference orbit": (lambda view: reference_section(view, known)) if known else None,
         },
-        lambda numbered: View(equations, naming, numbers, numbered),
+        lambda numbered: View(itinerary, naming, numbers, numbered, equations),
     )
 
 
@@ -187,7 +187,7 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
             "Stability": stability_section,
             "Admissibility": admissibility_section,
         },
-        lambda numbered: Cycle(itinerary, naming, letters, numbers, numbered),
+        lambda numbered: Cycle(itinerary, naming, numbers, numbered, letters),
     )
 
 

@@ -20,7 +20,7 @@ from nonsmooth.derive.document.blocks import (
     notes_beside,
 )
 
-__all__ = ["equation_html", "mathml", "mended", "to_html", "to_markdown"]
+__all__ = ["equation_html", "mathml", "to_html", "to_markdown"]
 
 _STYLE = """
 :root { color-scheme: light dark; }
@@ -174,10 +174,10 @@ def equation_html(lines: Sequence[tuple[str, str]], name: str) -> str | None:
 def mathml(latex: str, convert: Callable[[str], str]) -> str:
     """MathML of LaTeX by the given converter, mended."""
     # the converter forgets that one letter alone is upright, but not that a name is
-    return mended(convert(re.sub(r"\\mathrm\{(\w)\}", r"\\operatorname{\1}", latex)))
+    return _mended(convert(re.sub(r"\\mathrm\{(\w)\}", r"\\operatorname{\1}", latex)))
 
 
-def mended(mathml: str) -> str:
+def _mended(mathml: str) -> str:
     """What is inside the outer element of a formula in MathML, mended for browsers.
 
     Names of functions get the spaces of TeX, signs in front of a term stand close to it,

@@ -39,7 +39,7 @@ from nonsmooth.derive.document.describe import (
     describe_orbit,
     describe_system,
 )
-from nonsmooth.derive.document.hypertext import mended, to_html, to_markdown
+from nonsmooth.derive.document.hypertext import mathml, to_html, to_markdown
 from nonsmooth.derive.document.latex import compile_pdf, to_latex
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.symbols import Symbol, derivative
@@ -386,8 +386,8 @@ def test_html_is_one_offline_page(document: Document) -> None:
 
 def test_mathml_is_set_as_tex_sets_it() -> None:
     convert = pytest.importorskip("latex2mathml.converter").convert
-    text = mended(
-        convert(r"- u \left(1 - p\right) \cos \omega t + \frac{a}{2} = -\left(\frac{1}{2}\right)")
+    text = mathml(
+        r"- u \left(1 - p\right) \cos \omega t + \frac{a}{2} = -\left(\frac{1}{2}\right)", convert
     )
     page = Page()
     page.feed(text)
@@ -396,7 +396,7 @@ def test_mathml_is_set_as_tex_sets_it() -> None:
     fences = re.findall(r'<mo stretchy="(\w+)"', text)
     assert fences == ["false", "false", "true", "true"]
     assert text.count('form="prefix"') == 3  # both parentheses, and the sign behind "="
-    assert mended(convert("|x|")).count('stretchy="false"') == 2
+    assert mathml("|x|", convert).count('stretchy="false"') == 2
 
 
 def test_html_says_what_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -30,11 +30,10 @@ from nonsmooth.derive.document.describe import describe_itinerary, describe_syst
 from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, letters_of
-from nonsmooth.derive.document.views.cycle import Cycle, harmonics_of
+from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import (
-    chain,
     forced_stop,
     impacts,
     one_mass,
@@ -53,7 +52,7 @@ def cycle_of(itinerary: Itinerary) -> Cycle:
     system = itinerary.presented_system
     symbols = (*system.states, *(p.symbol for p in system.parameters))
     naming = Naming(Notation(system.states, symbols), system)
-    return Cycle(itinerary, naming, letters_of(naming, symbols), {}, {})
+    return Cycle(itinerary, naming, {}, {}, letters_of(naming, symbols))
 
 
 def field_of(system: System, name: str, values: Mapping[sp.Symbol, float]) -> Field:
@@ -287,10 +286,10 @@ def test_an_impact_orbit_under_forcing() -> None:
 
 def test_the_forcing_is_found_where_it_is() -> None:
     c, s = forced_stop().states[2:]
-    (found,) = harmonics_of(impacts(2), forced_stop())
+    (found,) = cycle_of(impacts(2)).harmonics
     assert (found.first, found.second, found.invariant) == (c, s, c**2 + s**2)
-    assert not harmonics_of(switching(), switched())
-    assert not harmonics_of(rattle(0), chain(0))
+    assert not cycle_of(switching()).harmonics
+    assert not cycle_of(rattle(0)).harmonics
 
 
 def test_equal_transitions_are_described_once() -> None:

@@ -26,7 +26,6 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.declaration.symmetry import unfolded
-from nonsmooth.derive.document import describe
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
 from nonsmooth.derive.document.describe import (
     closed_flows,
@@ -61,7 +60,7 @@ def flows_of(system: System, names: Iterable[str]) -> Any:
 
 @pytest.fixture(autouse=True)
 def derived_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(describe, "closed_flows", flows_of)
+    monkeypatch.setattr("nonsmooth.derive.document.describe.closed_flows", flows_of)
 
 
 def facts_of(system: System, seed: int) -> Facts:
@@ -174,7 +173,7 @@ def law_of(name: str) -> CycleLaw:
     naming = itinerary_naming(itinerary, spectrum, flows)
     notation = naming.notation
     taken = (*notation.constants, *notation.states, *notation.unknowns)
-    cycle = Cycle(itinerary, naming, letters_of(naming, taken), {}, {})
+    cycle = Cycle(itinerary, naming, {}, {}, letters_of(naming, taken))
     known = {p.name: p.symbol for p in system.parameters}
     given = drawn(system, 1)
     given |= {known[n]: float(v) for n, v in solved.parameters.items()}

@@ -113,7 +113,7 @@ def _chain_rule(view: View) -> list[Block]:
         resets=_resets(view),
         last=not _is_unit(links[-1]),
         phases=len(links),
-        swapped=[u for u in equations.unknowns if str(u) in equations.itinerary.solved_for],
+        swapped=[u for u in equations.unknowns if str(u) in view.itinerary.solved_for],
     )
 
 
@@ -132,8 +132,8 @@ def _local_maps(view: View) -> list[Block]:
     return compose(
         view,
         r"""
-        On the boundaries the dwell times follow the perturbation[equations.itinerary.period: , also
-        where the period $@equations.itinerary.period.symbol$ is given for the orbit: a perturbed
+        On the boundaries the dwell times follow the perturbation[itinerary.period: , also
+        where the period $@itinerary.period.symbol$ is given for the orbit: a perturbed
         motion returns when it does]. Each phase carries a perturbation along and projects it along
         the vector field onto its boundary[reversible: . With $\Phi^{(k)}$ the flow of phase $k$
         over its dwell time, $f_{k}$ the vector field at its end [resets: , | and] $n_{k}$ the
@@ -168,10 +168,7 @@ def _local_maps(view: View) -> list[Block]:
         resets=resets,
         cited=naming.cited("map"),
         letter="L" if chain.forcing else "E",
-        product=_product(view),
-        local=sentence(
-            view, LOCAL_MAP, resets=resets, index=_index(view), phase=_index(view), **_LETTERS
-        ),
+        local=sentence(view, LOCAL_MAP, resets=resets, index=view.phase, **_LETTERS),
         partial=", $R_{k}$ being $I$ where it is not given,"
         if resets and any(map(_is_unit, links))
         else "",
@@ -285,7 +282,7 @@ def _saltation(view: View) -> list[Block]:
         [many links: The product over a period is the monodromy matrix | Over a period this makes
         the monodromy matrix]
         $$
-        \mathcal{M} &= @product S_{@index} \Phi^{(@index)},\qquad
+        \mathcal{M} &= @product S_{@phase} \Phi^{(@phase)},\qquad
             \mathcal{M} f_{0}^{+} = f_{0}^{+},\qquad
             \operatorname{tr} \mathcal{M} = @neutral + \operatorname{tr} J,
         $$
@@ -300,8 +297,6 @@ def _saltation(view: View) -> list[Block]:
         resets=_resets(view),
         jumps=any(m != k.reset for k, m in zip(view.links, saltations(view), strict=True)),
         matrices=_saltation_matrices(view),
-        product=_product(view),
-        index=_index(view),
         neutral=neutral,
         phases=neutral > 2,
     )
@@ -316,16 +311,6 @@ def _saltation_matrices(view: View) -> list[Line]:
         else:
             lines += by_entries(view.naming, f"S_{{{k}}}", matrix)
     return lines
-
-
-def _index(view: View) -> str:
-    """Index of the factors in a product over the phases: k, or 1 if there is only one phase."""
-    return "k" if len(view.links) > 1 else "1"
-
-
-def _product(view: View) -> str:
-    """LaTeX of the sign of such a product, the first phase on the right."""
-    return rf"\prod_{{k={len(view.links)}}}^{{1}}" if len(view.links) > 1 else ""
 
 
 def _is_unit(link: Link) -> bool:

@@ -28,7 +28,7 @@ def chain_section(view: View) -> list[Block]:
             f"{view.naming.state}^{{({k})}}" for k in range(len(view.links) + 1)
         ),
     )
-    itinerary = view.equations.itinerary
+    itinerary = view.itinerary
     for index, (phase, link) in enumerate(zip(itinerary.phases, view.links, strict=True), start=1):
         transition = itinerary.transition_after(view.naming.system, index - 1)
         blocks += compose(

@@ -67,7 +67,7 @@ def reduction_section(view: View) -> list[Block]:
         $$
         """,
         reduction=reduction,
-        phase=equations.itinerary.rotated(reduction.rotation).phases[0],
+        phase=view.itinerary.rotated(reduction.rotation).phases[0],
         place=reduction.rotation + 1,
         left=count(len(reduction.unknowns), "unknown"),
         table=Table(("Eliminated", "Rule"), tuple(rows), wrapped=1) if rows else [],
@@ -358,8 +358,8 @@ def _explicit(view: View) -> list[Block]:
         """,
         inside=_inward_rate(view),
         determinants=determinants,
-        singular=determinants and view.equations.itinerary.period,
-        period=view.equations.itinerary.period,
+        singular=determinants and view.itinerary.period,
+        period=view.itinerary.period,
     )
 
 
@@ -368,7 +368,7 @@ def _inward_rate(view: View) -> sp.Symbol | None:
     if len(view.links) > 1:
         return None
     (link,), start = view.links, view.equations.chain.start.state
-    (phase,) = view.equations.itinerary.phases
+    (phase,) = view.itinerary.phases
     boundary = view.naming.system.configuration(phase.configuration).boundary(phase.boundary)
     row, constant = view.naming.system.gradient(boundary.function)
     rate = sp.expand((row * link.flow.velocity(start))[0])
@@ -386,7 +386,7 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         Given the dwell times, one passage is an affine map of the start, $@ends = @passage
         @state^{(0)} + @remainder$, with
         $$
-        @passage &= @product[resets: @reset_{@index} ]\Phi^{(@phase)},\qquad
+        @passage &= @product [resets: @reset_{@index} ]\Phi^{(@phase)},\qquad
         @remainder &= [several: \sum_{k=1}^{@count}
             \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right)
             [resets: \left(@added\right) | @added] | @added],

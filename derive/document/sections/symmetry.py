@@ -17,7 +17,7 @@ __all__ = ["symmetry_section"]
 
 def symmetry_section(view: View) -> list[Block]:
     """Blocks on the reversor, the states at the ends of the phases, and the closure."""
-    naming, reversor = view.naming, view.equations.itinerary.reversor
+    naming, reversor = view.naming, view.itinerary.reversor
     notation, states = naming.notation, naming.system.states
     ends = _ends(view)
     return compose(
@@ -58,7 +58,7 @@ def symmetry_section(view: View) -> list[Block]:
 
 def _fixed(view: View) -> list[str]:
     """Conditions under which a state is its own image."""
-    jump, shift = reversor_of(view.equations.itinerary)
+    jump, shift = reversor_of(view.itinerary)
     fixed, _ = sp.Matrix.hstack(jump - sp.eye(jump.rows), shift).rref()
     rows = fixed * sp.Matrix([*view.naming.system.states, 1])
     return [math(view.naming, row, " = 0") for row in rows if row != 0]

@@ -169,7 +169,7 @@ def trace_section(view: View) -> list[Block]:
 
 def _sum(view: View) -> list[Block]:
     """Blocks on the trace as a sum of diagonal entries, and the number of multipliers."""
-    equations, phases = view.equations, view.equations.itinerary.phases
+    equations, phases = view.equations, view.itinerary.phases
     rank, size = equations.reduction.rank, len(equations.chain.coordinates)
     *terms, last = (f"{'+ ' if i > 1 else ''}J_{{{i}{i}}}" for i in range(1, size + 1))
     return compose(
@@ -328,7 +328,7 @@ def _derivatives(
 def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
     """Blocks on the reference's parameters, the unknowns, the period and the multipliers."""
     equations, notation = view.equations, view.naming.notation
-    reference = equations.itinerary.reference
+    reference = view.itinerary.reference
     assert reference is not None  # the orbit is solved from it
     texts = {p: reference.parameters[str(p)] for p in equations.parameters}
     unknowns = [

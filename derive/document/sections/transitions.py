@@ -88,8 +88,8 @@ def stability_section(cycle: Cycle) -> list[Block]:
         at $@state^{(k)}$.] The Jacobian of the Poincaré map is the product of these local maps, and
         over equal times the monodromy matrix is that of flows and saltation matrices,
         $$
-        @jacobian &= @embedding^{+} [product: \left(@product@local\right) | @local] @embedding,
-        \mathcal{M} &= @product@letters.saltation_{@index} \Phi^{(@phase)}.
+        @jacobian &= @embedding^{+} [product: \left(@product @local\right) | @local] @embedding,
+        \mathcal{M} &= @product @letters.saltation_{@index} \Phi^{(@phase)}.
         \tag{@label}
         $$
         $\mathcal{M}$ takes the vector field at the start, $@matrix @state^{(0)} + @offset$ of the

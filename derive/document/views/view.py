@@ -19,22 +19,48 @@ from nonsmooth.derive.equations.section import Section, start_of
 from nonsmooth.derive.equations.symmetry import halfway, phase_starts, reversor_of
 from nonsmooth.derive.flows.modal import Flow
 
-__all__ = ["View", "functions_of", "naming_of"]
+__all__ = ["Described", "View", "functions_of", "naming_of"]
 
 
 @dataclass(frozen=True)
-class View:
-    """An orbit's equations with the notation in which they are written."""
+class Described:
+    """What a document describes, with the notation and the numbers in it."""
 
-    equations: EquationSystem
+    itinerary: Itinerary
     naming: Naming
     numbers: Mapping[str, int]  # by configuration: number of its flow
     places: Mapping[str, int]  # by title: number of a section
 
+    def label(self, title: str, index: int = 0) -> str:
+        """Number of an equation: that of its section, and its place in it."""
+        return f"{self.places[title]}.{index + 1}"
+
+    @property
+    def count(self) -> int:
+        """Number of phases."""
+        return len(self.itinerary.phases)
+
+    @property
+    def phase(self) -> str:
+        """Index of a phase in formulas: k, or 1 if there is only one phase."""
+        return "k" if self.count > 1 else "1"
+
+    @property
+    def product(self) -> str:
+        """LaTeX of the sign of a product over the phases, the first on the right."""
+        return rf"\prod_{{k={self.count}}}^{{1}}" if self.count > 1 else ""
+
+
+@dataclass(frozen=True)
+class View(Described):
+    """An orbit's equations with the notation in which they are written."""
+
+    equations: EquationSystem
+
     @property
     def reversible(self) -> bool:
         """Whether the orbit is sought among those that a reversor maps to themselves."""
-        return bool(self.equations.itinerary.reversor)
+        return bool(self.itinerary.reversor)
 
     @property
     def links(self) -> tuple[Link, ...]:
@@ -56,7 +82,7 @@ class View:
     @cached_property
     def undecided(self) -> tuple[Itinerary, System, Section]:
         """Itinerary, system and start, before the closure's required values are inserted."""
-        equations, itinerary = self.equations, self.equations.itinerary
+        equations, itinerary = self.equations, self.itinerary
         shown = itinerary.presentation
         if equations.required and shown is not None:
             kept = {s: e for s, e in shown.substitution.items() if s not in equations.required}
@@ -67,14 +93,9 @@ class View:
     @cached_property
     def images(self) -> tuple[sp.Matrix, ...]:
         """States at the ends of a reversible orbit's phases, in the start's coordinates."""
-        itinerary = self.equations.itinerary
-        jump, shift = reversor_of(itinerary)
-        starts = phase_starts(itinerary, self.equations.chain.start)
+        jump, shift = reversor_of(self.itinerary)
+        starts = phase_starts(self.itinerary, self.equations.chain.start)
         return tuple(jump * state + shift for state in starts)
-
-    def label(self, title: str, index: int = 0) -> str:
-        """Number of an equation: that of its section, and its place in it."""
-        return f"{self.places[title]}.{index + 1}"
 
     def labels_of(self, meaning: str) -> list[str]:
         """Numbers, in brackets, of the equations with a meaning."""
@@ -87,7 +108,7 @@ class View:
         Those in which functions of time occur are arranged by these functions.
         """
         naming, notation, found = self.naming, self.naming.notation, []
-        phases = self.equations.itinerary.phases
+        phases = self.itinerary.phases
         ends = [f"{phase.boundary} ends {phase.configuration}" for phase in phases]
         for i, (meaning, expression) in enumerate(equations):
             if any(map(notation.is_function, expression.free_symbols)):
