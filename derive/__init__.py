@@ -127,12 +127,8 @@ _HOMES = {
     # what systems and equations ask for, though it stands above them
     "codegen.emit": ("emit_library", "emit_many_points"),
     "codegen.python_file": ("emit_python",),
-    "document.equation_table": (
-        "equation_html",
-        "equation_latex",
-        "equation_lines",
-        "expression_latex",
-    ),
+    "document.describe": ("equation_latex", "equation_lines", "expression_latex"),
+    "document.hypertext": ("equation_html",),
 }
 register({name: f"nonsmooth.derive.{home}" for home, names in _HOMES.items() for name in names})
 

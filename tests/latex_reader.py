@@ -18,8 +18,7 @@ from nonsmooth.derive import EquationSystem, Itinerary, derive_equations
 from nonsmooth.derive.document.blocks import Document, Line
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.views.centres import Centres
-from nonsmooth.derive.document.views.view import view_of
+from nonsmooth.derive.document.views.view import naming_of
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -43,9 +42,8 @@ class Reader:
         return self.reading.latex(latex)
 
     def matrix(self, latex: str) -> np.ndarray:
-        """Evaluate a matrix, wherever it stands."""
-        (matrix,) = re.findall(r"\\begin\{matrix\}.*?\\end\{matrix\}", latex)
-        found = np.atleast_2d(self.reading.latex(matrix))
+        """Evaluate a matrix, or the transposed one of a row."""
+        found = np.atleast_2d(self.reading.latex(latex.replace(r"^{\mathsf{T}}", "")))
         return found.T if r"^{\mathsf{T}}" in latex else found
 
 
@@ -54,14 +52,12 @@ class Written:
 
     def __init__(self, equations: EquationSystem) -> None:
         self.equations = equations
-        naming, centres = view_of(equations)
-        self.notation: Notation = naming.notation
-        self.centres: Centres = centres
+        self.notation: Notation = naming_of(equations).notation
         self.document: Document = describe_orbit(equations)
 
     @property
     def lines(self) -> list[Line]:
-        return [line for formula in self.document.formulas for line in formula.relations]
+        return [line for formula in self.document.formulas for line in formula.lines]
 
     def line(self, left: str) -> Line:
         """The only line with that left-hand side."""
@@ -69,11 +65,9 @@ class Written:
         return found
 
     def complete(self, known: Numbers) -> Numbers:
-        """Spectrum, centres and functions of time from parameters and dwell times."""
+        """Spectrum and functions of time from parameters and dwell times."""
         known = dict(known)
         for symbol, expression in self.equations.spectrum.entries:
-            known[symbol] = float(expression.xreplace(known))
-        for symbol, expression in self.centres.values.items():
             known[symbol] = float(expression.xreplace(known))
         for symbol, expression in self.notation.functions.items():
             known[symbol] = float(expression.xreplace(known))
@@ -87,7 +81,7 @@ class Written:
             s for line in self.lines if line.shows is not None for s in line.shows.free_symbols
         }
         shown |= {line.subject for line in self.lines if isinstance(line.subject, sp.Symbol)}
-        parameters = [s for s in self.notation.constants if s not in self.centres.values]
+        parameters = list(self.notation.constants)
         settled = {*self.equations.spectrum.symbols, *self.notation.functions}
         names = {*dwell_times, *shown, *parameters} - settled
         known = {s: draw.uniform(0.2, 0.9) for s in sorted(names, key=str)}
@@ -146,30 +140,9 @@ class Written:
         for line in self.lines:
             if line.shows is None or not line.shows.free_symbols <= {*numbers}:
                 continue
-            if line.left == r"\kappa":
+            if re.fullmatch(r"(?:\\kappa|f|S)_\{\d+\}", line.left):
                 names[line.left] = value_of(line, numbers)
-            if line.left == "D(T)":
-                names["D"] = _Both(names.get("D", 0.0), value_of(line, numbers))
-            if re.fullmatch(r"f_\{\d+\}", line.left):
-                names[line.left] = value_of(line, numbers)
-            match = re.match(r"S_\{(\d+)\} = ", "".join(line.pieces))
-            if match:
-                names[rf"S_{{{match[1]}}}"] = value_of(line, numbers)
         return Reader(names)
-
-
-class _Both(float):
-    """A number, and what a function of the same letter is worth at one time."""
-
-    at_time: float
-
-    def __new__(cls, number: float, at_time: float) -> _Both:
-        found = super().__new__(cls, number)
-        found.at_time = at_time
-        return found
-
-    def __call__(self, time: float) -> float:
-        return self.at_time
 
 
 def value_of(line: Line, numbers: Numbers) -> Any:

@@ -41,7 +41,7 @@ from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
-from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 

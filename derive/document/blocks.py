@@ -1,20 +1,43 @@
-"""What a document is made of: headings, paragraphs, formulas and tables.
+"""What a document is made of: headings, paragraphs, formulas and tables, and their widths.
 
 Text carries two marks: ``$...$`` around LaTeX and ``*...*`` around emphasised words.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
 import sympy as sp
 
-from nonsmooth.derive.document.layout import LINE_WIDTH, rows, text_width, width
+__all__ = [
+    "LINE_WIDTH",
+    "Block",
+    "Document",
+    "Formula",
+    "Heading",
+    "Line",
+    "Paragraph",
+    "Table",
+    "marked",
+    "notes_beside",
+    "text_width",
+    "width",
+]
 
-__all__ = ["Block", "Document", "Formula", "Heading", "Line", "Paragraph", "Table", "notes_beside"]
+# em of the text block that the LaTeX preamble sets, less the room of an equation number
+LINE_WIDTH = 42.0
 
+_TOKEN = re.compile(r"\\(?:begin|end)\{\w+\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_SIGNS = {"+", "-", "=", "<", ">"}
+_SPACES = {r"\,": 0.17, r"\;": 0.28, r"\quad": 1.0, r"\qquad": 2.0, r"\!": -0.17}
+_FUNCTIONS = {r"\cos": 1.6, r"\sin": 1.5}
+_TRANSPARENT = {r"\left", r"\right", r"\biggl", r"\biggr", r"\mathrm", r"\mathsf", r"\text"}
+_TRANSPARENT |= {r"\operatorname", r"\bar", r"\hat", r"\displaystyle"}
+
+_MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 # em that a number and the gaps of a note beside a formula take
 _AROUND_NOTE = 7.0
 
@@ -50,7 +73,6 @@ class Line:
     subject: sp.Basic | None = None  # what the left-hand side stands for, if that is one symbol
     # expression or matrix of the derivation that the right-hand side shows
     shows: sp.Basic | None = None
-    parts: tuple[Line, ...] = ()  # the relations, if several stand side by side
 
     @property
     def latex(self) -> str:
@@ -67,11 +89,6 @@ class Formula:
     note: str | None = None  # meaning of the equation, as text
 
     @property
-    def relations(self) -> tuple[Line, ...]:
-        """All relations, also those that stand side by side on one line."""
-        return tuple(part for line in self.lines for part in (line.parts or (line,)))
-
-    @property
     def latex(self) -> str:
         """The relations as one ``aligned`` environment, long ones over several rows."""
         body = " \\\\\n".join(f"{left} &{right}" for left, right in self.rows)
@@ -79,8 +96,20 @@ class Formula:
 
     @property
     def rows(self) -> list[tuple[str, str]]:
-        """Left and right part of every row."""
-        return rows(self.lines)
+        """Left and right part of every row, with lines broken so that no row is too wide."""
+        indent = max((width(line.left) for line in self.lines), default=0.0)
+        found = []
+        for line in self.lines:
+            left, text, used = line.left, line.relation, width(line.relation)
+            empty = True
+            for piece in line.pieces:
+                needed = width(piece)
+                if not empty and indent + used + needed > LINE_WIDTH:
+                    found.append((left, text.removesuffix(r"\qquad")))
+                    left, text, used = "", r"\qquad{}", 2.0
+                text, used, empty = f"{text} {piece}", used + needed, False
+            found.append((left, text))
+        return found
 
     @property
     def lead(self) -> str:
@@ -156,3 +185,84 @@ class Document:
             if inside:
                 found.append(block)
         return tuple(found)
+
+
+def marked(text: str) -> list[tuple[str, str]]:
+    """Parts of text behind their marks: ``$`` for LaTeX, ``*`` for emphasis, nothing for words."""
+    parts = enumerate(_MARKS.split(text))
+    return [(part[0], part[1:-1]) if place % 2 else ("", part) for place, part in parts]
+
+
+def text_width(text: str) -> float:
+    """Approximate width in em of text with formulas and emphasis."""
+    return sum(width(part) if mark == "$" else 0.52 * len(part) for mark, part in marked(text))
+
+
+def width(latex: str) -> float:
+    """Approximate width of a formula in em of its font."""
+    tokens = [t for t in _TOKEN.findall(latex) if not t.isspace()]
+    return _sequence(iter(tokens))
+
+
+def _sequence(tokens: Iterator[str]) -> float:
+    """Width of the tokens up to the end, or to the brace that closes the group."""
+    total, scripts = 0.0, 0.0
+    for token in tokens:
+        if token in "_^":
+            # an index below and one above stand over each other
+            script = 0.7 * _argument(tokens)
+            total += max(0.0, script - scripts)
+            scripts = max(script, scripts)
+            continue
+        scripts = 0.0
+        if token == "}":
+            break
+        if token == "{":
+            total += _sequence(tokens)
+        elif token == r"\frac":
+            total += max(_argument(tokens), _argument(tokens)) + 0.25
+        elif token == r"\sqrt":
+            total += _argument(tokens) + 0.9
+        elif token.startswith(r"\begin"):
+            total += _matrix(tokens)
+        elif token not in _TRANSPARENT:
+            total += _single(token)
+    return total
+
+
+def _argument(tokens: Iterator[str]) -> float:
+    token = next(tokens)
+    return _sequence(tokens) if token == "{" else _single(token)
+
+
+def _matrix(tokens: Iterator[str]) -> float:
+    """Width of a matrix: the sum of its columns' widths, with the gaps between them."""
+    columns, column, depth, entry = [0.0], 0, 0, ""
+    for token in tokens:
+        if token.startswith(r"\end"):
+            depth -= 1
+        elif token.startswith(r"\begin"):
+            depth += 1
+        if depth == 0 and token in ("&", r"\\"):
+            columns[column] = max(columns[column], width(entry))
+            column, entry = (column + 1 if token == "&" else 0), ""
+            if column == len(columns):
+                columns.append(0.0)
+        elif depth < 0:
+            columns[column] = max(columns[column], width(entry))
+            break
+        else:
+            entry += f" {token}"
+    return sum(columns) + 1.0 * (len(columns) - 1) + 0.4
+
+
+def _single(token: str) -> float:
+    if token in _SIGNS:
+        return 1.25
+    if token in _SPACES:
+        return _SPACES[token]
+    if token in _FUNCTIONS:
+        return _FUNCTIONS[token]
+    if token in "()[]|.,;:":
+        return 0.45
+    return 0.64 if token.startswith("\\") else 0.54

@@ -7,18 +7,20 @@ expression that the kernels compute, and keeps that expression beside its LaTeX.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.document.blocks import Block, Document, Heading
-from nonsmooth.derive.document.notation.letters import is_response
+from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading
 from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.symbols import is_response
 from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.document.sections.derivatives import derivative_section
 from nonsmooth.derive.document.sections.equations import (
@@ -53,17 +55,23 @@ from nonsmooth.derive.document.sections.transitions import (
     passing_section,
     stability_section,
 )
-from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.motions import closed_flows
-from nonsmooth.derive.document.views.view import View, view_of
+from nonsmooth.derive.document.views.view import View, naming_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.reference import reference_orbit
 from nonsmooth.derive.equations.section import start_of
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.flows.modal import Flow, Spectrum
+from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
 
-__all__ = ["Document", "describe_itinerary", "describe_orbit", "describe_system"]
+__all__ = [
+    "Document",
+    "describe_itinerary",
+    "describe_orbit",
+    "describe_system",
+    "equation_latex",
+    "equation_lines",
+    "expression_latex",
+]
 
 # by title: what gives the blocks of a section on what the document shows; None for no section
 _Sections = dict[str, Callable[[Any], list[Block]] | None]
@@ -78,10 +86,9 @@ def describe_system(system: System) -> Document:
     spectrum, flows = closed_flows(system, names)
     constants = tuple(p.symbol for p in system.parameters) + spectrum.symbols
     notation = Notation(system.states, constants, flows=tuple(flows.values()))
-    centres = name_centres(flows.values(), map(notation.symbol, (*constants, *system.states)))
     naming = Naming(notation, system)
     complete = len(flows) == len(names) and not any(map(is_response, flows.values()))
-    modal, _ = flow_section(naming, spectrum, flows, names, _single(centres))
+    modal, _ = flow_section(naming, spectrum, flows, names)
     law = system.law
     return _document(
         f"The system {system.name}",
@@ -107,7 +114,7 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
     if isinstance(orbit, Itinerary):
         return describe_itinerary(orbit)
     equations, itinerary = orbit, orbit.itinerary
-    naming, centres = view_of(equations)
+    naming = naming_of(equations)
     places: dict[str, list[str]] = {}
     for number, phase in enumerate(itinerary.phases, start=1):
         places.setdefault(phase.configuration, []).append(str(number))
@@ -116,7 +123,7 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
         for name, found in places.items()
     }
     names = list(places)
-    modal, numbers = flow_section(naming, equations.spectrum, equations.flows, names, centres)
+    modal, numbers = flow_section(naming, equations.spectrum, equations.flows, names)
     known = reference_orbit(equations)
     turn = None
     with suppress(DerivationError):  # an orbit may have no such map
@@ -147,7 +154,7 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
             PERIOD_MAP: period_map_section if turn else None,
             "The reference orbit": (lambda view: reference_section(view, known)) if known else None,
         },
-        lambda numbered: View(equations, naming, centres, numbers, numbered),
+        lambda numbered: View(itinerary, naming, numbers, numbered, equations),
     )
 
 
@@ -163,9 +170,9 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
     itinerary = unfolded(itinerary)
     names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
     spectrum, flows = closed_flows(itinerary.presented_system, names)
-    naming, centres = naming_of(itinerary, spectrum, flows)
+    naming = itinerary_naming(itinerary, spectrum, flows)
     notation = naming.notation
-    modal, numbers = flow_section(naming, spectrum, flows, names, _single(centres))
+    modal, numbers = flow_section(naming, spectrum, flows, names)
     letters = letters_of(naming, (*notation.constants, *notation.states, *notation.unknowns))
     return _document(
         f"The itinerary {itinerary.name} of the system {itinerary.system.name}",
@@ -180,7 +187,7 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
             "Stability": stability_section,
             "Admissibility": admissibility_section,
         },
-        lambda numbered: Cycle(itinerary, naming, letters, numbers, numbered),
+        lambda numbered: Cycle(itinerary, naming, numbers, numbered, letters),
     )
 
 
@@ -195,11 +202,6 @@ def _opening(
         "The system": lambda _: system_section(naming, itinerary, required),
         "The model": (lambda _: model_section(naming, system)) if system.model else None,
     }
-
-
-def _single(centres: Centres) -> Centres | None:
-    """Letters for the coordinates of one centre; of many the columns are shown."""
-    return centres if len(centres.columns) == 1 else None
 
 
 def _document(
@@ -218,10 +220,8 @@ def _document(
     return Document(title, tuple(blocks))
 
 
-def naming_of(
-    itinerary: Itinerary, spectrum: Spectrum, flows: Mapping[str, Flow]
-) -> tuple[Naming, Centres]:
-    """Notation of an itinerary's document, and the centres that have a letter in it."""
+def itinerary_naming(itinerary: Itinerary, spectrum: Spectrum, flows: Mapping[str, Flow]) -> Naming:
+    """Notation of an itinerary's document."""
     system = itinerary.presented_system
     parameters = [p.symbol for p in (*system.parameters, *itinerary.system.parameters)]
     constants = (*dict.fromkeys(parameters), *spectrum.symbols)
@@ -235,6 +235,43 @@ def naming_of(
         start=dict(zip(section.coordinates, section.places, strict=True)),
         flows=tuple(flows.values()),
     )
-    taken = (*constants, *states, *notation.unknowns)
-    centres = name_centres(flows.values(), map(notation.symbol, taken))
-    return Naming(notation, system, itinerary.source), centres
+    return Naming(notation, system, itinerary.source)
+
+
+def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[str, Flow]]:
+    """Spectrum and flows by name of those named configurations that have a closed form."""
+    motions = [Configuration(n, system.configuration(n).dynamics, ()) for n in names]
+    whole = _flows(system, motions)
+    if whole is not None:
+        return whole
+    closed = [motion for motion in motions if _flows(system, [motion])]
+    return (closed and _flows(system, closed)) or (Spectrum(), {})
+
+
+def _flows(
+    system: System, motions: Iterable[Configuration]
+) -> tuple[Spectrum, dict[str, Flow]] | None:
+    """Spectrum and flows of a system of some motions alone; None if one has no closed form."""
+    alone = replace(system, configurations=tuple(motions), transitions=(), contacts=())
+    try:
+        return derive_flows(alone)
+    except DerivationError:
+        return None
+
+
+def equation_lines(orbit: EquationSystem) -> list[tuple[str, str]]:
+    """LaTeX and meaning of each equation, as the orbit's document has them."""
+    blocks = describe_orbit(orbit).section("The equations")
+    return [(b.lines[0].latex, b.note or "") for b in blocks if isinstance(b, Formula)]
+
+
+def equation_latex(lines: Sequence[tuple[str, str]]) -> str:
+    """LaTeX of equations, aligned at their signs, each with its meaning beside it."""
+    rows = [f"& {latex} && \\text{{{note.replace('*', '')}}}" for latex, note in lines]
+    body = " \\\\\n".join(rows)
+    return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
+
+
+def expression_latex(orbit: EquationSystem, expression: Any) -> str:
+    """LaTeX of an expression or a matrix in the orbit's symbols, as its document writes it."""
+    return naming_of(orbit).notation.latex(expression)

@@ -154,9 +154,8 @@ def written(document: Any, form: str) -> str:
 
     MissingExtra says that latex2mathml is not installed, which HTML needs.
     """
-    from nonsmooth.derive.document.writers.hypertext import to_html
-    from nonsmooth.derive.document.writers.latex import to_latex
-    from nonsmooth.derive.document.writers.markdown import to_markdown
+    from nonsmooth.derive.document.hypertext import to_html, to_markdown
+    from nonsmooth.derive.document.latex import to_latex
 
     if form == "markdown":
         return to_markdown(document)
@@ -174,7 +173,7 @@ def write_document(text: str, form: str, out: Path) -> None:
     InputError says that the file cannot be written or no LaTeX is installed, NoConvergence
     that LaTeX fails.
     """
-    from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf
+    from nonsmooth.derive.document.latex import LatexMissing, compile_pdf
 
     try:
         content = compile_pdf(text) if form == "pdf" else text.encode()

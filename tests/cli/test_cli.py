@@ -20,8 +20,7 @@ from typer.testing import CliRunner
 
 import nonsmooth
 from nonsmooth.derive.codegen import regenerate as generation
-from nonsmooth.derive.document import describe
-from nonsmooth.derive.document.writers import latex
+from nonsmooth.derive.document import describe, latex
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.files import write_files

@@ -114,7 +114,7 @@ def test_a_full_disk_where_latex_works_names_the_document(tmp_path, monkeypatch)
     def full(text: str) -> bytes:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("nonsmooth.derive.document.writers.latex.compile_pdf", full)
+    monkeypatch.setattr("nonsmooth.derive.document.latex.compile_pdf", full)
     out = tmp_path / "out.pdf"
     line = refused("equations", "rigid-stop", "--format", "pdf", "--out", str(out))
     assert line == f"nonsmooth: error: cannot write {out}: no space left on device"

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -31,20 +32,16 @@ from nonsmooth.derive.document.blocks import (
     Line,
     Paragraph,
     Table,
+    width,
 )
 from nonsmooth.derive.document.describe import (
     describe_itinerary,
     describe_orbit,
     describe_system,
 )
-from nonsmooth.derive.document.layout import width
-from nonsmooth.derive.document.notation.arrange import by_function
+from nonsmooth.derive.document.hypertext import mathml, to_html, to_markdown
+from nonsmooth.derive.document.latex import compile_pdf, to_latex
 from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.views.centres import name_centres
-from nonsmooth.derive.document.writers.hypertext import to_html
-from nonsmooth.derive.document.writers.latex import compile_pdf, to_latex
-from nonsmooth.derive.document.writers.markdown import to_markdown
-from nonsmooth.derive.document.writers.mathml import mended
 from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import impacts, one_mass, rattle, switching
@@ -158,6 +155,20 @@ def test_the_ends_of_a_domain_are_told_apart() -> None:
     assert table.rows[-1][2] == r"$0 \le r \le 1$"
     (table,) = (b for b in system_of("dry-friction").section("The system") if isinstance(b, Table))
     assert table.rows[0][2] == r"$0 < \chi < 1$"
+
+
+def test_what_a_user_writes_is_one_paragraph() -> None:
+    words = "one\n\n  two\n\t\n\nthree"
+    declared = drop().system
+    parameters = (replace(declared.parameters[0], description=words), *declared.parameters[1:])
+    system = replace(declared, description=words, parameters=parameters, model=(words,))
+    document = describe_system(system)
+    (table,) = (b for b in document.section("The system") if isinstance(b, Table))
+    assert [row[1] for row in table.rows] == ["one two three", "r", "w"]
+    for text in (to_markdown(document), to_latex(document)):
+        assert text.count("one two three") == 3
+        assert "one\n" not in text
+    assert "\n| $g$ | one two three | $g > 0$ |\n" in to_markdown(document)
 
 
 def test_latex_is_balanced(document: Document) -> None:
@@ -295,8 +306,8 @@ def test_letters_of_linear_equations_are_free() -> None:
 def test_an_arranged_sum_is_the_sum() -> None:
     written = written_of("elastic-stop/one-contact")
     for expression in written.equations.residual:
-        terms = by_function(written.notation, expression)
-        assert sp.expand(sp.Add(*terms) - written.notation.plain(expression)) == 0
+        terms = written.notation.by_function(expression)
+        assert sp.cancel(sp.Add(*terms) - written.notation.plain(expression)) == 0
         assert len(terms) == 4
 
 
@@ -306,21 +317,16 @@ def test_functions_share_a_coefficient_up_to_its_sign() -> None:
     one, two, three = (named[f"cos_omega{i}_{t}"] for i, t in ((1, "tau"), (2, "tau"), (3, "tau1")))
     p, omega, y = named["p1"], named["omega1"], written.equations.unknowns[0]
     total = (p - y) * one + (y - p) * two * omega + 3 * three
-    terms = by_function(written.notation, total)
+    terms = written.notation.by_function(total)
     assert len(terms) == 2
     assert sp.expand(sp.Add(*terms) - total) == 0
 
 
-def test_centres_have_letters_that_nothing_else_has() -> None:
+def test_nothing_moves_at_a_centre() -> None:
     written = written_of("elastic-stop/one-contact")
-    flows = written.equations.flows.values()
-    for taken, letters in (("x_{1}", ["d_{1}", "d_{2}"]), ("d_{7}", ["c_{1}", "c_{2}"])):
-        assert [*map(written.notation.symbol, name_centres(flows, [taken]).values)] == letters
-    centre = {str(s): e for s, e in written.centres.values.items()}
     motion = written.equations.system.configuration("contact").dynamics
-    assert sp.simplify(
-        motion.stiffness * sp.Matrix([*centre.values()]) - motion.load
-    ).is_zero_matrix
+    centre = written.line(r"d_{\text{contact}}").shows
+    assert sp.simplify(motion.stiffness * sp.Matrix(centre[:2]) - motion.load).is_zero_matrix
 
 
 def test_lines_fit_the_page(document: Document) -> None:
@@ -380,8 +386,8 @@ def test_html_is_one_offline_page(document: Document) -> None:
 
 def test_mathml_is_set_as_tex_sets_it() -> None:
     convert = pytest.importorskip("latex2mathml.converter").convert
-    text = mended(
-        convert(r"- u \left(1 - p\right) \cos \omega t + \frac{a}{2} = -\left(\frac{1}{2}\right)")
+    text = mathml(
+        r"- u \left(1 - p\right) \cos \omega t + \frac{a}{2} = -\left(\frac{1}{2}\right)", convert
     )
     page = Page()
     page.feed(text)
@@ -390,7 +396,7 @@ def test_mathml_is_set_as_tex_sets_it() -> None:
     fences = re.findall(r'<mo stretchy="(\w+)"', text)
     assert fences == ["false", "false", "true", "true"]
     assert text.count('form="prefix"') == 3  # both parentheses, and the sign behind "="
-    assert mended(convert("|x|")).count('stretchy="false"') == 2
+    assert mathml("|x|", convert).count('stretchy="false"') == 2
 
 
 def test_html_says_what_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -405,8 +411,8 @@ def test_another_process_writes_the_same_bytes() -> None:
     program = (
         "import sys\n"
         "from nonsmooth.derive.document.describe import describe_orbit as d\n"
-        "from nonsmooth.derive.document.writers.latex import to_latex\n"
-        "from nonsmooth.derive.document.writers.markdown import to_markdown\n"
+        "from nonsmooth.derive.document.latex import to_latex\n"
+        "from nonsmooth.derive.document.hypertext import to_markdown\n"
         "from nonsmooth.derive.equations.derivation import derive_equations as e\n"
         "from nonsmooth.derive.systems import SYSTEMS, declaration\n"
         "for o in (d(e(o)) for s in SYSTEMS for o in declaration(s).orbits):\n"

@@ -8,9 +8,8 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.derive.document.notation.arrange import by_function
+from nonsmooth.derive.document.hypertext import mathml
 from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.writers.mathml import mathml
 from nonsmooth.derive.symbols import Symbol, derivative
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Unreadable
@@ -147,7 +146,7 @@ def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
     expression = sp.Add(*(number * sp.Mul(*factors) for number, factors in terms))
     if len(expression.free_symbols & set(STATES)) < 2:
         check(NOTATION.latex(NOTATION.tidy(expression)), expression)
-    arranged = by_function(NOTATION, expression)
+    arranged = NOTATION.by_function(expression)
     check(" ".join(NOTATION.signed(arranged)) or "0", expression)
 
 

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Formula, Paragraph
-from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.equations.energy import energy_of
 from nonsmooth.derive.flows.modal import TIME
 from tests.latex_reader import (
@@ -42,12 +42,11 @@ def test_saltation_matrices_are_those_of_the_kernel(name: str, written: Written)
     resets = [np.array(k.reset.tolist(), dtype=float) for k in written.equations.chain.links]
     shown: dict[int, np.ndarray] = {}
     for line in written.lines:
-        for piece in line.pieces:
-            match = re.match(r"S_\{(\d+)\} = (I|R_\{\d+\})?", piece)
-            if match:
-                k = int(match[1])
-                alike = {"I": np.eye(size), f"R_{{{k}}}": resets[k - 1]}
-                shown[k] = alike[match[2]] if match[2] else read.matrix(piece)
+        match = re.fullmatch(r"S_\{(\d+)\}", line.left)
+        if match:
+            k, text = int(match[1]), " ".join(line.pieces)
+            alike = {"I": np.eye(size), f"R_{{{k}}}": resets[k - 1]}
+            shown[k] = alike[text] if text in alike else read.matrix(text)
     assert sorted(shown) == list(range(1, len(kernel) + 1))
     for k, matrix in shown.items():
         assert matrix == pytest.approx(kernel[k - 1], abs=1e-9)
@@ -66,7 +65,9 @@ def test_local_maps_as_written_give_the_poincare_jacobian(name: str, written: Wr
     )
     resets = {
         int(k): np.diag([read(e) for e in entries.split(",")])
-        for k, entries in re.findall(r"R_\{(\d+)\} =\s+\\operatorname\{diag\}\((.*?)\)", text)
+        for k, entries in re.findall(
+            r"R_\{(\d+)\} =\s+\\operatorname\{diag\}\\left\((.*?)\\right\)", text
+        )
     }
     matrix = r"\s*\\left\((\\begin\{matrix\}.*?\\end\{matrix\})\\right\)"
     normals = {int(k): read.matrix(m) for k, m in re.findall(rf"n_\{{(\d+)\}} ={matrix}", text)}
@@ -217,7 +218,7 @@ def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(
     found = np.array([[entries[i + 1, j + 1] for j in range(size)] for i in range(size)])
     assert found == pytest.approx(kernel, abs=1e-9)
     last = [b for b in written.document.section("The reference orbit") if isinstance(b, Formula)]
-    (matrix,) = (line for formula in last for line in formula.relations if line.left == "J")
+    (matrix,) = (line for formula in last for line in formula.lines if line.left == "J")
     assert read.matrix(text_of(matrix)) == pytest.approx(kernel, abs=1e-9)
 
 
@@ -225,7 +226,7 @@ def test_the_reference_orbit_is_the_one_that_is_solved(name: str, written: Writt
     orbit = solved_of(name)
     section = written.document.section("The reference orbit")
     formulas = [b for b in section if isinstance(b, Formula)]
-    shown = {line.left: " ".join(line.pieces) for f in formulas for line in f.relations}
+    shown = {line.left: " ".join(line.pieces) for f in formulas for line in f.lines}
     for unknown in written.equations.unknowns:
         value = float(shown[written.notation.symbol(unknown)])
         assert value == pytest.approx(float(orbit.values[str(unknown)]), abs=1e-10)

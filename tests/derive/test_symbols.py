@@ -23,8 +23,8 @@ from nonsmooth.derive import (
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import orbit_kernels
 from nonsmooth.derive.document.describe import describe_orbit
-from nonsmooth.derive.document.views.view import view_of
-from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.document.hypertext import to_markdown
+from nonsmooth.derive.document.views.view import naming_of
 from nonsmooth.derive.symbols import Symbol, derivative
 
 X = sp.Symbol("x", real=True)
@@ -79,7 +79,7 @@ def test_equations_do_not_depend_on_what_the_user_calls_things(names: tuple[str,
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
 def test_different_symbols_are_written_differently(names: tuple[str, ...]) -> None:
     equations = hopping(*names)
-    notation = view_of(equations)[0].notation
+    notation = naming_of(equations).notation
     declared = (*equations.system.states, *(p.symbol for p in equations.system.parameters))
     stages = (*equations.stages_of("jacobian"), *equations.stages_of("map"))
     made = {s for stage in stages for s, _ in stage.assignments} - {*notation.functions}

@@ -17,7 +17,6 @@ from scipy.optimize import brentq
 from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.document.notation.wording import Naming, letters_of
-from nonsmooth.derive.document.views.centres import Centres
 from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
@@ -80,7 +79,6 @@ class Facts:
     system : System
     naming : Naming
     spectrum : Spectrum
-    centres : Centres
     given : mapping of symbol to float
         Parameters and state.
     """
@@ -88,14 +86,13 @@ class Facts:
     system: System
     naming: Naming
     spectrum: Spectrum
-    centres: Centres
     given: Numbers
 
     @cached_property
     def numbers(self) -> Numbers:
         """All that follows from the parameters."""
         found = dict(self.given)
-        for symbol, value in (*self.spectrum.entries, *self.centres.values.items()):
+        for symbol, value in self.spectrum.entries:
             found[symbol] = float(value.xreplace(found))
         return found
 
@@ -186,7 +183,7 @@ class Facts:
             name = name_of(notation.symbol(symbol))
             found[f"{name}()"] = lambda t, i=i: moved(t)[i, 0]
             found[f"{name}^{{′}}()"] = lambda t, i=i: (a @ moved(t) + b)[i, 0]
-        found |= self.vectors(moved, a, b) | self.steady(moved, a, letters)
+        found |= self.steady(moved, a, letters)
         augmented = np.block([[a, b], [np.zeros((1, size + 1))]])
         found |= {
             name_of(letters.matrix): a, name_of(letters.offset): b,
@@ -196,24 +193,6 @@ class Facts:
             name_of(letters.forcing): lambda t: self.flow(configuration, t)[1],
         }  # fmt: skip
         return found | self.responses
-
-    def vectors(self, moved: Any, a: np.ndarray, b: np.ndarray) -> dict[str, Any]:
-        """All coordinates that have velocities among the states, as one column."""
-        rows = [
-            i for i in range(len(a))
-            if sorted(a[i])[-1] == 1 and np.count_nonzero(a[i]) == 1 and np.argmax(a[i]) > i
-        ]  # fmt: skip
-        notation = self.naming.notation
-        taken = {notation.symbol(s) for s in (*self.system.states, *notation.constants)}
-        letter = next(x for x in ("x", "q", r"\mathsf{x}") if x not in taken)
-        if len(rows) < 2:
-            return {}
-        column = np.array([[self.given[self.system.states[i]]] for i in rows])
-        return {
-            name_of(letter): column,
-            f"{name_of(letter)}()": lambda t: moved(t)[rows],
-            f"{name_of(letter)}^{{′}}()": lambda t: (a @ moved(t) + b)[rows],
-        }
 
     def steady(self, moved: Any, a: np.ndarray, letters: Any) -> dict[str, Any]:
         """Phase of the only forcing, and the harmonic response of every state to it."""
@@ -249,14 +228,7 @@ class Facts:
         functions = response_functions(known, self.numbers)
         found = {name_of(latex): function for latex, function in functions.items()}
         letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
-        for factor in known.factors:
-            if len(factor) == 2:
-                number, rate = known.number(factor), float(factor[1].xreplace(self.numbers))
-                h, fast = (found[name_of(f"{known.letter}_{{{number}}}{p}")] for p in ("", "'"))
-                name = name_of(rf"{letters.displacement}_{{{number}}}")
-                found[name] = lambda t, h=h, fast=fast, rate=rate: fast(t) + rate * h(t)
         # of any factor, and of any two
-        found[name_of(rf"{letters.displacement}_{{j}}")] = lambda t: t
         found[name_of(rf"{letters.amplitude}_{{j}}")] = 1.0
         found[name_of(rf"{letters.lag}_{{j}}")] = 1.0
         for letter, factor in zip("jk", (sp.Tuple(0), *known.factors), strict=False):
@@ -268,9 +240,7 @@ class Facts:
 
     def is_response(self, left: Row) -> bool:
         """Whether a relation says what an impulse response is."""
-        letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
-        heads = (self.naming.notation.responses.letter, letters.displacement)
-        return plain(left).startswith(tuple(f"{name_of(head)}_" for head in heads))
+        return plain(left).startswith(f"{name_of(self.naming.notation.responses.letter)}_")
 
     def one_cluster(self, configuration: str) -> dict[str, Any]:
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""

@@ -8,10 +8,8 @@ from collections.abc import Iterator
 from xml.etree import ElementTree
 
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
-from nonsmooth.derive.document.layout import rows
-from nonsmooth.derive.document.writers.hypertext import to_html
-from nonsmooth.derive.document.writers.latex import to_latex
-from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.document.hypertext import to_html, to_markdown
+from nonsmooth.derive.document.latex import to_latex
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Row
 from tests.formulas.mathml import read_element
@@ -45,7 +43,7 @@ def _own(document: Document) -> Counter[Row]:
     for block in document.blocks:
         found.update(read_latex(f) for text in texts_of(block) for f in inline(text))
         if isinstance(block, Formula):
-            found.update(read_latex(side) for row in rows(block.lines) for side in row)
+            found.update(read_latex(side) for row in block.rows for side in row)
     return found
 
 

@@ -11,12 +11,10 @@ import numpy as np
 import sympy as sp
 from scipy.linalg import expm
 
-from nonsmooth.derive.document.notation.letters import Responses
-
 __all__ = ["response_functions"]
 
 
-def response_functions(known: Responses, numbers: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
+def response_functions(known: Any, numbers: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
     """Factors as polynomials and responses as functions of time, by their LaTeX."""
     found: dict[str, Any] = {}
     for factor in (sp.Tuple(0), *known.factors):

@@ -22,7 +22,7 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document.describe import describe_itinerary
-from nonsmooth.derive.document.writers.markdown import to_markdown
+from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import load_orbit
 

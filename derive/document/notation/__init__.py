@@ -2,9 +2,7 @@
 
 ==========  ==============================================================
 `printer`   expressions as LaTeX, in the order that a person would choose
-`symbols`   how symbols of the derivation are written, by what they mean
-`arrange`   sums function by function of time, characteristic polynomials
+`symbols`   how symbols of the derivation are written, letters that none has
 `wording`   words and lines that all sections share
-`letters`   letters that no symbol has
 ==========  ==============================================================
 """

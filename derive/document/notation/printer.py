@@ -10,8 +10,8 @@ from typing import Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from nonsmooth.derive.document.layout import width
-from nonsmooth.derive.document.notation.symbols import Symbols, is_written
+from nonsmooth.derive.document.blocks import width
+from nonsmooth.derive.document.notation.symbols import Symbols, grouped_by, is_written
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.symbols import meaning_of
@@ -121,9 +121,7 @@ class Notation(Symbols, LatexPrinter):
         terms = list(sp.Add.make_args(expression))
         negative = {a: self.term(a)[0] < 0 for a in terms}
         ranks = {a: self.rank(a) for a in terms}
-        terms.sort(
-            key=lambda a: (not self.leads(a, expression), *ranks[a][:2], negative[a], ranks[a][2:])
-        )
+        terms.sort(key=lambda a: (*ranks[a][:2], negative[a], ranks[a][2:]))
         leading = sp.Mul.make_args(terms[0])
         if negative[terms[0]] and (len(terms) == 2 or not any(f.is_Add for f in leading)):
             # a short sum begins with a positive term if it has one
@@ -131,6 +129,35 @@ class Notation(Symbols, LatexPrinter):
             terms.remove(first)
             terms.insert(0, first)
         return terms
+
+    def by_function(self, expression: sp.Expr) -> tuple[sp.Expr, ...]:
+        """Terms of a sum: each function of time once, times its coefficient, then the rest."""
+        expression = sp.expand(self.plain(expression))
+        known = list(self.functions)
+        functions = sorted(
+            (s for s in expression.free_symbols if self.is_function(s)),
+            key=lambda s: (self.is_sine(s), known.index(s) if s in known else -1, str(s)),
+        )
+        collected = grouped_by(expression, functions)
+        order = {f: i for i, f in enumerate(functions)}
+        inner = {a for s in functions if s in known for a in self.functions[s].free_symbols}
+        # functions with one coefficient, but for frequencies, share it
+        shared: dict[sp.Expr, sp.Expr] = {}
+        terms: list[sp.Expr] = []
+        for function in sorted(collected, key=lambda f: (order.get(f, len(order)), str(f))):
+            coefficient = self.tidy(collected[function])
+            moving = coefficient.free_symbols - inner
+            frequency, core = coefficient.as_independent(*moving, as_Add=False)
+            if function == 1 or not moving:
+                terms.append(coefficient * function)
+            else:
+                core, frequency = (-core, -frequency) if -core in shared else (core, frequency)
+                shared[core] = shared.get(core, sp.Integer(0)) + frequency * function
+        return (*(sp.Mul(core, total) for core, total in shared.items()), *terms)
+
+    def is_sine(self, symbol: sp.Symbol) -> bool:
+        """Whether a symbol stands for a sine."""
+        return isinstance(self.functions.get(symbol), sp.sin) or meaning_of(symbol) == "sine"
 
     def with_signs(self, terms: Iterable[sp.Expr]) -> list[tuple[sp.Expr, str]]:
         """Terms of a sum in the given order, each with the LaTeX of it and its sign."""
@@ -175,13 +202,6 @@ class Notation(Symbols, LatexPrinter):
         found += rest
         found[-1] += rf"\biggr) {self.product(behind, alone=False)}".rstrip()
         return tuple(found)
-
-    def leads(self, term: sp.Expr, total: sp.Expr) -> bool:
-        """Whether a term of a sum over entries of projectors contains no state, and comes first."""
-        symbols = total.free_symbols
-        if not symbols & set(self.projectors) or any(map(self.is_function, symbols)):
-            return False
-        return all(s in self.projectors or is_written(s) for s in term.free_symbols)
 
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Sort key of a term in a sum: states in order, other unknowns, constants."""

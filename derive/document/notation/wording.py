@@ -12,11 +12,10 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Line
-from nonsmooth.derive.document.notation.arrange import by_function
-from nonsmooth.derive.document.notation.letters import Letters, free_letters, head
 from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.symbols import Letters, free_letters, head
 
-__all__ = ["Naming", "count", "enumeration", "in_one_line", "letters_of", "number"]
+__all__ = ["Naming", "count", "enumeration", "letters_of", "number"]
 
 # capitals that stand for matrices and the like in every document
 _TAKEN = set("ADEFIJKMPQRSTU")
@@ -73,25 +72,14 @@ class Naming:
         marked = re.split(f"({pattern})", text)
         return "".join(f"*{p}*" if p in names else self.notation.prose(p) for p in marked)
 
-    def equal(
-        self,
-        left: sp.Symbol,
-        right: sp.Expr,
-        *,
-        tidy: bool = True,
-        written: sp.Expr | None = None,
-    ) -> Line:
-        """The line ``left = right``; the right side is shown as `written` if that is given."""
-        shown = right if written is None else written
-        shown = self.notation.tidy(shown) if tidy else shown
-        return Line(
-            self.notation.symbol(left), "=", self.notation.pieces(shown), left, sp.sympify(right)
-        )
+    def equal(self, left: sp.Symbol, right: sp.Expr, *, tidy: bool = True) -> Line:
+        """The line ``left = right``."""
+        pieces = self.notation.pieces(self.notation.tidy(right) if tidy else right)
+        return Line(self.notation.symbol(left), "=", pieces, left, sp.sympify(right))
 
-    def sum(self, left: sp.Symbol, right: sp.Expr, written: sp.Expr | None = None) -> Line:
+    def sum(self, left: sp.Symbol, right: sp.Expr) -> Line:
         """The line ``left = right``, arranged function by function of time."""
-        terms = by_function(self.notation, right if written is None else written)
-        pieces = self.notation.signed(terms)
+        pieces = self.notation.signed(self.notation.by_function(right))
         return Line(self.notation.symbol(left), "=", pieces, left, sp.sympify(right))
 
     def list(self, symbols: Iterable[sp.Symbol]) -> str:
@@ -114,16 +102,6 @@ def number(value: int) -> str:
 def count(value: int, noun: str) -> str:
     """A number and a noun in words, the noun in the plural unless the number is one."""
     return f"{number(value)} {noun}{'' if value == 1 else 's'}"
-
-
-def in_one_line(lines: Sequence[Line]) -> Line:
-    """One line of short relations side by side; the first is aligned with the lines above."""
-    first, *others = lines
-    if not others:
-        return first
-    texts = [" ".join(first.pieces), *(line.latex for line in others)]
-    pieces = (*(rf"{text},\qquad" for text in texts[:-1]), texts[-1])
-    return Line(first.left, first.relation, pieces, parts=tuple(lines))
 
 
 def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.layout import LINE_WIDTH, width
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.sections.template import (
-    beside,
+    by_entries,
     compose,
-    ended,
     relation,
     sentence,
 )
@@ -22,7 +19,7 @@ from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.chain import Link
 from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
 
-__all__ = ["LOCAL_MAP", "SALTATION", "derivative_section", "diagonal"]
+__all__ = ["LOCAL_MAP", "SALTATION", "derivative_section"]
 
 # LaTeX of what a phase makes of a perturbation on the boundaries, and of a saltation matrix
 LOCAL_MAP = r"""
@@ -36,7 +33,6 @@ SALTATION = r"""
 
 _LETTERS = {"reset": "R", "field": "f", "normal": "n"}
 _LARGEST = 3  # map of which the entries are written out
-_Place = tuple[int, int]
 
 
 def derivative_section(view: View) -> list[Block]:
@@ -117,7 +113,7 @@ def _chain_rule(view: View) -> list[Block]:
         resets=_resets(view),
         last=not _is_unit(links[-1]),
         phases=len(links),
-        swapped=[u for u in equations.unknowns if str(u) in equations.itinerary.solved_for],
+        swapped=[u for u in equations.unknowns if str(u) in view.itinerary.solved_for],
     )
 
 
@@ -136,8 +132,8 @@ def _local_maps(view: View) -> list[Block]:
     return compose(
         view,
         r"""
-        On the boundaries the dwell times follow the perturbation[equations.itinerary.period: , also
-        where the period $@equations.itinerary.period.symbol$ is given for the orbit: a perturbed
+        On the boundaries the dwell times follow the perturbation[itinerary.period: , also
+        where the period $@itinerary.period.symbol$ is given for the orbit: a perturbed
         motion returns when it does]. Each phase carries a perturbation along and projects it along
         the vector field onto its boundary[reversible: . With $\Phi^{(k)}$ the flow of phase $k$
         over its dwell time, $f_{k}$ the vector field at its end [resets: , | and] $n_{k}$ the
@@ -159,8 +155,9 @@ def _local_maps(view: View) -> list[Block]:
         [equations.chain.forcing: and, at the ends of the phases@partial | [reversible: At the ends
         of the phases@partial]]
 
+        $$
         @fields
-
+        $$
         A boundary is crossed transversally, and the local map is smooth there, only where its rate
         $n_{k} f_{k}$ does not vanish:
         $$
@@ -171,10 +168,7 @@ def _local_maps(view: View) -> list[Block]:
         resets=resets,
         cited=naming.cited("map"),
         letter="L" if chain.forcing else "E",
-        product=_product(view),
-        local=sentence(
-            view, LOCAL_MAP, resets=resets, index=_index(view), phase=_index(view), **_LETTERS
-        ),
+        local=sentence(view, LOCAL_MAP, resets=resets, index=view.phase, **_LETTERS),
         partial=", $R_{k}$ being $I$ where it is not given,"
         if resets and any(map(_is_unit, links))
         else "",
@@ -252,39 +246,15 @@ def _turned(expression: sp.Expr, coordinate: sp.Symbol, other: sp.Symbol) -> sp.
     )
 
 
-def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:
-    """Blocks with the gradients, vector fields and resets at the ends of the phases."""
+def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Line]:
+    """Lines with the gradients, vector fields and resets at the ends of the phases."""
     lines: list[Line] = []
-    entries: list[Line] = []
-    resets: dict[str, str] = {}
     for index, link in enumerate(links, start=1):
-        row = link.velocity.T.applyfunc(naming.notation.tidy)
-        shown, named = _with_entries(naming, f"f_{{{index}}}", row, LINE_WIDTH - 8)
-        normal = relation(naming, f"n_{{{index}}}", link.normal)
-        field = replace(
-            relation(naming, f"f_{{{index}}}", rf"{shown}^{{\mathsf{{T}}}}"),
-            shows=sp.ImmutableMatrix(link.velocity),
-        )
-        pieces = beside([normal.pieces[0], field.latex])
-        lines.append(Line(normal.left, "=", pieces, parts=(normal, field)))
-        entries += named
+        lines.append(relation(naming, f"n_{{{index}}}", link.normal))
+        lines += by_entries(naming, f"f_{{{index}}}", link.velocity)
         if not _is_unit(link):
-            resets[f"R_{{{index}}}"] = diagonal(naming, link.reset)
-    if resets:
-        first, *others = resets
-        pieces = beside([resets[first], *(f"{name} = {resets[name]}" for name in others)])
-        lines.append(Line(first, "=", pieces))
-    return _with_list(naming, lines, entries)
-
-
-def _with_list(naming: Naming, lines: list[Line], entries: list[Line]) -> list[Block]:
-    """Blocks with lines, and the entries of matrices that have names in them."""
-    return compose(
-        naming,
-        "$$\n@lines\n$$\n[entries: with the entries]\n$$\n@entries\n$$",
-        lines=lines,
-        entries=entries,
-    )
+            lines.append(relation(naming, f"R_{{{index}}}", link.reset))
+    return lines
 
 
 def _saltation(view: View) -> list[Block]:
@@ -301,17 +271,18 @@ def _saltation(view: View) -> list[Block]:
         times the saltation matrix
         $$
         S_{k} &= @saltation
-            = [resets: R_{k} ]\left(I - \frac{f_{k} n_{k}}{n_{k} f_{k}}\right) + f_{k}^{+}\, \frac{n_{k}}{n_{k} f_{k}},
+            = [resets: R_{k} ]\left(I - \frac{f_{k} n_{k}}{n_{k} f_{k}}\right)
+            + f_{k}^{+}\, \frac{n_{k}}{n_{k} f_{k}},
         $$
         with the vector field $f_{k}^{+}$ behind the transition. At the orbit [jumps: | $f_{k}^{+} =
         [resets: R_{k} ]f_{k}$, hence]
-
+        $$
         @matrices
-
+        $$
         [many links: The product over a period is the monodromy matrix | Over a period this makes
         the monodromy matrix]
         $$
-        \mathcal{M} &= @product S_{@index} \Phi^{(@index)},\qquad
+        \mathcal{M} &= @product S_{@phase} \Phi^{(@phase)},\qquad
             \mathcal{M} f_{0}^{+} = f_{0}^{+},\qquad
             \operatorname{tr} \mathcal{M} = @neutral + \operatorname{tr} J,
         $$
@@ -321,48 +292,25 @@ def _saltation(view: View) -> list[Block]:
         $f_{0}^{+}$, and zeros, $\mathcal{M}$ has the multipliers of $J$[equations.chain.forcing: ,
         and the multiplier 1 of what no motion changes: the amplitudes of the forcing [phases: and
         the differences of phase]].
-        """,  # noqa: E501
+        """,
         saltation=sentence(view, SALTATION, at="k", resets=_resets(view), **_LETTERS),
         resets=_resets(view),
         jumps=any(m != k.reset for k, m in zip(view.links, saltations(view), strict=True)),
         matrices=_saltation_matrices(view),
-        product=_product(view),
-        index=_index(view),
         neutral=neutral,
         phases=neutral > 2,
     )
 
 
-def _saltation_matrices(view: View) -> list[Block]:
-    """Blocks with the saltation matrices at the orbit; mere resets share a line."""
+def _saltation_matrices(view: View) -> list[Line]:
+    """Lines with the saltation matrices at the orbit."""
     lines: list[Line] = []
-    entries: list[Line] = []
-    plain: list[str] = []
     for k, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), start=1):
-        name = f"S_{{{k}}}"
-        if matrix == link.reset:
-            plain.append(f"{name} = {'I' if _is_unit(link) else f'R_{{{k}}}'}")
+        if matrix == link.reset and not _is_unit(link):
+            lines.append(relation(view.naming, f"S_{{{k}}}", f"R_{{{k}}}"))
         else:
-            shown, named = _with_entries(view.naming, name, matrix, LINE_WIDTH - 4)
-            lines.append(Line("", "", (f"{name} = {shown},",), None, matrix))
-            entries += named
-    if plain:
-        lines.append(ended(Line("", "", beside(plain)), ","))
-    if not entries:
-        lines[-1] = ended(lines[-1], ".")
-    ends = [","] * (len(entries) - 1) + ["."]
-    listed = [ended(entry, mark) for entry, mark in zip(entries, ends, strict=False)]
-    return _with_list(view.naming, lines, listed)
-
-
-def _index(view: View) -> str:
-    """Index of the factors in a product over the phases: k, or 1 if there is only one phase."""
-    return "k" if len(view.links) > 1 else "1"
-
-
-def _product(view: View) -> str:
-    """LaTeX of the sign of such a product, the first phase on the right."""
-    return rf"\prod_{{k={len(view.links)}}}^{{1}}" if len(view.links) > 1 else ""
+            lines += by_entries(view.naming, f"S_{{{k}}}", matrix)
+    return lines
 
 
 def _is_unit(link: Link) -> bool:
@@ -371,66 +319,3 @@ def _is_unit(link: Link) -> bool:
 
 def _resets(view: View) -> bool:
     return not all(map(_is_unit, view.links))
-
-
-def diagonal(naming: Naming, matrix: sp.Matrix, opening: str = "(", closing: str = ")") -> str:
-    """LaTeX of a matrix, short if only its diagonal is not zero."""
-    if matrix.is_diagonal():
-        entries = ", ".join(naming.notation.latex(e) for e in matrix.diagonal())
-        return rf"\operatorname{{diag}}{opening}{entries}{closing}"
-    return naming.notation.latex(matrix)
-
-
-def _with_entries(
-    naming: Naming, name: str, matrix: sp.Matrix, room: float
-) -> tuple[str, list[Line]]:
-    """LaTeX of a matrix that is no wider than `room` in em, and lines for its named entries.
-
-    The widest entries are written as ``(name)_{ij}``, those of a row or a column with one
-    index, until the matrix has room; `name` is the LaTeX of the matrix. An entry that
-    equals another one up to its sign is written by that.
-    """
-    notation = naming.notation
-    texts = {
-        (i, j): notation.latex(matrix[i, j]) for i in range(matrix.rows) for j in range(matrix.cols)
-    }
-    named: dict[_Place, str] = {}
-    for place in sorted(texts, key=lambda each: -width(texts[each])):
-        if width(_written(matrix, texts | named)) <= room:
-            break
-        label = _label(name, matrix, place)
-        if place in named or width(texts[place]) <= width(label):
-            continue
-        named |= {other: f"{sign}{label}" for other, sign in _alike(matrix, place)}
-    first = {text: place for place, text in sorted(named.items()) if not text.startswith("-")}
-    lines = [
-        Line(label, "=", notation.pieces(matrix[place]), None, matrix[place])
-        for label, place in sorted(first.items(), key=lambda item: item[1])
-    ]
-    return _written(matrix, texts | named), lines
-
-
-def _label(name: str, matrix: sp.Matrix, place: _Place) -> str:
-    """LaTeX of an entry's name, with one index if the matrix is a row or a column."""
-    long = max(matrix.shape) > 9
-    indices = [str(i + 1) for i, many in zip(place, matrix.shape, strict=True) if many > 1]
-    return rf"\left({name}\right)_{{{(',' if long else '').join(indices)}}}"
-
-
-def _alike(matrix: sp.Matrix, place: _Place) -> list[tuple[_Place, str]]:
-    """Places of all entries equal to the given one up to their sign, each with its sign."""
-    entry, found = matrix[place], []
-    for i in range(matrix.rows):
-        for j in range(matrix.cols):
-            other = matrix[i, j]
-            if (i, j) == place or other == entry:
-                found.append(((i, j), ""))
-            elif other != 0 and sp.expand(other + entry) == 0:
-                found.append(((i, j), "- "))
-    return found
-
-
-def _written(matrix: sp.Matrix, texts: Mapping[_Place, str]) -> str:
-    rows = [" & ".join(texts[i, j] for j in range(matrix.cols)) for i in range(matrix.rows)]
-    body = r"\\".join(rows)
-    return rf"\left(\begin{{matrix}}{body}\end{{matrix}}\right)"

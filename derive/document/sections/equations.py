@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
 from nonsmooth.derive.document.notation.wording import count
-from nonsmooth.derive.document.sections.template import compose, math, sentence, summed
+from nonsmooth.derive.document.sections.template import compose, math, sentence
 from nonsmooth.derive.document.views.cycle import Cycle
 from nonsmooth.derive.document.views.view import View
-from nonsmooth.derive.equations.chain import Link
 from nonsmooth.derive.equations.energy import is_conservative
 from nonsmooth.derive.symbols import Symbol
 
@@ -31,7 +28,7 @@ def chain_section(view: View) -> list[Block]:
             f"{view.naming.state}^{{({k})}}" for k in range(len(view.links) + 1)
         ),
     )
-    itinerary = view.equations.itinerary
+    itinerary = view.itinerary
     for index, (phase, link) in enumerate(zip(itinerary.phases, view.links, strict=True), start=1):
         transition = itinerary.transition_after(view.naming.system, index - 1)
         blocks += compose(
@@ -61,29 +58,10 @@ def _lines(view: View, index: int) -> list[Line]:
     """Lines for the state at the end of one phase, state by state."""
     link, naming = view.links[index - 1], view.naming
     assigned = dict(a for s in view.equations.chain.stages for a in s.assignments)
-    lines = []
-    for row, (symbol, value) in enumerate(zip(naming.system.states, link.after, strict=True)):
-        named = Symbol("state", symbol, index)
-        # a state that does not move is what it was, not once more how that came about
-        line = naming.equal(named, assigned[named] if value == named else value)
-        if view.reversible or link.flow.configuration in view.centres.columns:
-            line = replace(line, pieces=_about_centre(view, link, row))
-        lines.append(line)
-    return lines
-
-
-def _about_centre(view: View, link: Link, row: int) -> tuple[str, ...]:
-    """LaTeX of a coordinate as a sum over the distances of all states from their centre."""
-    notation, states = view.naming.notation, view.naming.system.states
-    centre = view.centres.columns.get(link.flow.configuration, sp.zeros(len(states), 1))
-    distances = [Symbol("state", s, 0) for s in states]
-    total = notation.tidy((link.transfer[row, :] * sp.Matrix(distances))[0])
-    inserted = {d: b - c for d, b, c in zip(distances, link.before, centre, strict=True)}
-    terms = sorted(
-        sp.Add.make_args(total),
-        key=lambda t: min(distances.index(d) for d in distances if d in t.free_symbols),
-    )
-    return summed(notation, [centre[row], *(t.xreplace(inserted) for t in terms)])
+    states = zip(naming.system.states, link.after, strict=True)
+    named = {Symbol("state", symbol, index): value for symbol, value in states}
+    # a state that does not move is what it was, not once more how that came about
+    return [naming.equal(s, assigned[s] if value == s else value) for s, value in named.items()]
 
 
 def _rule(view: View, symbol: sp.Symbol, expression: sp.Expr) -> str:
@@ -113,7 +91,7 @@ def equation_section(view: View) -> list[Block]:
         number=count(len(equations.equations), "equation"),
         unknowns=count(len(equations.unknowns), "unknown"),
         dropped=[q for q in coordinates if f"{q} returns" not in closed],
-        formulas=view.numbered("The equations", equations.equations, view.conditions),
+        formulas=view.numbered("The equations", equations.equations),
     )
 
 

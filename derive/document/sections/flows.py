@@ -6,25 +6,25 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.document.blocks import Block, Formula, Line
-from nonsmooth.derive.document.layout import width
-from nonsmooth.derive.document.notation.arrange import characteristic_pieces
-from nonsmooth.derive.document.notation.letters import Letters, is_response
+from nonsmooth.derive.document.blocks import Block, Line, Paragraph
 from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.symbols import is_response
 from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.document.sections.responses import response_flows
-from nonsmooth.derive.document.sections.template import beside, compose, relation, with_signs
-from nonsmooth.derive.document.views.centres import Centres, centre_of
+from nonsmooth.derive.document.sections.template import (
+    by_entries,
+    compose,
+    relation,
+    with_signs,
+)
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
 __all__ = ["flow_section"]
 
 _Terms = list[tuple[sp.Expr, sp.Matrix]]
-
-# em beyond which a matrix is not written inside a sum
-_WIDE = 24.0
 
 
 def flow_section(
@@ -32,12 +32,10 @@ def flow_section(
     spectrum: Spectrum,
     flows: Mapping[str, Flow],
     names: Sequence[str],
-    centres: Centres | None,
 ) -> tuple[list[Block], dict[str, int]]:
     """Blocks on the flows of the named configurations, and the number of each flow by name.
 
-    Those that are not among the `flows` have no closed form and are exponentials. `centres`
-    are those that have letters.
+    Those that are not among the `flows` have no closed form and are exponentials.
     """
     closed = [flows[name] for name in names if name in flows]
     entries = _entries(spectrum, closed)
@@ -57,16 +55,14 @@ def flow_section(
     )
     numbers: dict[str, int] = {}
     if any(map(is_response, closed)):
-        more, numbers = response_flows(naming, closed, dict(spectrum.entries))
+        more, numbers = response_flows(naming, closed)
         blocks += more
     elif closed:
-        more, numbers = _closed(naming, closed, centres)
+        more, numbers = _closed(naming, closed)
         blocks += more
     others = [naming.system.configuration(name) for name in names if name not in flows]
     if others:
-        letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
-        blocks += _exponential(naming, letters, others)
-        more, further = _eigenvalues(naming, letters, others, max(numbers.values(), default=0))
+        more, further = _exponentials(naming, others, max(numbers.values(), default=0))
         blocks += more
         numbers |= further
     return blocks, numbers
@@ -114,9 +110,7 @@ def _single(expression: sp.Expr) -> bool:
     return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
 
 
-def _closed(
-    naming: Naming, flows: Sequence[Flow], centres: Centres | None
-) -> tuple[list[Block], dict[str, int]]:
+def _closed(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], dict[str, int]]:
     """Blocks on flows in closed form, and the number of each configuration's flow.
 
     Flows with equal matrices share a number and are shown once.
@@ -127,7 +121,7 @@ def _closed(
     shared = dict(enumerate(alike.values(), start=1))
     numbers = {f.configuration: number for number, sharing in shared.items() for f in sharing}
     functions = [g for f in flows for g in f.basis]
-    blocks = _centres(naming, flows, numbers, centres)
+    blocks = _centres(naming, flows, numbers)
     blocks += compose(
         naming,
         r"""
@@ -149,28 +143,17 @@ def _closed(
     return blocks, numbers
 
 
-def _centres(
-    naming: Naming, flows: Sequence[Flow], numbers: Mapping[str, int], named: Centres | None
-) -> list[Block]:
+def _centres(naming: Naming, flows: Sequence[Flow], numbers: Mapping[str, int]) -> list[Block]:
     """Blocks that show how each configuration maps a state: about a centre, or with an offset."""
     notation = naming.notation
     centres = {f.configuration: centre_of(f) for f in flows}
     centred = {name: c for name, c in centres.items() if c is not None and not c.is_zero_matrix}
     drifting = [f for f in flows if centres[f.configuration] is None]
-    lettered = bool(centred and named and named.columns)
-    columns = {
-        name: notation.latex(
-            named.columns[name].T if named and lettered else centre.T.applyfunc(notation.tidy)
-        )
-        + r"^{\mathsf{T}}"
-        for name, centre in centred.items()
-    }
     blocks = compose(
         naming,
         r"""
         [centred: Inside a configuration with the centre $d$, $@state(t) = d + \Phi(t)\,(@state(0) -
-        d)$[lettered: . The centre is @rows [others: and the origin in @others], with | ; the
-        centres that differ from the origin are]]
+        d)$; the centres that differ from the origin are]
 
         [still: In these coordinates [many flows: every one of the configurations has its centre at
         the origin | the centre is at the origin], so that $@state(t) = \Phi(t)\,@state(0)$.]
@@ -179,18 +162,10 @@ def _centres(
         $$
         """,
         centred=centred,
-        lettered=lettered,
-        rows=[f"$d = {column}$ in *{name}*" for name, column in columns.items()],
-        others=[f"*{name}*" for name, c in centres.items() if c is not None and c.is_zero_matrix],
         still=not centred and not drifting,
         flows=flows,
         lines=[
-            Line(notation.symbol(s), "=", notation.pieces(sp.factor(e)), s, e)
-            for s, e in named.values.items()
-        ]
-        if named and lettered
-        else [
-            relation(naming, rf"d_{{\text{{{name}}}}}", column) for name, column in columns.items()
+            relation(naming, rf"d_{{\text{{{name}}}}}", centre) for name, centre in centred.items()
         ],
     )
     for flow in drifting:
@@ -209,7 +184,7 @@ def _centres(
 
 
 def _flow(naming: Naming, flow: Flow, number: int, names: dict[sp.Matrix, str]) -> list[Block]:
-    """Blocks on one flow; constant matrices that occur more than once get a name."""
+    """Blocks on one flow; the constant matrices in it get names, which others may share."""
     notation, in_blocks = naming.notation, naming.second_order
     size = flow.matrices[0].rows
     half = size // 2 if in_blocks else size
@@ -228,68 +203,16 @@ def _flow(naming: Naming, flow: Flow, number: int, names: dict[sp.Matrix, str]) 
             head = rf"\Phi_{{{number}}}" + (f"^{{{i + 1}{j + 1}}}" if in_blocks else "") + "(t)"
             heads.setdefault(tuple(_collected(terms, known)), []).append(head)
             shown[head] = sp.ImmutableMatrix(whole[place])
-    blocks = _definitions(naming, [m for found in heads for _, m in found], names)
+    new: list[Line] = []
+    for matrix in dict.fromkeys(m for found in heads for _, m in found):
+        if matrix not in names and matrix.rows > 1 and matrix != sp.eye(matrix.rows):
+            names[matrix] = f"P_{{{len(names) + 1}}}"
+            new += by_entries(naming, names[matrix], matrix)
     lines = [
         Line(" = ".join(equal), "=", _pieces(notation, found, names), None, shown[equal[0]])
         for found, equal in heads.items()
     ]
-    return [*blocks, Formula(tuple(lines))]
-
-
-def _definitions(
-    naming: Naming, occurring: Sequence[sp.Matrix], names: dict[sp.Matrix, str]
-) -> list[Block]:
-    """Blocks that define names for the matrices that occur more than once or are wide.
-
-    A wide matrix is written as a product of two others where that is possible, otherwise
-    entry by entry.
-    """
-    notation = naming.notation
-    ordinary = [m for m in occurring if m.rows > 1 and m != sp.eye(m.rows)]
-    wide = [m for m in ordinary if width(notation.latex(m)) > _WIDE]
-    new: list[sp.Matrix] = []
-
-    def name(matrix: sp.Matrix) -> str:
-        if matrix not in names:
-            names[matrix] = f"P_{{{sum(' ' not in n for n in names.values()) + 1}}}"
-            new.append(matrix)
-        return names[matrix]
-
-    for matrix in dict.fromkeys(m for m in ordinary if ordinary.count(m) > 1):
-        name(matrix)
-    for matrix in dict.fromkeys(m for m in wide if m not in names):
-        pair = _factors(matrix, list(dict.fromkeys(m for m in ordinary if m != matrix)))
-        if pair:
-            names[matrix] = " ".join(map(name, pair))
-        else:
-            name(matrix)
-    narrow = beside([f"{names[m]} = {notation.latex(m)}" for m in new if m not in wide])
-    blocks: list[Block] = [Formula((Line("", "", narrow),))] if narrow else []
-    for matrix in (m for m in new if m in wide):
-        lines = [
-            Line(
-                rf"\left({names[matrix]}\right)_{{{i + 1}{j + 1}}}",
-                "=",
-                notation.pieces(matrix[i, j]),
-                None,
-                matrix[i, j],
-            )
-            for i in range(matrix.rows)
-            for j in range(matrix.cols)
-        ]
-        blocks.append(Formula(tuple(lines)))
-    return blocks
-
-
-def _factors(
-    matrix: sp.Matrix, candidates: Sequence[sp.Matrix]
-) -> tuple[sp.Matrix, sp.Matrix] | None:
-    """Two candidates whose product is the matrix; None if there are none."""
-    for left in candidates:
-        for right in candidates:
-            if (left * right - matrix).applyfunc(sp.expand).is_zero_matrix:
-                return left, right
-    return None
+    return compose(naming, "$$\n@new\n$$\n$$\n@lines\n$$", new=new, lines=lines)
 
 
 def _collected(terms: _Terms, known: dict[sp.Matrix, None]) -> _Terms:
@@ -334,17 +257,27 @@ def _pieces(
         if matrix.rows == 1:
             found.append(notation.term(scalar * matrix[0]))
             continue
-        unit = matrix == sp.eye(matrix.rows)
-        text = "I" if unit else names.get(matrix, notation.latex(matrix))
         sign, factor = notation.factor(scalar)
+        text = names.get(matrix, "I")
         found.append((sign, text if factor == "1" else rf"{factor}\,{text}"))
     return with_signs(found) or ("0",)
 
 
-def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuration]) -> list[Block]:
-    """Blocks that say how flows without a closed form are computed."""
+def _exponentials(
+    naming: Naming, chosen: Sequence[Configuration], known: int
+) -> tuple[list[Block], dict[str, int]]:
+    """Blocks that say how flows without a closed form are computed, and the number of each.
+
+    `known` is the number of flows that are written out already.
+    """
+    letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
+    alike: dict[sp.Matrix, list[str]] = {}
+    for configuration in chosen:
+        matrix, _ = configuration.dynamics.field(naming.system.states)
+        alike.setdefault(matrix, []).append(configuration.name)
+    shared = dict(enumerate(alike.values(), start=known + 1))
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
-    return compose(
+    blocks = compose(
         naming,
         r"""
         The flow of [none: no configuration is written | @listed is not written] out in the
@@ -354,7 +287,8 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         , zeros for a held one],] it is read off the exponential of an augmented matrix,
         $$
         @state(t) &= \Phi(t)\,@state(0) + @forcing(t),\qquad
-            \left(\begin{matrix}\Phi(t) & @forcing(t)\\0 & 1\end{matrix}\right) = \mathrm{e}^{@augmented t},\qquad
+            \left(\begin{matrix}\Phi(t) & @forcing(t)\\0 & 1\end{matrix}\right)
+            = \mathrm{e}^{@augmented t},\qquad
             @augmented = \left(\begin{matrix}@matrix & @offset\\0 & 0\end{matrix}\right).
         $$
         The exponential is a sum over clusters of eigenvalues. An eigenvalue that is well apart from
@@ -362,60 +296,47 @@ def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuratio
         apart, make one together. With the centre $@centre_{j}$ of a cluster and the projector
         $@projector_{j}$ on its invariant subspace,
         $$
-        \mathrm{e}^{@augmented t} &= \sum_{j} \mathrm{e}^{@centre_{j} t} \sum_{k \ge 0} \frac{t^{k}}{k!} \left(@augmented - @centre_{j} I\right)^{k} @projector_{j}.
+        \mathrm{e}^{@augmented t} &= \sum_{j} \mathrm{e}^{@centre_{j} t}
+            \sum_{k \ge 0} \frac{t^{k}}{k!} \left(@augmented - @centre_{j} I\right)^{k}
+            @projector_{j}.
         $$
         Of a single eigenvalue the term $k = 0$ remains, of equal ones as many terms as there are;
         nearly equal ones are taken together, by divided differences of the exponential at these
         eigenvalues, in which no digits cancel. Two conjugate eigenvalues give a cosine and a sine,
         and the eigenvalue 0 of the last column holds what $@offset$ does.
-        """,  # noqa: E501
+
+        @numbered
+        """,
         none=len(chosen) == len(naming.system.configurations) > 1,
         listed=enumeration([f"*{c.name}*" for c in chosen]),
         second=second,
         held=any(d.held for d in second),
+        numbered=[
+            Paragraph(
+                rf"$\Phi_{{{number}}}$, {naming.flow_of(sharing)}: the {len(naming.system.states)}"
+                f" eigenvalues are found from the numbers of the matrix ${letters.matrix}$."
+            )
+            for number, sharing in shared.items()
+        ],
         **vars(letters),
     )
+    return blocks, {name: number for number, sharing in shared.items() for name in sharing}
 
 
-def _eigenvalues(
-    naming: Naming, letters: Letters, chosen: Sequence[Configuration], known: int
-) -> tuple[list[Block], dict[str, int]]:
-    """Blocks on the eigenvalues of flows without a closed form, and the number of each flow.
+def centre_of(flow: Flow) -> sp.Matrix | None:
+    """Point c with y(t) - c = Phi(t) (y(0) - c), as N x 1; None if there is none.
 
-    `known` is the number of flows that are written out already.
+    Components that are free are zero.
     """
-    alike: dict[sp.Matrix, list[str]] = {}
-    for configuration in chosen:
-        matrix, _ = configuration.dynamics.field(naming.system.states)
-        alike.setdefault(matrix, []).append(configuration.name)
-    numbers: dict[str, int] = {}
-    blocks: list[Block] = []
-    for number, (matrix, sharing) in enumerate(alike.items(), start=known + 1):
-        numbers |= dict.fromkeys(sharing, number)
-        pieces = characteristic_pieces(naming.notation, matrix, letters.eigenvalue)
-        blocks += compose(
-            naming,
-            r"""
-            $\Phi_{@number}$, @flow: the [pieces: eigenvalues are the roots of | @field.rows
-            eigenvalues are found from the numbers of the matrix $@letters.matrix$.]
-            $$
-            @polynomial
-            $$
-            """,
-            number=number,
-            flow=naming.flow_of(sharing),
-            pieces=pieces,
-            field=matrix,
-            letters=letters,
-            polynomial=[
-                relation(
-                    naming,
-                    rf"\det\left({letters.eigenvalue} I - {letters.matrix}\right)",
-                    pieces,
-                    ".",
-                )
-            ]
-            if pieces
-            else [],
-        )
-    return blocks, numbers
+    matrix, offset = flow.field
+    size = matrix.rows
+    # states that drift come last, so that they are the free ones
+    drifting = (matrix * matrix).applyfunc(cancel)
+    order = sorted(range(size), key=lambda i: (not any(drifting[i, :]), i))
+    unknowns = sp.symbols(f"centre0:{size}")
+    solutions = sp.linsolve((matrix[:, order], -offset), *unknowns)
+    if not solutions:
+        return None
+    (solution,) = solutions
+    values = sp.Matrix(solution).subs(dict.fromkeys(unknowns, 0)).applyfunc(factor)
+    return sp.Matrix([values[order.index(i)] for i in range(size)])

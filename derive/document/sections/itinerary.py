@@ -11,7 +11,7 @@ from nonsmooth.derive.document.blocks import Block, Table
 from nonsmooth.derive.document.notation.wording import Naming, count, number
 from nonsmooth.derive.document.sections.template import compose, math, transposed, zeros
 from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.views.view import Described, View
 
 __all__ = ["itinerary_section", "phase_section"]
 
@@ -36,7 +36,7 @@ def itinerary_section(view: View) -> list[Block]:
             steps=view.links,
             repeated=False,
             passings=(),
-            table=_phase_table(view, view.equations.itinerary.phases),
+            table=_phase_table(view, view.itinerary.phases),
         ),
         *_source_letters(view),
         *_dwell_times(view),
@@ -80,7 +80,7 @@ def _state_column(naming: Naming) -> str:
 
 
 def _phase_table(
-    shown: View | Cycle, phases: Sequence[Phase], transitions: Sequence[str] = ()
+    shown: Described, phases: Sequence[Phase], transitions: Sequence[str] = ()
 ) -> Table:
     """Table of the phases, each with its boundary, or else its transition, in the last column."""
     rows = []
@@ -102,7 +102,7 @@ def _phase_table(
     return Table(("Phase", "Configuration", "Dwell time", "Flow", "Left by", last), tuple(rows))
 
 
-def _source_letters(shown: View | Cycle) -> list[Block]:
+def _source_letters(shown: Described) -> list[Block]:
     """Paragraph on the letters of the source for flows, states and the section."""
     source = shown.naming.source
     if source is None:
@@ -117,12 +117,12 @@ def _source_letters(shown: View | Cycle) -> list[Block]:
 
 def _dwell_times(view: View) -> list[Block]:
     """Blocks on a given period and the dwell time that follows, and on vanishing dwell times."""
-    equations, phases = view.equations, view.equations.itinerary.phases
-    period = equations.itinerary.period
+    equations, phases = view.equations, view.itinerary.phases
+    period = view.itinerary.period
     vanishing = [i for i, link in enumerate(view.links) if link.duration == 0]
     dwell = [view.links[i].dwell for i in vanishing]
     reached = [phases[j].boundary for i in vanishing for j in (i - 1, i)]
-    swapped = [s for s in equations.unknowns if str(s) in equations.itinerary.solved_for]
+    swapped = [s for s in equations.unknowns if str(s) in view.itinerary.solved_for]
     derived = (
         []
         if period is None

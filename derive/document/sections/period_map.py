@@ -47,7 +47,7 @@ def period_map_section(view: View) -> list[Block]:
         $$
         @state^{(@phases)} &= \tilde N @state^{(0)}[linear: |  + c],
         \tilde N &= @product
-            = \left(\begin{matrix}\tilde N_{1} & \tilde N_{2}\\\tilde N_{3} & \tilde N_{4}\end{matrix}\right)
+            = \left(\begin{matrix}@rows\end{matrix}\right)
         $$
         Periodicity reads@turn:
         $$
@@ -86,7 +86,8 @@ def period_map_section(view: View) -> list[Block]:
         [equal: Since the entries of $@second$ are equal, the rows of $\tilde M$ then sum to zero.]
 
         [left: With @left, for the same start, there | There] are @together for @unknowns.
-        """,  # noqa: E501
+        """,
+        rows=r"\tilde N_{1} & \tilde N_{2}\\\tilde N_{3} & \tilde N_{4}",
         linear=linear,
         first=f"{letter}_{{0}}",
         second=f"{letter}_{{0}}'",
@@ -107,9 +108,7 @@ def period_map_section(view: View) -> list[Block]:
         separate=separate,
         cited=naming.cited("linear start"),
         start=[naming.equal(s, e.xreplace(numerators)) for s, e in assigned if s not in numerators],
-        compatibility=view.numbered(
-            PERIOD_MAP, turn.compatibility, [e for _, e in turn.compatibility]
-        ),
+        compatibility=view.numbered(PERIOD_MAP, turn.compatibility),
         contained=[labels[k] for k in turn.contained],
         square=square,
         compatible=naming.cited("compatibility"),

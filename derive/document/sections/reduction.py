@@ -7,11 +7,10 @@ from itertools import groupby
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, enumeration, in_one_line
+from nonsmooth.derive.document.notation.wording import Naming, count, enumeration
 from nonsmooth.derive.document.sections.equations import cycle_end
 from nonsmooth.derive.document.sections.template import compose, sentence
 from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.explicit_start import explicit_start
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.elimination import entry
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
@@ -19,7 +18,7 @@ from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reduction import Elimination
 from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
-__all__ = ["difference_of_squares", "elimination_section", "reduction_section", "solution_section"]
+__all__ = ["elimination_section", "reduction_section", "solution_section"]
 
 
 def reduction_section(view: View) -> list[Block]:
@@ -68,7 +67,7 @@ def reduction_section(view: View) -> list[Block]:
         $$
         """,
         reduction=reduction,
-        phase=equations.itinerary.rotated(reduction.rotation).phases[0],
+        phase=view.itinerary.rotated(reduction.rotation).phases[0],
         place=reduction.rotation + 1,
         left=count(len(reduction.unknowns), "unknown"),
         table=Table(("Eliminated", "Rule"), tuple(rows), wrapped=1) if rows else [],
@@ -97,16 +96,17 @@ def reduction_section(view: View) -> list[Block]:
 
 def _rest(view: View) -> list[Formula]:
     """The equations of the reduced system as numbered formulas."""
-    written = [expression for _, expression in view.reduction.equations]
-    return view.numbered("The reduction", view.equations.reduction.equations, written)
+    return view.numbered("The reduction", view.equations.reduction.equations)
 
 
 def _both_roots(view: View) -> list[Block]:
     """Blocks with the roots of a quadratic reduced equation; none for another one."""
-    if not view.reduction.roots:
+    reduction = view.equations.reduction
+    if not reduction.roots:
         return []
-    (unknown,), ((_, equation),) = view.reduction.unknowns, view.reduction.equations
+    (unknown,), ((_, equation),) = reduction.unknowns, reduction.equations
     a, b, c = sp.Poly(sp.expand(equation), unknown).all_coeffs()
+    poles = [d for d, _ in reduction.determinants]
     latex = view.naming.notation.latex
     return compose(
         view,
@@ -120,23 +120,9 @@ def _both_roots(view: View) -> list[Block]:
         """,
         unknown=view.naming.notation.symbol(unknown),
         half=latex(sp.factor_terms(-b / 2)),
-        radicand=latex(difference_of_squares((b / 2) ** 2 - a * c)),
+        radicand=latex(sp.collect(sp.expand((b / 2) ** 2 - a * c), poles, sp.factor)),
         a=latex(a),
     )
-
-
-def difference_of_squares(expression: sp.Expr) -> sp.Expr:
-    """A polynomial as p g^2 - q^2 with one of its symbols g, if it has that form."""
-    expanded = sp.expand(expression)
-    for symbol in sorted(expanded.free_symbols, key=str):
-        coefficients = sp.Poly(expanded, symbol).as_dict()
-        if set(coefficients) != {(0,), (2,)}:
-            continue
-        number, factors = sp.factor_list(-coefficients[(0,)])
-        if sp.sqrt(number).is_rational and all(power % 2 == 0 for _, power in factors):
-            root = sp.Mul(sp.sqrt(number), *(base ** (power // 2) for base, power in factors))
-            return sp.factor_terms(coefficients[(2,)]) * symbol**2 - root**2
-    return expanded
 
 
 def _parts(view: View) -> list[Block]:
@@ -280,13 +266,12 @@ def _alone(view: View) -> list[Block]:
         stage = _stage(view, f"{symbol}: ")
         if stage is not None:
             ((_, expression),) = stage.assignments
-            written = view.written.get(symbol)
             blocks += compose(
                 view,
                 "Equation @where [blocks: then] gives\n$$\n@line\n$$",
                 where=view.labels_of(elimination.rule.removeprefix("linear in: ")),
                 blocks=blocks,
-                line=view.naming.equal(symbol, expression, written=written),
+                line=view.naming.equal(symbol, expression),
             )
     return blocks
 
@@ -303,18 +288,12 @@ def _together(view: View) -> list[Block]:
     unknowns = [e.unknown for e in together]
     meanings = together[0].rule.removeprefix("linear in: ").split("; ")
     labels = [label for m in meanings for label in view.labels_of(m)]
-    table = [
-        naming.equal(s, e, written=view.written.get(s))
-        for s, e in (coefficients.assignments if coefficients else ())
-    ]
-    column = [
-        naming.sum(s, e, view.written.get(s)) for s, e in (right.assignments if right else ())
-    ]
+    table = [naming.equal(s, e) for s, e in (coefficients.assignments if coefficients else ())]
+    column = [naming.sum(s, e) for s, e in (right.assignments if right else ())]
     # an entry that is one function of time has no name
     named = len(table) == len(unknowns) ** 2 and len(column) == len(unknowns)
     titles = ("determinant of the linear", "numerators of", f"{', '.join(map(str, unknowns))} by")
     solved = [s for title in titles if (s := _stage(view, title)) is not None]
-    *factors, starts = [[naming.equal(s, e) for s, e in stage.assignments] for stage in solved]
     return compose(
         view,
         """
@@ -336,8 +315,8 @@ def _together(view: View) -> list[Block]:
         $$
         @solved
         $$
-        [reduction.equations: Where $@determinant$ vanishes the start is not determined: there is no
-        such orbit, or a whole family of them.]
+        [equations.reduction.equations: Where $@determinant$ vanishes the start is not determined:
+        there is no such orbit, or a whole family of them.]
         """,
         alone=len(unknowns) < view.equations.chain.start.dimension,
         labels=labels,
@@ -347,7 +326,7 @@ def _together(view: View) -> list[Block]:
         system=_system(naming, unknowns) if named else [],
         table=table if named else [*table, *column],
         column=column if named else [],
-        solved=[*(line for stage in factors for line in stage), in_one_line(starts)],
+        solved=[naming.equal(s, e) for stage in solved for s, e in stage.assignments],
         determinant=determinant,
     )
 
@@ -365,34 +344,22 @@ def _system(naming: Naming, unknowns: list[sp.Symbol]) -> Line:
 
 
 def _explicit(view: View) -> list[Block]:
-    """Blocks with the start written out, where nothing remains to be solved."""
-    notation, period = view.naming.notation, view.equations.itinerary.period
-    found = explicit_start(view)
-    of = f"({notation.symbol(period.symbol)})" if period else ""
-    lines = [found.determinant, *found.coordinates] if found else []
+    """Blocks on a start for which nothing remains to be solved."""
+    determinants = [d for d, _ in view.equations.reduction.determinants]
     return compose(
         view,
         """
-        Nothing remains to be solved: the orbit is explicit.
+        Nothing remains to be solved: the orbit is explicit. [inside: The phase begins on its own
+        boundary, and leads inside only where $@inside < 0$: elsewhere this is no motion of the
+        system.]
 
-        [found: Written out@found.because, it is]
-        $$
-        @lines
-        $$
-        [inside: The phase begins on its own boundary, and leads inside only where $@inside@of < 0$:
-        elsewhere this is no motion of the system.]
-
-        [singular: The zeros of $@determinant@of$ are the singular periods: at such a
-        $@period.symbol$ there is no orbit of this kind, or, where the numerators vanish with it, a
-        family of them.]
+        [singular: The zeros of @determinants are the singular periods: at such a $@period.symbol$
+        there is no orbit of this kind, or, where the numerators vanish with it, a family of them.]
         """,
-        found=found,
-        of=of,
-        lines=[Line(f"{x.left}{of}", "=", x.pieces, x.subject, x.shows) for x in lines],
-        inside=_inward_rate(view) if found else None,
-        singular=found and period,
-        determinant=found and found.determinant.left,
-        period=period,
+        inside=_inward_rate(view),
+        determinants=determinants,
+        singular=determinants and view.itinerary.period,
+        period=view.itinerary.period,
     )
 
 
@@ -401,7 +368,7 @@ def _inward_rate(view: View) -> sp.Symbol | None:
     if len(view.links) > 1:
         return None
     (link,), start = view.links, view.equations.chain.start.state
-    (phase,) = view.equations.itinerary.phases
+    (phase,) = view.itinerary.phases
     boundary = view.naming.system.configuration(phase.configuration).boundary(phase.boundary)
     row, constant = view.naming.system.gradient(boundary.function)
     rate = sp.expand((row * link.flow.velocity(start))[0])
@@ -412,20 +379,23 @@ def _inward_rate(view: View) -> sp.Symbol | None:
 def elimination_section(cycle: Cycle) -> list[Block]:
     """Blocks on the start as the solution of a linear system, given the dwell times."""
     notation, harmonics = cycle.naming.notation, cycle.harmonics
-    several = cycle.count > 1
+    several, based = cycle.count > 1, not cycle.start.constant.is_zero_matrix
     return compose(
         cycle,
         r"""
         Given the dwell times, one passage is an affine map of the start, $@ends = @passage
         @state^{(0)} + @remainder$, with
         $$
-        @passage &= @product[resets: @reset_{@index} ]\Phi^{(@phase)},\qquad
-        @remainder &= [several: \sum_{k=1}^{@count} \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right) [resets: \left(@added\right) | @added] | @added],
+        @passage &= @product [resets: @reset_{@index} ]\Phi^{(@phase)},\qquad
+        @remainder &= [several: \sum_{k=1}^{@count}
+            \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right)
+            [resets: \left(@added\right) | @added] | @added],
         $$
         [several: the factors of later phases standing on the left. The | so that the] closure is
         linear in the start and determines it [directions: and $@shift$],
         $$
-        \left(I - @embedding^{+} @passage @embedding\right) @letters.coordinates &= @embedding^{+} [enclosed: \left([based: @passage @base + ]@remainder[directions:  - @letters.directions @shift]\right) | @remainder].
+        \left(I - @embedding^{+} @passage @embedding\right) @letters.coordinates &= @embedding^{+}
+            [enclosed: \left(@moved\right) | @moved].
         \tag{@label}
         $$
         What is left are the switching conditions (@conditions)[free: , as many as dwell times;
@@ -438,7 +408,7 @@ def elimination_section(cycle: Cycle) -> list[Block]:
         s] of the forcing, and the phase[many harmonics: s] of it at the start [many harmonics: are
         unknowns | is an unknown] in place of the sum. The other rows of (@label) determine the
         other coordinates from these.]
-        """,  # noqa: E501
+        """,
         ends=cycle_end(cycle),
         several=several,
         inner=cycle.index.replace("k", "i"),
@@ -446,8 +416,12 @@ def elimination_section(cycle: Cycle) -> list[Block]:
             cycle,
             "[resets: @reset_{@index} ]@forcing^{(@phase)}[resets:  + @jump_{@index}]",
         ),
-        based=not cycle.start.constant.is_zero_matrix,
-        enclosed=not cycle.start.constant.is_zero_matrix or cycle.directions,
+        moved=sentence(
+            cycle,
+            "[based: @passage @base + ]@remainder[directions:  - @letters.directions @shift]",
+            based=based,
+        ),
+        enclosed=based or cycle.directions,
         label=cycle.label("The reduction"),
         conditions=cycle.label("The equations", 1),
         free=cycle.itinerary.period is None,

@@ -17,7 +17,7 @@ __all__ = ["symmetry_section"]
 
 def symmetry_section(view: View) -> list[Block]:
     """Blocks on the reversor, the states at the ends of the phases, and the closure."""
-    naming, reversor = view.naming, view.equations.itinerary.reversor
+    naming, reversor = view.naming, view.itinerary.reversor
     notation, states = naming.notation, naming.system.states
     ends = _ends(view)
     return compose(
@@ -58,7 +58,7 @@ def symmetry_section(view: View) -> list[Block]:
 
 def _fixed(view: View) -> list[str]:
     """Conditions under which a state is its own image."""
-    jump, shift = reversor_of(view.equations.itinerary)
+    jump, shift = reversor_of(view.itinerary)
     fixed, _ = sp.Matrix.hstack(jump - sp.eye(jump.rows), shift).rref()
     rows = fixed * sp.Matrix([*view.naming.system.states, 1])
     return [math(view.naming, row, " = 0") for row in rows if row != 0]
@@ -117,24 +117,15 @@ def _closure(view: View) -> list[Block]:
         holding=number(total - len(left)),
         staying=[naming.prose(m) for m in staying],
         labels=[label for m in staying for label in view.labels_of(m)],
-        deciding=[Line("", "", (f"{_multiple(view, e)} = 0,",), None, e) for e in deciding],
+        deciding=[
+            Line("", "", (f"{notation.latex(sp.factor(e))} = 0,",), None, e) for e in deciding
+        ],
         zeros=zeros(naming, equations.vanishing),
         values=[f"${notation.symbol(p)} = {notation.latex(v)}$" for p, v in required.items()],
         grazed=grazed,
         beside=beside,
         coordinates=count(equations.chain.start.dimension, "coordinate"),
     )
-
-
-def _multiple(view: View, condition: sp.Expr) -> str:
-    """LaTeX of a multiple of a coordinate, with the factor in front."""
-    notation = view.naming.notation
-    _, _, start = view.undecided
-    coordinate = next((q for q in start.coordinates if q in condition.free_symbols), None)
-    factor = sp.expand(sp.diff(condition, coordinate)) if coordinate else condition
-    if coordinate is None or not factor.is_Add:
-        return notation.latex(condition)
-    return rf"\left({notation.latex(factor)}\right) {notation.symbol(coordinate)}"
 
 
 def _otherwise(view: View, conditions: Sequence[sp.Expr]) -> tuple[list[sp.Symbol], bool]:

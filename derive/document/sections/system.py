@@ -54,7 +54,7 @@ def system_section(
     rows = tuple(
         (
             math(naming, p.symbol),
-            described.prose(p.description),
+            described.prose(_one_paragraph(p.description)),
             f"${_domain(p, naming.notation)}$",
         )
         for p in parameters
@@ -80,7 +80,7 @@ def system_section(
         $$
         """,
         system=system,
-        description=described.prose(system.description),
+        description=described.prose(_one_paragraph(system.description)),
         positions=positions,
         velocities=[
             f"${naming.notation.symbol(v)} = {naming.notation.symbol(x)}'$"
@@ -96,6 +96,11 @@ def system_section(
         moved=moved,
         substituted=substituted,
     )
+
+
+def _one_paragraph(text: str) -> str:
+    """Text of a user without its own breaks of lines and paragraphs."""
+    return " ".join(text.split())
 
 
 def _forcing(naming: Naming, system: System) -> str:
@@ -133,7 +138,7 @@ def _domain(parameter: Parameter, notation: Notation) -> str:
 def model_section(naming: Naming, system: System) -> list[Block]:
     """Blocks on what stands behind a system's equations, as it is declared."""
     blocks: list[Block] = []
-    for text in system.model:
+    for text in map(_one_paragraph, system.model):
         alone = text.startswith("$") and "$" not in text[1:-1]
         # a line may break behind a wide space
         pieces = tuple(re.split(r"(?<=\\qquad)", text[1:-1]))
@@ -262,7 +267,7 @@ def law_section(naming: Naming, law: ContactLaw) -> list[Block]:
         Let the limit $L_i$ be the kinetic one of those that have reached the limit of their force,
         the static one of the others at rest. Their accelerations are those that minimise
         $$
-        \tfrac{1}{2} \left\| \ddot{x} - \ddot{x}_\mathrm{free} \right\|_M^2 + \sum_i L_i \left| \dot{r}_i \right| &\to \min
+        @distance + \sum_i L_i \left| \dot{r}_i \right| &\to \min
         $$
         with $\ddot{x}_\mathrm{free}$ the accelerations without their forces. All that slip in it
         get their kinetic limit, and so on until none is added; what slides with $r \neq 0$ keeps
@@ -270,7 +275,8 @@ def law_section(naming: Naming, law: ContactLaw) -> list[Block]:
         derivative that does not vanish decides. What that leaves open is ambiguous.
 
         [stops: Of @stops: the minimum is one with $\dot{r} \leq 0$, where stops push.]
-        """,  # noqa: E501
+        """,
+        distance=r"\tfrac{1}{2} \left\| \ddot{x} - \ddot{x}_\mathrm{free} \right\|_M^2",
         limits=Table(
             ("Contact", "Velocity $r$", "Static limit", "Kinetic limit"),
             tuple(

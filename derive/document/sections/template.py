@@ -23,12 +23,21 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.document.blocks import Block, Formula, Heading, Line, Paragraph
+from nonsmooth.derive.document.blocks import (
+    LINE_WIDTH,
+    Block,
+    Formula,
+    Heading,
+    Line,
+    Paragraph,
+    width,
+)
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 
 __all__ = [
     "beside",
+    "by_entries",
     "compose",
     "ended",
     "math",
@@ -198,7 +207,13 @@ def _text(naming: Naming, value: Any) -> str:
     if isinstance(value, sp.Symbol):
         return naming.notation.symbol(value)
     if isinstance(value, sp.MatrixBase):
-        return transposed(naming, value) if value.cols == 1 else naming.notation.latex(value)
+        if value.cols == 1:
+            return transposed(naming, value)
+        if value.is_square and value.is_diagonal():
+            entries = ", ".join(map(naming.notation.latex, value.diagonal()))
+            unit = value == sp.eye(value.rows)
+            return "I" if unit else rf"\operatorname{{diag}}\left({entries}\right)"
+        return naming.notation.latex(value)
     if isinstance(value, sp.Basic):
         return naming.notation.latex(naming.notation.tidy(value))
     return "" if value is None else str(value)
@@ -220,6 +235,21 @@ def transposed(naming: Naming, column: sp.Matrix) -> str:
     if column.rows == 1:
         return notation.latex(notation.tidy(column[0]))
     return rf"{notation.latex(column.T.applyfunc(notation.tidy))}^{{\mathsf{{T}}}}"
+
+
+def by_entries(naming: Naming, name: str, matrix: sp.Matrix) -> list[Line]:
+    """The line ``name = matrix``, or one for each entry that is not zero if that is too wide."""
+    whole = relation(naming, name, matrix)
+    if width(whole.latex) <= LINE_WIDTH:
+        return [whole]
+    comma = "," if max(matrix.shape) > 9 else ""
+    return [
+        relation(naming, rf"\left({name}\right)_{{{i + 1}{column}}}", matrix[i, j])
+        for i in range(matrix.rows)
+        for j in range(matrix.cols)
+        for column in ["" if matrix.cols == 1 else f"{comma}{j + 1}"]
+        if matrix[i, j] != 0
+    ]
 
 
 def with_signs(terms: Iterable[tuple[int, str]]) -> tuple[str, ...]:

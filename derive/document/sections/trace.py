@@ -9,14 +9,9 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import (
-    Naming,
-    count,
-    in_one_line,
-    number,
-)
-from nonsmooth.derive.document.sections.template import compose, summed, zeros
-from nonsmooth.derive.document.views.monodromy import FACTOR, monodromy_trace
+from nonsmooth.derive.document.notation.wording import Naming, count, number
+from nonsmooth.derive.document.sections.template import compose, zeros
+from nonsmooth.derive.document.views.monodromy import monodromy_trace
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
@@ -174,7 +169,7 @@ def trace_section(view: View) -> list[Block]:
 
 def _sum(view: View) -> list[Block]:
     """Blocks on the trace as a sum of diagonal entries, and the number of multipliers."""
-    equations, phases = view.equations, view.equations.itinerary.phases
+    equations, phases = view.equations, view.itinerary.phases
     rank, size = equations.reduction.rank, len(equations.chain.coordinates)
     *terms, last = (f"{'+ ' if i > 1 else ''}J_{{{i}{i}}}" for i in range(1, size + 1))
     return compose(
@@ -214,22 +209,10 @@ def _conservative(view: View) -> list[Block]:
             sum=_sum(view),
         )
     notation, found = view.naming.notation, monodromy_trace(view)
-    names = found.names if found else {}
-    factors = [
-        Line(
-            notation.symbol(s),
-            "=",
-            notation.signed(sorted(sp.Add.make_args(e), key=_degree)),
-            None,
-            e,
-        )
-        for s, e in names.items()
-        if s == FACTOR
-    ]
     trace: list[Line] = []
     if found:
-        total = sp.Add(*found.terms).xreplace(names)
-        pieces = summed(notation, found.terms)
+        total = sp.Add(*found.terms).xreplace(found.factors).xreplace(found.names)
+        pieces = notation.signed(found.terms)
         trace = [Line(r"\operatorname{tr} \mathcal{M}", "=", pieces, None, total)]
     return compose(
         view,
@@ -256,13 +239,9 @@ def _conservative(view: View) -> list[Block]:
         costs the eigenvalues of $\mathcal{M}$ half their digits.
         """,
         trace=trace,
-        factors=factors,
+        factors=[view.naming.equal(s, e) for s, e in found.factors.items()] if found else [],
         label=view.label("The trace"),
     )
-
-
-def _degree(term: sp.Expr) -> tuple[int, str]:
-    return len(term.free_symbols), str(term)
 
 
 def _slope(view: View) -> list[Block]:
@@ -270,6 +249,7 @@ def _slope(view: View) -> list[Block]:
     reduction = view.equations.reduction
     symbol = view.naming.notation.symbol
     first, *others = reduction.unknowns
+    x = symbol(first)
     stages, trace = view.equations.trace_program
     base = {s for stage in reduction.stages for s, _ in stage.assignments}
     return compose(
@@ -285,7 +265,8 @@ def _slope(view: View) -> list[Block]:
         Both are functions of $@x$, [others: since @others [many others: follow | follows] from
         @where, here $F = 0$. By implicit differentiation, with $y = @y$, | so that]
         $$
-        \operatorname{tr} J = \frac{\mathrm{d} Q}{\mathrm{d} q} &= \frac{\partial_{@x} Q[others:  - \partial_{y} Q\, \left(\partial_{y} F\right)^{-1} \partial_{@x} F]}{\partial_{@x} q}.
+        \operatorname{tr} J &= \frac{\mathrm{d} Q}{\mathrm{d} q}
+            = \frac{\partial_{@x} Q[others: @implicit]}{\partial_{@x} q}.
         $$
         In the symbols of the stages this reads
         $$
@@ -293,10 +274,11 @@ def _slope(view: View) -> list[Block]:
         \tag{@label}
         $$
         @derivatives
-        """,  # noqa: E501
+        """,
+        implicit=rf" - \partial_{{y}} Q\, \left(\partial_{{y}} F\right)^{{-1}} \partial_{{{x}}} F",
         reduction=reduction,
         start=symbol(reduction.start),
-        x=symbol(first),
+        x=x,
         others=others,
         where=[f"({view.label('The reduction', i)})" for i in range(len(others))],
         y=", ".join(map(symbol, others)),
@@ -346,7 +328,7 @@ def _derivatives(
 def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
     """Blocks on the reference's parameters, the unknowns, the period and the multipliers."""
     equations, notation = view.equations, view.naming.notation
-    reference = equations.itinerary.reference
+    reference = view.itinerary.reference
     assert reference is not None  # the orbit is solved from it
     texts = {p: reference.parameters[str(p)] for p in equations.parameters}
     unknowns = [
@@ -376,7 +358,7 @@ def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
             for p, x in texts.items()
         ],
         cited=view.naming.cited("reference"),
-        unknowns=in_one_line(unknowns),
+        unknowns=unknowns,
         period=_number(orbit.period),
         trace=_number(orbit.map.trace()),
         shown=1 < size <= _LARGEST,

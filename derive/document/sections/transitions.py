@@ -2,21 +2,12 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.declaration.transition import Condition
-from nonsmooth.derive.document.blocks import Block, Line, Table
-from nonsmooth.derive.document.layout import LINE_WIDTH, width
+from nonsmooth.derive.document.blocks import Block, Table
 from nonsmooth.derive.document.notation.wording import enumeration, number
-from nonsmooth.derive.document.sections.derivatives import LOCAL_MAP, SALTATION, diagonal
-from nonsmooth.derive.document.sections.template import (
-    compose,
-    math,
-    relation,
-    sentence,
-    transposed,
-)
+from nonsmooth.derive.document.sections.derivatives import LOCAL_MAP, SALTATION
+from nonsmooth.derive.document.sections.template import by_entries, compose, math, sentence
 from nonsmooth.derive.document.views.cycle import Cycle, Passing
 from nonsmooth.derive.equations.energy import is_conservative
 
@@ -25,8 +16,6 @@ __all__ = ["admissibility_section", "passing_section", "stability_section"]
 
 def passing_section(cycle: Cycle) -> list[Block]:
     """Blocks with the gradient, fields, reset and saltation matrix of each transition."""
-    fields = [field for p in cycle.passings for field in (p.before, p.behind)]
-    written = all(width(transposed(cycle.naming, field)) + 4 <= LINE_WIDTH for field in fields)
     return compose(
         cycle,
         r"""
@@ -51,36 +40,30 @@ def passing_section(cycle: Cycle) -> list[Block]:
         transitions=[
             block
             for place, passing in enumerate(cycle.passings, start=1)
-            for block in _passing(cycle, place, passing, written=written)
+            for block in _passing(cycle, place, passing)
         ],
     )
 
 
-def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> list[Block]:
-    """Blocks on one transition, with its vector fields `written` out or their difference."""
-    naming, letters, states = cycle.naming, cycle.letters, cycle.system.states
-    f, r = f"{letters.field}_{{{place}}}", f"{letters.reset}_{{{place}}}"
-    if written:
-        fields = [
-            relation(naming, f, passing.before),
-            relation(naming, f"{f}^{{+}}", passing.behind),
-        ]
-    else:
-        carried = f"{r} {f}" if passing.resets else f
-        fields = _difference(cycle, f"{f}^{{+}}", carried, passing.difference(states))
-    saltation = passing.saltation(states)
-    text = _matrix(cycle, saltation)
+def _passing(cycle: Cycle, place: int, passing: Passing) -> list[Block]:
+    """Blocks on one transition."""
+    naming, letters = cycle.naming, cycle.letters
+    field = f"{letters.field}_{{{place}}}"
+    matrices = {field: passing.before, f"{field}^{{+}}": passing.behind}
+    if passing.resets:
+        matrices[f"{letters.reset}_{{{place}}}"] = passing.reset
+    if not passing.jump.is_zero_matrix:
+        matrices[f"{letters.jump}_{{{place}}}"] = passing.jump
+    saltation = passing.saltation(cycle.system.states)
     return compose(
         cycle,
         r"""
         Transition @place, from *@passing.transition.source* by *@passing.boundary.name* to
         *@passing.transition.target* [distinct: | (behind phase[many phases: s] @phases)]:
         $$
-        @normal_{@place} &= @gradient,\qquad
-            @constant_{@place} = @offset
-        @fields
-        [passing.resets: @reset_{@place} &= @matrix[jumps: ,\qquad
-            @jump_{@place} = @column]]
+        @normal_{@place} &= @passing.normal
+        @constant_{@place} &= @passing.constant
+        @matrices
         @normal_{@place} @field_{@place} &= @passing.rate
         @saltation
         $$
@@ -88,36 +71,9 @@ def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> li
         place=place,
         passing=passing,
         phases=[str(k) for k in passing.phases],
-        gradient=naming.notation.latex(passing.normal),
-        offset=naming.notation.latex(naming.notation.tidy(passing.constant)),
-        fields=fields,
-        matrix=_matrix(cycle, passing.reset),
-        jumps=not passing.jump.is_zero_matrix,
-        column=transposed(naming, passing.jump),
-        saltation=[Line(f"{letters.saltation}_{{{place}}}", "=", (text,), None, saltation)]
-        if width(text) + 4 <= LINE_WIDTH
-        else [],
+        matrices=[line for name in matrices for line in by_entries(naming, name, matrices[name])],
+        saltation=by_entries(naming, f"{letters.saltation}_{{{place}}}", saltation),
     )
-
-
-def _difference(cycle: Cycle, behind: str, carried: str, difference: sp.Matrix) -> list[Line]:
-    """Lines for the difference of the vector fields on both sides, at the boundary."""
-    if difference.is_zero_matrix:
-        return [relation(cycle.naming, behind, carried)]
-    left = f"{behind} - {carried}"
-    if width(left) + width(transposed(cycle.naming, difference)) + 2 <= LINE_WIDTH:
-        return [relation(cycle.naming, left, difference)]
-    return [
-        relation(cycle.naming, rf"\left({left}\right)_{{{i}}}", entry)
-        for i, entry in enumerate(difference, start=1)
-        if entry != 0
-    ]
-
-
-def _matrix(cycle: Cycle, matrix: sp.Matrix) -> str:
-    """LaTeX of a matrix, short if it is the unit matrix or diagonal."""
-    unit = matrix == sp.eye(matrix.rows)
-    return "I" if unit else diagonal(cycle.naming, matrix, r"\left(", r"\right)")
 
 
 def stability_section(cycle: Cycle) -> list[Block]:
@@ -132,8 +88,8 @@ def stability_section(cycle: Cycle) -> list[Block]:
         at $@state^{(k)}$.] The Jacobian of the Poincaré map is the product of these local maps, and
         over equal times the monodromy matrix is that of flows and saltation matrices,
         $$
-        @jacobian &= @embedding^{+} [product: \left(@product@local\right) | @local] @embedding,
-        \mathcal{M} &= @product@letters.saltation_{@index} \Phi^{(@phase)}.
+        @jacobian &= @embedding^{+} [product: \left(@product @local\right) | @local] @embedding,
+        \mathcal{M} &= @product @letters.saltation_{@index} \Phi^{(@phase)}.
         \tag{@label}
         $$
         $\mathcal{M}$ takes the vector field at the start, $@matrix @state^{(0)} + @offset$ of the

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
@@ -10,17 +9,16 @@ from itertools import combinations
 import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary
-from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.symmetry import translations
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
-from nonsmooth.derive.document.notation.letters import Letters
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.notation.symbols import Letters
 from nonsmooth.derive.document.views.monodromy import where_zero
+from nonsmooth.derive.document.views.view import Described
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.equations.section import Section, reset_matrix, start_of
 
-__all__ = ["Cycle", "Harmonic", "Passing", "harmonics_of"]
+__all__ = ["Cycle", "Harmonic", "Passing"]
 
 
 @dataclass(frozen=True)
@@ -55,13 +53,6 @@ class Passing:
     def saltation(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
         """Saltation matrix (N x N) at a state on the boundary."""
         matrix = saltation_matrix(self.reset, self.normal, self.before, self.behind)
-        return self._on_boundary(matrix, states)
-
-    def difference(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        """Field behind less the reset of the field in front (N x 1), at a state on the boundary."""
-        return self._on_boundary(self.behind - self.reset * self.before, states)
-
-    def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
         condition = (self.normal * sp.Matrix(states))[0] + self.constant
         return where_zero(condition, states, matrix)
 
@@ -77,28 +68,15 @@ class Harmonic:
 
 
 @dataclass(frozen=True)
-class Cycle:
-    """An itinerary with the notation and the letters in which it is written."""
+class Cycle(Described):
+    """An itinerary with the letters in which it is written."""
 
-    itinerary: Itinerary
-    naming: Naming
     letters: Letters
-    numbers: Mapping[str, int]  # by configuration: number of its flow
-    places: Mapping[str, int]  # by title: number of a section
 
     @property
     def system(self) -> System:
         """The system in the presentation of the itinerary."""
         return self.naming.system
-
-    def label(self, title: str, index: int = 0) -> str:
-        """Number of an equation: that of its section, and its place in it."""
-        return f"{self.places[title]}.{index + 1}"
-
-    @property
-    def count(self) -> int:
-        """Number of phases."""
-        return len(self.itinerary.phases)
 
     @cached_property
     def start(self) -> Section:
@@ -121,19 +99,9 @@ class Cycle:
         return len(self.passings) == self.count
 
     @property
-    def phase(self) -> str:
-        """Index of a phase in formulas: k, or 1 if there is only one phase."""
-        return "k" if self.count > 1 else "1"
-
-    @property
     def index(self) -> str:
         """Index of a transition's letters in the formulas of a phase."""
         return self.phase if self.distinct else "j(k)"
-
-    @property
-    def product(self) -> str:
-        """LaTeX of the sign of a product over the phases, the first on the right."""
-        return rf"\prod_{{k={self.count}}}^{{1}} " if self.count > 1 else ""
 
     def number(self, phase: int) -> int:
         """Number of the transition that ends a phase; both count from one."""
@@ -146,8 +114,31 @@ class Cycle:
 
     @cached_property
     def harmonics(self) -> tuple[Harmonic, ...]:
-        """Pairs of states that oscillate without any other influence."""
-        return harmonics_of(self.itinerary, self.system)
+        """Pairs of states that oscillate by themselves all along the itinerary.
+
+        In every one of its configurations the two have the same equations, in which no other
+        state occurs, and no transition resets them.
+        """
+        states = self.system.states
+        names = dict.fromkeys(p.configuration for p in self.itinerary.phases)
+        fields = [self.system.configuration(name).dynamics.field(states) for name in names]
+        indices = range(self.count)
+        moved = {s for i in indices for s in self.itinerary.transition_after(self.system, i).reset}
+        matrix = fields[0][0]
+        found = []
+        for i, j in combinations(range(len(states)), 2):
+            square = sp.cancel(-matrix[i, j] * matrix[j, i])
+            alone = all(
+                a[k, m] == (matrix[k, m] if {k, m} == {i, j} else 0) and b[k] == 0
+                for a, b in fields
+                for k in (i, j)
+                for m in range(len(states))
+            )
+            if alone and square.is_positive and not {states[i], states[j]} & moved:
+                ratio = sp.cancel(-matrix[i, j] / matrix[j, i])
+                invariant = states[i] ** 2 + ratio * states[j] ** 2
+                found.append(Harmonic(states[i], states[j], sp.sqrt(square), invariant))
+        return tuple(found)
 
     @cached_property
     def directions(self) -> sp.Matrix:
@@ -167,34 +158,6 @@ class Cycle:
         before = _velocity(source.dynamics.field(states), state)
         behind = _velocity(target.dynamics.field(states), reset * state + jump)
         return Passing(transition, boundary, phases, normal, constant, reset, jump, before, behind)
-
-
-def harmonics_of(itinerary: Itinerary, system: System) -> tuple[Harmonic, ...]:
-    """Pairs of states that oscillate by themselves all along an itinerary.
-
-    In every one of its configurations the two have the same equations, in which no other
-    state occurs, and no transition resets them.
-    """
-    states = system.states
-    names = dict.fromkeys(p.configuration for p in itinerary.phases)
-    fields = [system.configuration(name).dynamics.field(states) for name in names]
-    indices = range(len(itinerary.phases))
-    moved = {s for i in indices for s in itinerary.transition_after(system, i).reset}
-    matrix = fields[0][0]
-    found = []
-    for i, j in combinations(range(len(states)), 2):
-        square = sp.cancel(-matrix[i, j] * matrix[j, i])
-        alone = all(
-            a[k, m] == (matrix[k, m] if {k, m} == {i, j} else 0) and b[k] == 0
-            for a, b in fields
-            for k in (i, j)
-            for m in range(len(states))
-        )
-        if alone and square.is_positive and not {states[i], states[j]} & moved:
-            ratio = sp.cancel(-matrix[i, j] / matrix[j, i])
-            invariant = states[i] ** 2 + ratio * states[j] ** 2
-            found.append(Harmonic(states[i], states[j], sp.sqrt(square), invariant))
-    return tuple(found)
 
 
 def _velocity(field: tuple[sp.Matrix, sp.Matrix], state: sp.Matrix) -> sp.Matrix:

@@ -14,16 +14,16 @@ from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.symbols import Symbol, meaning_of
 
 __all__ = [
-    "FACTOR",
     "MonodromyTrace",
     "monodromy_trace",
     "saltations",
     "where_zero",
 ]
 
-FACTOR = Symbol("written", "kappa", r"\kappa")
 # more products of functions of time are not written out
 _MOST_TERMS = 12
+# a factor of more terms gets a letter
+_LONG = 3
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,8 @@ class MonodromyTrace:
     """Trace of a monodromy matrix as a sum of terms."""
 
     terms: tuple[sp.Expr, ...]
-    names: dict[sp.Symbol, sp.Expr]  # symbols for entries of saltation matrices or a long factor
+    names: dict[sp.Symbol, sp.Expr]  # symbols for entries of saltation matrices
+    factors: dict[sp.Symbol, sp.Expr]  # symbols for long factors
 
 
 def saltations(view: View) -> tuple[sp.Matrix, ...]:
@@ -78,42 +79,21 @@ def monodromy_trace(view: View) -> MonodromyTrace | None:
     if len(collected) > _MOST_TERMS:
         return None
     order = {s: i for i, s in enumerate((*notation.functions, *names))}
-    groups: dict[tuple[sp.Expr, sp.Expr], sp.Expr] = {}
+    # functions with one coefficient, but for frequencies, share it
+    groups: dict[sp.Expr, sp.Expr] = {}
     for monomial in sorted(collected, key=lambda m: sorted(order[s] for s in m.free_symbols)):
         entry, function = monomial.as_independent(*functions, as_Add=False)
-        coefficient = factor(collected[monomial])
-        inner, outer = coefficient.as_independent(*notation.projectors, as_Add=False)
-        key, sign = ((entry, -outer), -1) if (entry, -outer) in groups else ((entry, outer), 1)
+        inner, outer = factor(collected[monomial]).as_independent(
+            *notation.projectors, as_Add=False
+        )
+        key, sign = (-outer * entry, -1) if -outer * entry in groups else (outer * entry, 1)
         groups[key] = groups.get(key, sp.Integer(0)) + sign * inner * function
-    keys = [outer for entry, outer in groups if entry == 1]
-    long = _long(keys)
-    if long is not None:
-        names[FACTOR], other = long, next(k for k in keys if k != long)
-        sign = 1 if sp.expand(long + other - 1) == 0 else -1
-        groups = {
-            (e, FACTOR if k == long else 1 - FACTOR if k == other else k): (
-                sign * inner if k == other else inner
-            )
-            for (e, k), inner in groups.items()
-        }
-    joined: dict[sp.Expr, list[sp.Expr]] = {}
-    for (entry, outer), inner in groups.items():
-        joined.setdefault(entry, []).append(sp.Mul(outer, sp.factor_terms(inner)))
-    terms: list[sp.Expr] = []
-    for entry, parts in joined.items():
-        terms += parts if entry == 1 else [sp.Mul(entry, sp.Add(*parts))]
-    used = set().union(*(term.free_symbols for term in terms))
-    return MonodromyTrace(tuple(terms), {s: e for s, e in names.items() if s in used})
-
-
-def _long(keys: list[sp.Expr]) -> sp.Expr | None:
-    """A long factor k if the only other factor is 1 - k or k - 1; else None."""
-    different = list(dict.fromkeys(keys))
-    if len(different) != 2 or len(sp.Add.make_args(different[0])) < 4:
-        return None
-    first, second = different
-    apart = (first + second, first - second)
-    return first if any(sp.expand(e - 1) == 0 for e in apart) else None
+    long = [outer for outer in groups if len(sp.Add.make_args(outer)) > _LONG]
+    letters = {k: Symbol("written", f"kappa{i}", rf"\kappa_{{{i}}}") for i, k in enumerate(long, 1)}
+    terms = [
+        sp.Mul(letters.get(outer, outer), sp.factor_terms(inner)) for outer, inner in groups.items()
+    ]
+    return MonodromyTrace(tuple(terms), names, {letter: k for k, letter in letters.items()})
 
 
 def where_zero(

@@ -11,35 +11,56 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.document.blocks import Formula, Line
-from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.printer import Notation
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
-from nonsmooth.derive.document.views.centres import Centres, name_centres
 from nonsmooth.derive.equations.chain import PHASE, Link
-from nonsmooth.derive.equations.elimination import eliminate_coordinates
 from nonsmooth.derive.equations.equation_system import EquationSystem
-from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.section import Section, start_of
-from nonsmooth.derive.equations.symmetry import half_phases, halfway, phase_starts, reversor_of
+from nonsmooth.derive.equations.symmetry import halfway, phase_starts, reversor_of
 from nonsmooth.derive.flows.modal import Flow
 
-__all__ = ["View", "functions_of", "view_of"]
+__all__ = ["Described", "View", "functions_of", "naming_of"]
 
 
 @dataclass(frozen=True)
-class View:
+class Described:
+    """What a document describes, with the notation and the numbers in it."""
+
+    itinerary: Itinerary
+    naming: Naming
+    numbers: Mapping[str, int]  # by configuration: number of its flow
+    places: Mapping[str, int]  # by title: number of a section
+
+    def label(self, title: str, index: int = 0) -> str:
+        """Number of an equation: that of its section, and its place in it."""
+        return f"{self.places[title]}.{index + 1}"
+
+    @property
+    def count(self) -> int:
+        """Number of phases."""
+        return len(self.itinerary.phases)
+
+    @property
+    def phase(self) -> str:
+        """Index of a phase in formulas: k, or 1 if there is only one phase."""
+        return "k" if self.count > 1 else "1"
+
+    @property
+    def product(self) -> str:
+        """LaTeX of the sign of a product over the phases, the first on the right."""
+        return rf"\prod_{{k={self.count}}}^{{1}}" if self.count > 1 else ""
+
+
+@dataclass(frozen=True)
+class View(Described):
     """An orbit's equations with the notation in which they are written."""
 
     equations: EquationSystem
-    naming: Naming
-    centres: Centres
-    numbers: Mapping[str, int]  # by configuration: number of its flow
-    places: Mapping[str, int]  # by title: number of a section
 
     @property
     def reversible(self) -> bool:
         """Whether the orbit is sought among those that a reversor maps to themselves."""
-        return bool(self.equations.itinerary.reversor)
+        return bool(self.itinerary.reversor)
 
     @property
     def links(self) -> tuple[Link, ...]:
@@ -61,7 +82,7 @@ class View:
     @cached_property
     def undecided(self) -> tuple[Itinerary, System, Section]:
         """Itinerary, system and start, before the closure's required values are inserted."""
-        equations, itinerary = self.equations, self.equations.itinerary
+        equations, itinerary = self.equations, self.itinerary
         shown = itinerary.presentation
         if equations.required and shown is not None:
             kept = {s: e for s, e in shown.substitution.items() if s not in equations.required}
@@ -72,73 +93,28 @@ class View:
     @cached_property
     def images(self) -> tuple[sp.Matrix, ...]:
         """States at the ends of a reversible orbit's phases, in the start's coordinates."""
-        itinerary = self.equations.itinerary
-        jump, shift = reversor_of(itinerary)
-        starts = phase_starts(itinerary, self.equations.chain.start)
+        jump, shift = reversor_of(self.itinerary)
+        starts = phase_starts(self.itinerary, self.equations.chain.start)
         return tuple(jump * state + shift for state in starts)
-
-    @cached_property
-    def conditions(self) -> tuple[sp.Expr, ...]:
-        """Left-hand sides of the equations as written, with the letters of centres."""
-        equations = self.equations
-        if not (self.reversible and self.centres.columns):
-            return tuple(equations.residual)
-        flows = {name: self.centres.written(flow) for name, flow in equations.flows.items()}
-        start = equations.chain.start
-        _, found = half_phases(equations.itinerary, flows, start)
-        return tuple(expression for _, expression in found)
-
-    @cached_property
-    def reduction(self) -> Reduction:
-        """The reduction as written, with the letters of centres."""
-        equations = self.equations
-        if not (self.reversible and self.centres.columns):
-            return equations.reduction
-        parameters = [p.symbol for p in equations.system.parameters]
-        spectrum, start = equations.spectrum, equations.chain.start
-        known, centres = equations.known, self.centres.values
-        return eliminate_coordinates(
-            equations.stages,
-            [(m, e) for (m, _), e in zip(equations.equations, self.conditions, strict=True)],
-            start.coordinates,
-            [u for u in equations.unknowns if u not in start.coordinates],
-            {*parameters, *spectrum.symbols, *centres},
-            known and dict(known) | {s: e.xreplace(known) for s, e in centres.items()},
-            equations.reduction.rank,
-        )
-
-    @cached_property
-    def written(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """Expressions of the reduction's symbols as written."""
-        return dict(a for stage in self.reduction.stages for a in stage.assignments)
-
-    def label(self, title: str, index: int = 0) -> str:
-        """Number of an equation: that of its section, and its place in it."""
-        return f"{self.places[title]}.{index + 1}"
 
     def labels_of(self, meaning: str) -> list[str]:
         """Numbers, in brackets, of the equations with a meaning."""
         known = enumerate(self.equations.equations)
         return [f"({self.label('The equations', i)})" for i, (m, _) in known if m == meaning]
 
-    def numbered(
-        self,
-        title: str,
-        equations: Sequence[tuple[str, sp.Expr]],
-        written: Sequence[sp.Expr],
-    ) -> list[Formula]:
+    def numbered(self, title: str, equations: Sequence[tuple[str, sp.Expr]]) -> list[Formula]:
         """Equations of a section as numbered formulas with their meanings and places in the source.
 
         Those in which functions of time occur are arranged by these functions.
         """
         naming, notation, found = self.naming, self.naming.notation, []
-        phases = self.equations.itinerary.phases
+        phases = self.itinerary.phases
         ends = [f"{phase.boundary} ends {phase.configuration}" for phase in phases]
-        for i, ((meaning, expression), shown) in enumerate(zip(equations, written, strict=True)):
-            if any(map(notation.is_function, shown.free_symbols)):
-                pieces = notation.signed(by_function(notation, shown))
+        for i, (meaning, expression) in enumerate(equations):
+            if any(map(notation.is_function, expression.free_symbols)):
+                pieces = notation.signed(notation.by_function(expression))
             else:
-                pieces = notation.pieces(notation.tidy(shown))
+                pieces = notation.pieces(notation.tidy(expression))
             line = Line("", "", (*pieces[:-1], f"{pieces[-1]} = 0"), None, expression)
             keys = [f"end {k}" for k, end in enumerate(ends, start=1) if end == meaning]
             cited = naming.cited(*(keys or ["halfway" if "halfway" in meaning else "closure"]))
@@ -154,8 +130,8 @@ class View:
         return self.naming.prose(text)
 
 
-def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
-    """Notation of an orbit's document, and the centres that have a letter in it."""
+def naming_of(equations: EquationSystem) -> Naming:
+    """Notation of an orbit's document."""
     itinerary, system, start = equations.itinerary, equations.system, equations.chain.start
     known = list(itinerary.system.parameters)
     # a given period stands where dwell times stand, behind the frequencies
@@ -165,15 +141,12 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
     all_states = tuple(dict.fromkeys((*system.states, *itinerary.system.states)))
     frequencies = {s for f in flows for g in f.basis for s in g.free_symbols}
     entries = {s for f in flows for m in f.matrices for s in m.free_symbols}
-    plain = Notation(all_states, constants)
-    taken = [plain.symbol(s) for s in (*constants, *all_states, *equations.unknowns)]
-    centres = name_centres(flows, taken)
     section = equations.chain.section
     reduction = equations.reduction
     reduced = (*reduction.unknowns, *(e.unknown for e in reduction.eliminations))
     notation = Notation(
         all_states,
-        (*constants, *centres.values),
+        constants,
         functions_of(equations),
         tuple(dict.fromkeys((*equations.unknowns, *reduced))),
         dict(zip(section.coordinates, section.places, strict=True))
@@ -182,7 +155,7 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
         _marks(equations),
         tuple(flows),
     )
-    return Naming(notation, system, itinerary.source), centres
+    return Naming(notation, system, itinerary.source)
 
 
 def _marks(equations: EquationSystem) -> dict[sp.Symbol, str]:

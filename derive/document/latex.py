@@ -18,9 +18,10 @@ from nonsmooth.derive.document.blocks import (
     Heading,
     Paragraph,
     Table,
+    marked,
     notes_beside,
+    text_width,
 )
-from nonsmooth.derive.document.layout import marked, text_width
 
 __all__ = ["LatexMissing", "compile_pdf", "to_latex"]
 

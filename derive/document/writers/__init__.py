@@ -1,1 +1,0 @@
-"""Documents as files: LaTeX and PDF, Markdown, HTML with MathML."""
