@@ -30,19 +30,38 @@ enum {
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
 
-/* Core of one argument: its place among those of the C function, entries of a point, axes, columns
- * of a table. */
+/* Core of an argument or result: the first output that needs it, entries of a point, columns of a
+ * table, axes. */
 typedef struct {
-    int place, size, axes, columns, type;
+    int since, size, columns, axes, type;
 } array;
+#define SCALAR(since) {since, 1, 0, 0, NPY_DOUBLE}
+#define COUNT(since) {since, 1, 0, 0, NPY_INT32}
+#define VECTOR(since, entries) {since, entries, 0, 1, NPY_DOUBLE}
+#define TABLE(since, rows, columns) {since, (rows) * (columns), columns, 2, NPY_DOUBLE}
 
+/* A C function, with what calls it for a block of points. */
 typedef struct {
-    const char *name, *signature;
-    void (*call)(npy_intp count, void *const *blocks);
+    void (*call)(npy_intp count, void *const *a, const array *of);
     enum layout layout;
     int inputs, outputs;
     array arrays[most_arrays];
+} function;
+
+/* A ufunc: it gives the `wanted` first outputs, and takes what these need. */
+typedef struct {
+    const char *name;
+    const function *of;
+    int wanted;
+    const char *signature;
 } wrapped;
+
+/* The arrays of a ufunc: their places among those of the C function, and how many are inputs. */
+typedef struct {
+    const wrapped *ufunc;
+    int inputs, count;
+    int places[most_arrays];
+} used;
 
 /* Where an argument lies in NumPy's arrays, and in a block. */
 typedef struct {
@@ -109,18 +128,21 @@ static void out_of_memory(void)
 /* The loop of every function; NumPy hands it over as `data`. */
 static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps, void *data)
 {
-    const wrapped *const f = data;
-    const int count = f->inputs + f->outputs;
+    const used *const u = data;
+    const function *const f = u->ufunc->of;
+    const int count = u->count;
     const npy_intp most = f->layout == one_point ? 1 : most_points;
     const npy_intp points = dimensions[0] < most ? dimensions[0] : most;
     located at[most_arrays];
     void *blocks[most_arrays] = {NULL};
     double stack[on_stack];
     size_t total = 0;
-    for (int k = 0, axes = 0; k < count; axes += f->arrays[k++].axes) {
-        const int bytes = f->arrays[k].type == NPY_INT32 ? 4 : 8;
+    const array *arrays[most_arrays];
+    for (int k = 0, axes = 0; k < count; axes += arrays[k++]->axes) {
+        arrays[k] = &f->arrays[u->places[k]];
+        const int bytes = arrays[k]->type == NPY_INT32 ? 4 : 8;
         at[k] = (located){args[k], NULL, steps[k], steps + count + axes, bytes};
-        total += (size_t)(points * f->arrays[k].size);
+        total += (size_t)(points * arrays[k]->size);
     }
     double *const memory = total <= on_stack ? stack : malloc(total * sizeof(double));
     if (!memory) {
@@ -135,949 +157,441 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
         double *rest = memory;
         for (int k = 0; k < count; ++k) {
             at[k].base = args[k] + start * steps[k];
-            const int direct = f->layout == in_rows && lies_in_rows(&f->arrays[k], &at[k]);
+            const int direct = f->layout == in_rows && lies_in_rows(arrays[k], &at[k]);
             at[k].block = direct ? at[k].base : (char *)rest;
-            blocks[f->arrays[k].place] = at[k].block;
-            rest += points * f->arrays[k].size;
+            blocks[u->places[k]] = at[k].block;
+            rest += points * arrays[k]->size;
         }
-        for (int k = 0; k < f->inputs; ++k)
-            move(&f->arrays[k], &at[k], here, f->layout, 1);
-        f->call(here, blocks);
-        for (int k = f->inputs; k < count; ++k)
-            move(&f->arrays[k], &at[k], here, f->layout, 0);
+        for (int k = 0; k < u->inputs; ++k)
+            move(arrays[k], &at[k], here, f->layout, 1);
+        f->call(here, blocks, f->arrays);
+        for (int k = u->inputs; k < count; ++k)
+            move(arrays[k], &at[k], here, f->layout, 0);
     }
     if (memory != stack)
         free(memory);
 }
 
-/* Row of a point in a block. */
+/* Row of a point in a block; NULL where there is no block, as it is not wanted. */
 static inline double *row(void *block, npy_intp point, int size)
 {
-    return (double *)block + size * point;
-}
-
-/* The same, or NULL in place of a block that is not wanted. */
-static inline double *row_if_wanted(void *block, npy_intp point, int size)
-{
-    return block ? row(block, point, size) : NULL;
-}
-
-static void call_rigid_stop_spectrum(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_spectrum(row(a[0], i, 4), row(a[1], i, 7), row_if_wanted(a[2], i, 28));
-}
-
-static void call_rigid_stop_flow_free(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_flow_free(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_rigid_stop_flow_contact(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_flow_contact(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_rigid_stop_fields(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_fields(row(a[0], i, 5), row(a[1], i, 40));
-}
-
-static void call_rigid_stop_rows(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_rows(row(a[0], i, 5), row(a[1], i, 25));
-}
-
-static void call_rigid_stop_resets(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_resets(row(a[0], i, 5), row(a[1], i, 60));
-}
-
-static void call_rigid_stop_modes(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_modes(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 10), row_if_wanted(a[3], i, 180));
-}
-
-static void call_rigid_stop_one_impact_equations(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_equations(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row_if_wanted(a[3], i, 28), row(a[4], i, 2), row_if_wanted(a[5], i, 4), row_if_wanted(a[6], i, 10));
-}
-
-static void call_rigid_stop_one_impact_trace(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_trace(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row_if_wanted(a[3], i, 28), row(a[4], i, 1), row_if_wanted(a[5], i, 7));
-}
-
-static void call_rigid_stop_one_impact_passage(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_passage(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 8), row_if_wanted(a[4], i, 6), row_if_wanted(a[5], i, 2));
-}
-
-static void call_rigid_stop_one_impact_linearisation(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_linearisation(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 9), row_if_wanted(a[4], i, 16), row_if_wanted(a[5], i, 16));
-}
-
-static void call_rigid_stop_one_impact_flow_free(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_flow_free(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_rigid_stop_one_impact_reduced(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        rigid_stop_one_impact_reduced(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row_if_wanted(a[3], i, 1));
-}
-
-static void call_rigid_stop_one_impact_solve(npy_intp count, void *const *a)
-{
-    rigid_stop_one_impact_solve(count, a[0], a[1], a[2], a[3], a[4], a[5]);
-}
-
-static void call_rigid_stop_one_impact_admissible(npy_intp count, void *const *a)
-{
-    rigid_stop_one_impact_admissible(count, a[0], a[1], a[2], a[3], a[4]);
-}
-
-static void call_rigid_stop_one_impact_directions(npy_intp count, void *const *a)
-{
-    rigid_stop_one_impact_directions(count, a[0], a[1], a[2]);
-}
-
-static void call_elastic_stop_spectrum(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_spectrum(row(a[0], i, 5), row(a[1], i, 12), row_if_wanted(a[2], i, 60));
-}
-
-static void call_elastic_stop_flow_contact(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_flow_contact(row(a[0], i, 5), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_elastic_stop_flow_free(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_flow_free(row(a[0], i, 5), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_elastic_stop_fields(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_fields(row(a[0], i, 5), row(a[1], i, 40));
-}
-
-static void call_elastic_stop_rows(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_rows(row(a[0], i, 5), row(a[1], i, 25));
-}
-
-static void call_elastic_stop_resets(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_resets(row(a[0], i, 5), row(a[1], i, 20));
-}
-
-static void call_elastic_stop_modes(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_modes(row(a[0], i, 5), row(a[1], i, 12), row(a[2], i, 12), row_if_wanted(a[3], i, 200));
-}
-
-static void call_elastic_stop_one_contact_equations(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_equations(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row_if_wanted(a[3], i, 60), row(a[4], i, 4), row_if_wanted(a[5], i, 16), row_if_wanted(a[6], i, 24));
-}
-
-static void call_elastic_stop_one_contact_trace(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_trace(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row_if_wanted(a[3], i, 60), row(a[4], i, 1), row_if_wanted(a[5], i, 10));
-}
-
-static void call_elastic_stop_one_contact_passage(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_passage(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row(a[3], i, 12), row_if_wanted(a[4], i, 12), row_if_wanted(a[5], i, 4));
-}
-
-static void call_elastic_stop_one_contact_linearisation(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_linearisation(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 4), row(a[3], i, 9), row_if_wanted(a[4], i, 32), row_if_wanted(a[5], i, 16));
-}
-
-static void call_elastic_stop_one_contact_flow_contact(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_flow_contact(row(a[0], i, 6), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_elastic_stop_one_contact_flow_free(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_flow_free(row(a[0], i, 6), row(a[1], i, 12), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_elastic_stop_one_contact_reduced(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        elastic_stop_one_contact_reduced(row(a[0], i, 6), row(a[1], i, 12), row(a[2], i, 1), row(a[3], i, 4), row_if_wanted(a[4], i, 1), row_if_wanted(a[5], i, 1), row_if_wanted(a[6], i, 1));
-}
-
-static void call_elastic_stop_one_contact_solve(npy_intp count, void *const *a)
-{
-    elastic_stop_one_contact_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-}
-
-static void call_elastic_stop_one_contact_admissible(npy_intp count, void *const *a)
-{
-    elastic_stop_one_contact_admissible(count, a[0], a[1], a[2], a[3], a[4]);
-}
-
-static void call_elastic_stop_one_contact_directions(npy_intp count, void *const *a)
-{
-    elastic_stop_one_contact_directions(count, a[0], a[1], a[2]);
-}
-
-static void call_dry_friction_spectrum(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_spectrum(row(a[0], i, 2), row(a[1], i, 7), row_if_wanted(a[2], i, 14));
-}
-
-static void call_dry_friction_flow_slip_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_slip_slip(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_slip_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_slip_stick(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_slip_overshoot(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_slip_overshoot(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_stick_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_stick_slip(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_stick_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_stick_stick(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_stick_overshoot(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_stick_overshoot(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_overshoot_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_overshoot_slip(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_overshoot_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_overshoot_stick(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_flow_overshoot_overshoot(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_flow_overshoot_overshoot(row(a[0], i, 7), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_fields(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_fields(row(a[0], i, 7), row(a[1], i, 180));
-}
-
-static void call_dry_friction_rows(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_rows(row(a[0], i, 7), row(a[1], i, 85));
-}
-
-static void call_dry_friction_resets(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_resets(row(a[0], i, 7), row(a[1], i, 80));
-}
-
-static void call_dry_friction_modes(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_modes(row(a[0], i, 7), row(a[1], i, 7), row(a[2], i, 42), row_if_wanted(a[3], i, 760));
-}
-
-static void call_dry_friction_symmetric_equations(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_equations(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row_if_wanted(a[3], i, 14), row(a[4], i, 5), row_if_wanted(a[5], i, 25), row_if_wanted(a[6], i, 20));
-}
-
-static void call_dry_friction_symmetric_trace(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_trace(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row_if_wanted(a[3], i, 14), row(a[4], i, 1), row_if_wanted(a[5], i, 9));
-}
-
-static void call_dry_friction_symmetric_passage(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_passage(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row(a[3], i, 12), row_if_wanted(a[4], i, 24), row_if_wanted(a[5], i, 3));
-}
-
-static void call_dry_friction_symmetric_linearisation(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_linearisation(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 5), row(a[3], i, 4), row_if_wanted(a[4], i, 32), row_if_wanted(a[5], i, 16));
-}
-
-static void call_dry_friction_symmetric_flow_slip_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_flow_slip_slip(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_symmetric_flow_slip_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_flow_slip_stick(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_symmetric_reduced(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_symmetric_reduced(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 5), row_if_wanted(a[4], i, 1), row_if_wanted(a[5], i, 2), row_if_wanted(a[6], i, 4));
-}
-
-static void call_dry_friction_global_stick_equations(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_equations(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 6), row_if_wanted(a[5], i, 36), row_if_wanted(a[6], i, 30));
-}
-
-static void call_dry_friction_global_stick_trace(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_trace(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 1), row_if_wanted(a[5], i, 11));
-}
-
-static void call_dry_friction_global_stick_passage(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_passage(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 44), row_if_wanted(a[5], i, 4));
-}
-
-static void call_dry_friction_global_stick_linearisation(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_linearisation(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 4), row_if_wanted(a[4], i, 64), row_if_wanted(a[5], i, 16));
-}
-
-static void call_dry_friction_global_stick_flow_stick_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_stick_stick(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_global_stick_flow_slip_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_slip_stick(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_global_stick_flow_slip_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_slip_slip(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_global_stick_flow_stick_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_flow_stick_slip(row(a[0], i, 5), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_global_stick_reduced(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_reduced(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 2), row(a[3], i, 6), row_if_wanted(a[4], i, 2), row_if_wanted(a[5], i, 4));
-}
-
-static void call_dry_friction_global_stick_period_map(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_global_stick_period_map(row(a[0], i, 5), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 2), row_if_wanted(a[5], i, 4));
-}
-
-static void call_dry_friction_solution_ii_equations(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_equations(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 6), row_if_wanted(a[5], i, 36), row_if_wanted(a[6], i, 24));
-}
-
-static void call_dry_friction_solution_ii_trace(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_trace(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row_if_wanted(a[3], i, 14), row(a[4], i, 1), row_if_wanted(a[5], i, 10));
-}
-
-static void call_dry_friction_solution_ii_passage(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_passage(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 44), row_if_wanted(a[5], i, 4));
-}
-
-static void call_dry_friction_solution_ii_linearisation(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_linearisation(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 4), row_if_wanted(a[4], i, 64), row_if_wanted(a[5], i, 16));
-}
-
-static void call_dry_friction_solution_ii_flow_stick_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_stick_stick(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_solution_ii_flow_slip_stick(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_slip_stick(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_solution_ii_flow_slip_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_slip_slip(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_solution_ii_flow_stick_slip(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_flow_stick_slip(row(a[0], i, 4), row(a[1], i, 7), *row(a[2], i, 1), row(a[3], i, 4), row(a[4], i, 4));
-}
-
-static void call_dry_friction_solution_ii_reduced(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_reduced(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 3), row(a[3], i, 6), row_if_wanted(a[4], i, 3), row_if_wanted(a[5], i, 9));
-}
-
-static void call_dry_friction_solution_ii_period_map(npy_intp count, void *const *a)
-{
-    for (npy_intp i = 0; i < count; ++i)
-        dry_friction_solution_ii_period_map(row(a[0], i, 4), row(a[1], i, 7), row(a[2], i, 6), row(a[3], i, 20), row_if_wanted(a[4], i, 2), row_if_wanted(a[5], i, 4));
-}
-
-static void call_dry_friction_symmetric_solve(npy_intp count, void *const *a)
-{
-    dry_friction_symmetric_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-}
-
-static void call_dry_friction_symmetric_admissible(npy_intp count, void *const *a)
-{
-    dry_friction_symmetric_admissible(count, a[0], a[1], a[2], a[3], a[4], a[5]);
-}
-
-static void call_dry_friction_symmetric_directions(npy_intp count, void *const *a)
-{
-    dry_friction_symmetric_directions(count, a[0], a[1], a[2]);
-}
-
-static void call_dry_friction_global_stick_solve(npy_intp count, void *const *a)
-{
-    dry_friction_global_stick_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-}
-
-static void call_dry_friction_global_stick_admissible(npy_intp count, void *const *a)
-{
-    dry_friction_global_stick_admissible(count, a[0], a[1], a[2], a[3], a[4], a[5]);
-}
-
-static void call_dry_friction_global_stick_directions(npy_intp count, void *const *a)
-{
-    dry_friction_global_stick_directions(count, a[0], a[1], a[2]);
-}
-
-static void call_dry_friction_solution_ii_solve(npy_intp count, void *const *a)
-{
-    dry_friction_solution_ii_solve(count, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-}
-
-static void call_dry_friction_solution_ii_admissible(npy_intp count, void *const *a)
-{
-    dry_friction_solution_ii_admissible(count, a[0], a[1], a[2], a[3], a[4], a[5]);
-}
-
-static const wrapped functions[] = {
-    {"rigid_stop_spectrum_1", "(4)->(7)",
-     call_rigid_stop_spectrum, in_rows, 1, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_spectrum_2", "(4)->(7),(7,4)",
-     call_rigid_stop_spectrum, in_rows, 1, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 28, 2, 4, NPY_DOUBLE}}},
-    {"rigid_stop_flow_free_1", "(5),(7),(),(4)->(4)",
-     call_rigid_stop_flow_free, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_flow_contact_1", "(5),(7),(),(4)->(4)",
-     call_rigid_stop_flow_contact, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_fields_1", "(5)->(8,5)",
-     call_rigid_stop_fields, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 40, 2, 5, NPY_DOUBLE}}},
-    {"rigid_stop_rows_1", "(5)->(5,5)",
-     call_rigid_stop_rows, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 25, 2, 5, NPY_DOUBLE}}},
-    {"rigid_stop_resets_1", "(5)->(12,5)",
-     call_rigid_stop_resets, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 60, 2, 5, NPY_DOUBLE}}},
-    {"rigid_stop_modes_1", "(5),(7)->(5,2)",
-     call_rigid_stop_modes, in_rows, 2, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 10, 2, 2, NPY_DOUBLE}}},
-    {"rigid_stop_modes_2", "(5),(7)->(5,2),(36,5)",
-     call_rigid_stop_modes, in_rows, 2, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 10, 2, 2, NPY_DOUBLE}, {3, 180, 2, 5, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_equations_1", "(5),(7),(2)->(2)",
-     call_rigid_stop_one_impact_equations, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_equations_2", "(5),(7),(2)->(2),(2,2)",
-     call_rigid_stop_one_impact_equations, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 2, 2, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_equations_3", "(5),(7),(2),(7,4)->(2),(2,2),(2,5)",
-     call_rigid_stop_one_impact_equations, in_rows, 4, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 28, 2, 4, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 2, 2, NPY_DOUBLE}, {6, 10, 2, 5, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_trace_1", "(5),(7),(2)->()",
-     call_rigid_stop_one_impact_trace, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_trace_2", "(5),(7),(2),(7,4)->(),(7)",
-     call_rigid_stop_one_impact_trace, in_rows, 4, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 28, 2, 4, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 7, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_passage_1", "(5),(7),(2)->(2,4)",
-     call_rigid_stop_one_impact_passage, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 8, 2, 4, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_passage_2", "(5),(7),(2)->(2,4),(6)",
-     call_rigid_stop_one_impact_passage, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 8, 2, 4, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_passage_3", "(5),(7),(2)->(2,4),(6),(2)",
-     call_rigid_stop_one_impact_passage, in_rows, 3, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 8, 2, 4, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 2, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_linearisation_1", "(5),(7),(2)->(3,3)",
-     call_rigid_stop_one_impact_linearisation, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_linearisation_2", "(5),(7),(2)->(3,3),(4,4)",
-     call_rigid_stop_one_impact_linearisation, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 16, 2, 4, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_linearisation_3", "(5),(7),(2)->(3,3),(4,4),(4,4)",
-     call_rigid_stop_one_impact_linearisation, in_rows, 3, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 16, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_flow_free_1", "(5),(7),(),(4)->(4)",
-     call_rigid_stop_one_impact_flow_free, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_reduced_1", "(5),(7)->(2)",
-     call_rigid_stop_one_impact_reduced, in_rows, 2, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_reduced_2", "(5),(7)->(2),(1)",
-     call_rigid_stop_one_impact_reduced, in_rows, 2, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 1, 1, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_solve", "(5)->(2),(),(),(),()",
-     call_rigid_stop_one_impact_solve, in_columns, 1, 5,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_INT32}, {5, 1, 0, 0, NPY_INT32}}},
-    {"rigid_stop_one_impact_admissible", "(5),(2)->(),(),()",
-     call_rigid_stop_one_impact_admissible, one_point, 2, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_INT32}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"rigid_stop_one_impact_directions", "(5),(2)->(3,5)",
-     call_rigid_stop_one_impact_directions, in_columns, 2, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 15, 2, 5, NPY_DOUBLE}}},
-    {"elastic_stop_spectrum_1", "(5)->(12)",
-     call_elastic_stop_spectrum, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_spectrum_2", "(5)->(12),(12,5)",
-     call_elastic_stop_spectrum, in_rows, 1, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 60, 2, 5, NPY_DOUBLE}}},
-    {"elastic_stop_flow_contact_1", "(5),(12),(),(4)->(4)",
-     call_elastic_stop_flow_contact, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_flow_free_1", "(5),(12),(),(4)->(4)",
-     call_elastic_stop_flow_free, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_fields_1", "(5)->(8,5)",
-     call_elastic_stop_fields, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 40, 2, 5, NPY_DOUBLE}}},
-    {"elastic_stop_rows_1", "(5)->(5,5)",
-     call_elastic_stop_rows, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 25, 2, 5, NPY_DOUBLE}}},
-    {"elastic_stop_resets_1", "(5)->(4,5)",
-     call_elastic_stop_resets, in_rows, 1, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 20, 2, 5, NPY_DOUBLE}}},
-    {"elastic_stop_modes_1", "(5),(12)->(6,2)",
-     call_elastic_stop_modes, in_rows, 2, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 12, 2, 2, NPY_DOUBLE}}},
-    {"elastic_stop_modes_2", "(5),(12)->(6,2),(40,5)",
-     call_elastic_stop_modes, in_rows, 2, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 12, 2, 2, NPY_DOUBLE}, {3, 200, 2, 5, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_equations_1", "(6),(12),(4)->(4)",
-     call_elastic_stop_one_contact_equations, in_rows, 3, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_equations_2", "(6),(12),(4)->(4),(4,4)",
-     call_elastic_stop_one_contact_equations, in_rows, 3, 2,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_equations_3", "(6),(12),(4),(12,5)->(4),(4,4),(4,6)",
-     call_elastic_stop_one_contact_equations, in_rows, 4, 3,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 60, 2, 5, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}, {6, 24, 2, 6, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_trace_1", "(6),(12),(4)->()",
-     call_elastic_stop_one_contact_trace, in_rows, 3, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_trace_2", "(6),(12),(4),(12,5)->(),(10)",
-     call_elastic_stop_one_contact_trace, in_rows, 4, 2,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 60, 2, 5, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 10, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_passage_1", "(6),(12),(4)->(3,4)",
-     call_elastic_stop_one_contact_passage, in_rows, 3, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_passage_2", "(6),(12),(4)->(3,4),(12)",
-     call_elastic_stop_one_contact_passage, in_rows, 3, 2,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 12, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_passage_3", "(6),(12),(4)->(3,4),(12),(4)",
-     call_elastic_stop_one_contact_passage, in_rows, 3, 3,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 12, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_linearisation_1", "(6),(12),(4)->(3,3)",
-     call_elastic_stop_one_contact_linearisation, in_rows, 3, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_linearisation_2", "(6),(12),(4)->(3,3),(8,4)",
-     call_elastic_stop_one_contact_linearisation, in_rows, 3, 2,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_linearisation_3", "(6),(12),(4)->(3,3),(8,4),(4,4)",
-     call_elastic_stop_one_contact_linearisation, in_rows, 3, 3,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 9, 2, 3, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_flow_contact_1", "(6),(12),(),(4)->(4)",
-     call_elastic_stop_one_contact_flow_contact, in_rows, 4, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_flow_free_1", "(6),(12),(),(4)->(4)",
-     call_elastic_stop_one_contact_flow_free, in_rows, 4, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_reduced_1", "(6),(12),(1)->(4)",
-     call_elastic_stop_one_contact_reduced, in_rows, 3, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_reduced_2", "(6),(12),(1)->(4),(1)",
-     call_elastic_stop_one_contact_reduced, in_rows, 3, 2,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_reduced_3", "(6),(12),(1)->(4),(1),(1)",
-     call_elastic_stop_one_contact_reduced, in_rows, 3, 3,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 1, 1, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_reduced_4", "(6),(12),(1)->(4),(1),(1),(1,1)",
-     call_elastic_stop_one_contact_reduced, in_rows, 3, 4,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 12, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 1, 1, 0, NPY_DOUBLE}, {6, 1, 2, 1, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_solve", "(6),(1)->(4),(),(),(),()",
-     call_elastic_stop_one_contact_solve, in_columns, 2, 5,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 1, 1, 0, NPY_DOUBLE}, {2, 4, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
-    {"elastic_stop_one_contact_admissible", "(6),(4)->(),(),()",
-     call_elastic_stop_one_contact_admissible, one_point, 2, 3,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 4, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_INT32}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"elastic_stop_one_contact_directions", "(6),(4)->(5,6)",
-     call_elastic_stop_one_contact_directions, in_columns, 2, 1,
-     {{0, 6, 1, 0, NPY_DOUBLE}, {1, 4, 1, 0, NPY_DOUBLE}, {2, 30, 2, 6, NPY_DOUBLE}}},
-    {"dry_friction_spectrum_1", "(2)->(7)",
-     call_dry_friction_spectrum, in_rows, 1, 1,
-     {{0, 2, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_spectrum_2", "(2)->(7),(7,2)",
-     call_dry_friction_spectrum, in_rows, 1, 2,
-     {{0, 2, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 14, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_flow_slip_slip_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_slip_slip, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_slip_stick_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_slip_stick, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_slip_overshoot_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_slip_overshoot, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_stick_slip_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_stick_slip, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_stick_stick_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_stick_stick, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_stick_overshoot_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_stick_overshoot, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_overshoot_slip_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_overshoot_slip, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_overshoot_stick_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_overshoot_stick, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_flow_overshoot_overshoot_1", "(7),(7),(),(4)->(4)",
-     call_dry_friction_flow_overshoot_overshoot, in_rows, 4, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_fields_1", "(7)->(36,5)",
-     call_dry_friction_fields, in_rows, 1, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 180, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_rows_1", "(7)->(17,5)",
-     call_dry_friction_rows, in_rows, 1, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 85, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_resets_1", "(7)->(16,5)",
-     call_dry_friction_resets, in_rows, 1, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 80, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_modes_1", "(7),(7)->(21,2)",
-     call_dry_friction_modes, in_rows, 2, 1,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 42, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_modes_2", "(7),(7)->(21,2),(152,5)",
-     call_dry_friction_modes, in_rows, 2, 2,
-     {{0, 7, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 42, 2, 2, NPY_DOUBLE}, {3, 760, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_equations_1", "(4),(7),(5)->(5)",
-     call_dry_friction_symmetric_equations, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {4, 5, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_equations_2", "(4),(7),(5)->(5),(5,5)",
-     call_dry_friction_symmetric_equations, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {4, 5, 1, 0, NPY_DOUBLE}, {5, 25, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_equations_3", "(4),(7),(5),(7,2)->(5),(5,5),(5,4)",
-     call_dry_friction_symmetric_equations, in_rows, 4, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 5, 1, 0, NPY_DOUBLE}, {5, 25, 2, 5, NPY_DOUBLE}, {6, 20, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_trace_1", "(4),(7),(5)->()",
-     call_dry_friction_symmetric_trace, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_trace_2", "(4),(7),(5),(7,2)->(),(9)",
-     call_dry_friction_symmetric_trace, in_rows, 4, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 9, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_passage_1", "(4),(7),(5)->(3,4)",
-     call_dry_friction_symmetric_passage, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_passage_2", "(4),(7),(5)->(3,4),(24)",
-     call_dry_friction_symmetric_passage, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 24, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_passage_3", "(4),(7),(5)->(3,4),(24),(3)",
-     call_dry_friction_symmetric_passage, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 12, 2, 4, NPY_DOUBLE}, {4, 24, 1, 0, NPY_DOUBLE}, {5, 3, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_linearisation_1", "(4),(7),(5)->(2,2)",
-     call_dry_friction_symmetric_linearisation, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_linearisation_2", "(4),(7),(5)->(2,2),(8,4)",
-     call_dry_friction_symmetric_linearisation, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_linearisation_3", "(4),(7),(5)->(2,2),(8,4),(4,4)",
-     call_dry_friction_symmetric_linearisation, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 32, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_symmetric_flow_slip_slip, in_rows, 4, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_flow_slip_stick_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_symmetric_flow_slip_stick, in_rows, 4, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_reduced_1", "(4),(7),(2)->(5)",
-     call_dry_friction_symmetric_reduced, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_reduced_2", "(4),(7),(2)->(5),(1)",
-     call_dry_friction_symmetric_reduced, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_reduced_3", "(4),(7),(2)->(5),(1),(2)",
-     call_dry_friction_symmetric_reduced, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 2, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_reduced_4", "(4),(7),(2)->(5),(1),(2),(2,2)",
-     call_dry_friction_symmetric_reduced, in_rows, 3, 4,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 5, 1, 0, NPY_DOUBLE}, {4, 1, 1, 0, NPY_DOUBLE}, {5, 2, 1, 0, NPY_DOUBLE}, {6, 4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_equations_1", "(5),(7),(6)->(6)",
-     call_dry_friction_global_stick_equations, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_equations_2", "(5),(7),(6)->(6),(6,6)",
-     call_dry_friction_global_stick_equations, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_equations_3", "(5),(7),(6),(7,2)->(6),(6,6),(6,5)",
-     call_dry_friction_global_stick_equations, in_rows, 4, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}, {6, 30, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_trace_1", "(5),(7),(6)->()",
-     call_dry_friction_global_stick_trace, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_trace_2", "(5),(7),(6),(7,2)->(),(11)",
-     call_dry_friction_global_stick_trace, in_rows, 4, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 11, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_passage_1", "(5),(7),(6)->(5,4)",
-     call_dry_friction_global_stick_passage, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_passage_2", "(5),(7),(6)->(5,4),(44)",
-     call_dry_friction_global_stick_passage, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_passage_3", "(5),(7),(6)->(5,4),(44),(4)",
-     call_dry_friction_global_stick_passage, in_rows, 3, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_linearisation_1", "(5),(7),(6)->(2,2)",
-     call_dry_friction_global_stick_linearisation, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_linearisation_2", "(5),(7),(6)->(2,2),(16,4)",
-     call_dry_friction_global_stick_linearisation, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_linearisation_3", "(5),(7),(6)->(2,2),(16,4),(4,4)",
-     call_dry_friction_global_stick_linearisation, in_rows, 3, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_flow_stick_stick_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_stick_stick, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_flow_slip_stick_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_slip_stick, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_flow_slip_slip_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_slip_slip, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_flow_stick_slip_1", "(5),(7),(),(4)->(4)",
-     call_dry_friction_global_stick_flow_stick_slip, in_rows, 4, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_reduced_1", "(5),(7),(2)->(6)",
-     call_dry_friction_global_stick_reduced, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_reduced_2", "(5),(7),(2)->(6),(2)",
-     call_dry_friction_global_stick_reduced, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_reduced_3", "(5),(7),(2)->(6),(2),(2,2)",
-     call_dry_friction_global_stick_reduced, in_rows, 3, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_period_map_1", "(5),(7),(6)->(4,5)",
-     call_dry_friction_global_stick_period_map, in_rows, 3, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_period_map_2", "(5),(7),(6)->(4,5),(2)",
-     call_dry_friction_global_stick_period_map, in_rows, 3, 2,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_period_map_3", "(5),(7),(6)->(4,5),(2),(4)",
-     call_dry_friction_global_stick_period_map, in_rows, 3, 3,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_equations_1", "(4),(7),(6)->(6)",
-     call_dry_friction_solution_ii_equations, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_equations_2", "(4),(7),(6)->(6),(6,6)",
-     call_dry_friction_solution_ii_equations, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_equations_3", "(4),(7),(6),(7,2)->(6),(6,6),(6,4)",
-     call_dry_friction_solution_ii_equations, in_rows, 4, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 6, 1, 0, NPY_DOUBLE}, {5, 36, 2, 6, NPY_DOUBLE}, {6, 24, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_trace_1", "(4),(7),(6)->()",
-     call_dry_friction_solution_ii_trace, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_trace_2", "(4),(7),(6),(7,2)->(),(10)",
-     call_dry_friction_solution_ii_trace, in_rows, 4, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 14, 2, 2, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 10, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_passage_1", "(4),(7),(6)->(5,4)",
-     call_dry_friction_solution_ii_passage, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_passage_2", "(4),(7),(6)->(5,4),(44)",
-     call_dry_friction_solution_ii_passage, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_passage_3", "(4),(7),(6)->(5,4),(44),(4)",
-     call_dry_friction_solution_ii_passage, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 4, NPY_DOUBLE}, {4, 44, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_linearisation_1", "(4),(7),(6)->(2,2)",
-     call_dry_friction_solution_ii_linearisation, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_linearisation_2", "(4),(7),(6)->(2,2),(16,4)",
-     call_dry_friction_solution_ii_linearisation, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_linearisation_3", "(4),(7),(6)->(2,2),(16,4),(4,4)",
-     call_dry_friction_solution_ii_linearisation, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 4, 2, 2, NPY_DOUBLE}, {4, 64, 2, 4, NPY_DOUBLE}, {5, 16, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_flow_stick_stick_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_stick_stick, in_rows, 4, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_flow_slip_stick_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_slip_stick, in_rows, 4, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_flow_slip_slip_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_slip_slip, in_rows, 4, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_flow_stick_slip_1", "(4),(7),(),(4)->(4)",
-     call_dry_friction_solution_ii_flow_stick_slip, in_rows, 4, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 1, 0, 0, NPY_DOUBLE}, {3, 4, 1, 0, NPY_DOUBLE}, {4, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_reduced_1", "(4),(7),(3)->(6)",
-     call_dry_friction_solution_ii_reduced, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 3, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_reduced_2", "(4),(7),(3)->(6),(3)",
-     call_dry_friction_solution_ii_reduced, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 3, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 3, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_reduced_3", "(4),(7),(3)->(6),(3),(3,3)",
-     call_dry_friction_solution_ii_reduced, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 3, 1, 0, NPY_DOUBLE}, {3, 6, 1, 0, NPY_DOUBLE}, {4, 3, 1, 0, NPY_DOUBLE}, {5, 9, 2, 3, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_period_map_1", "(4),(7),(6)->(4,5)",
-     call_dry_friction_solution_ii_period_map, in_rows, 3, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_period_map_2", "(4),(7),(6)->(4,5),(2)",
-     call_dry_friction_solution_ii_period_map, in_rows, 3, 2,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_period_map_3", "(4),(7),(6)->(4,5),(2),(4)",
-     call_dry_friction_solution_ii_period_map, in_rows, 3, 3,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 7, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 20, 2, 5, NPY_DOUBLE}, {4, 2, 1, 0, NPY_DOUBLE}, {5, 4, 1, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_solve", "(4),(2)->(5),(),(),(),()",
-     call_dry_friction_symmetric_solve, in_columns, 2, 5,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 5, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
-    {"dry_friction_symmetric_admissible", "(4),(5)->(1),(),(),()",
-     call_dry_friction_symmetric_admissible, one_point, 2, 4,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 5, 1, 0, NPY_DOUBLE}, {2, 1, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_INT32}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_DOUBLE}}},
-    {"dry_friction_symmetric_directions", "(4),(5)->(6,4)",
-     call_dry_friction_symmetric_directions, in_columns, 2, 1,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 5, 1, 0, NPY_DOUBLE}, {2, 24, 2, 4, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_solve", "(5),(2)->(6),(),(),(),()",
-     call_dry_friction_global_stick_solve, in_columns, 2, 5,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 2, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
-    {"dry_friction_global_stick_admissible", "(5),(6)->(2),(),(),()",
-     call_dry_friction_global_stick_admissible, one_point, 2, 4,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 6, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_INT32}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_DOUBLE}}},
-    {"dry_friction_global_stick_directions", "(5),(6)->(7,5)",
-     call_dry_friction_global_stick_directions, in_columns, 2, 1,
-     {{0, 5, 1, 0, NPY_DOUBLE}, {1, 6, 1, 0, NPY_DOUBLE}, {2, 35, 2, 5, NPY_DOUBLE}}},
-    {"dry_friction_solution_ii_solve", "(4),(3)->(6),(),(),(),()",
-     call_dry_friction_solution_ii_solve, in_columns, 2, 5,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 3, 1, 0, NPY_DOUBLE}, {2, 6, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_DOUBLE}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_INT32}, {6, 1, 0, 0, NPY_INT32}}},
-    {"dry_friction_solution_ii_admissible", "(4),(6)->(2),(),(),()",
-     call_dry_friction_solution_ii_admissible, one_point, 2, 4,
-     {{0, 4, 1, 0, NPY_DOUBLE}, {1, 6, 1, 0, NPY_DOUBLE}, {2, 2, 1, 0, NPY_DOUBLE}, {3, 1, 0, 0, NPY_INT32}, {4, 1, 0, 0, NPY_DOUBLE}, {5, 1, 0, 0, NPY_DOUBLE}}},
+    return block ? (double *)block + size * point : NULL;
+}
+#define ROW(place) row(a[place], i, of[place].size)
+
+/* Callers of a function of one point, and of one of many. */
+#define EACH_POINT(name, ...)                                                                    static void call_##name(npy_intp count, void *const *a, const array *of)                     {                                                                                                for (npy_intp i = 0; i < count; ++i)                                                             name(__VA_ARGS__);                                                                   }
+#define ALL_POINTS(name, ...)                                                                    static void call_##name(npy_intp count, void *const *a, const array *of)                     {                                                                                                (void)of;                                                                                    name(count, __VA_ARGS__);                                                                }
+#define FUNCTION(name, layout, inputs, outputs, ...)                                             static const function of_##name = {call_##name, layout, inputs, outputs, {__VA_ARGS__}};
+
+EACH_POINT(rigid_stop_spectrum, ROW(0), ROW(1), ROW(2))
+FUNCTION(rigid_stop_spectrum, in_rows, 1, 2, VECTOR(0, 4), VECTOR(0, 7), TABLE(1, 7, 4))
+EACH_POINT(rigid_stop_flow_free, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(rigid_stop_flow_free, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7), SCALAR(0), VECTOR(0, 4),
+    VECTOR(0, 4))
+EACH_POINT(rigid_stop_flow_contact, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(rigid_stop_flow_contact, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(rigid_stop_fields, ROW(0), ROW(1))
+FUNCTION(rigid_stop_fields, in_rows, 1, 1, VECTOR(0, 5), TABLE(0, 8, 5))
+EACH_POINT(rigid_stop_rows, ROW(0), ROW(1))
+FUNCTION(rigid_stop_rows, in_rows, 1, 1, VECTOR(0, 5), TABLE(0, 5, 5))
+EACH_POINT(rigid_stop_resets, ROW(0), ROW(1))
+FUNCTION(rigid_stop_resets, in_rows, 1, 1, VECTOR(0, 5), TABLE(0, 12, 5))
+EACH_POINT(rigid_stop_modes, ROW(0), ROW(1), ROW(2), ROW(3))
+FUNCTION(rigid_stop_modes, in_rows, 2, 2, VECTOR(0, 5), VECTOR(0, 7), TABLE(0, 5, 2),
+    TABLE(1, 36, 5))
+EACH_POINT(rigid_stop_one_impact_equations, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6))
+FUNCTION(rigid_stop_one_impact_equations, in_rows, 4, 3, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 2),
+    TABLE(2, 7, 4), VECTOR(0, 2), TABLE(1, 2, 2), TABLE(2, 2, 5))
+EACH_POINT(rigid_stop_one_impact_trace, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(rigid_stop_one_impact_trace, in_rows, 4, 2, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 2),
+    TABLE(1, 7, 4), SCALAR(0), VECTOR(1, 7))
+EACH_POINT(rigid_stop_one_impact_passage, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(rigid_stop_one_impact_passage, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 2),
+    TABLE(0, 2, 4), VECTOR(1, 6), VECTOR(2, 2))
+EACH_POINT(rigid_stop_one_impact_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(rigid_stop_one_impact_linearisation, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7),
+    VECTOR(0, 2), TABLE(0, 3, 3), TABLE(1, 4, 4), TABLE(2, 4, 4))
+EACH_POINT(rigid_stop_one_impact_flow_free, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(rigid_stop_one_impact_flow_free, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(rigid_stop_one_impact_reduced, ROW(0), ROW(1), ROW(2), ROW(3))
+FUNCTION(rigid_stop_one_impact_reduced, in_rows, 2, 2, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 2),
+    VECTOR(1, 1))
+ALL_POINTS(rigid_stop_one_impact_solve, a[0], a[1], a[2], a[3], a[4], a[5])
+FUNCTION(rigid_stop_one_impact_solve, in_columns, 1, 5, VECTOR(0, 5), VECTOR(0, 2), SCALAR(0),
+    SCALAR(0), COUNT(0), COUNT(0))
+ALL_POINTS(rigid_stop_one_impact_admissible, a[0], a[1], a[2], a[3], a[4])
+FUNCTION(rigid_stop_one_impact_admissible, one_point, 2, 3, VECTOR(0, 5), VECTOR(0, 2), COUNT(0),
+    SCALAR(0), SCALAR(0))
+ALL_POINTS(rigid_stop_one_impact_directions, a[0], a[1], a[2])
+FUNCTION(rigid_stop_one_impact_directions, in_columns, 2, 1, VECTOR(0, 5), VECTOR(0, 2),
+    TABLE(0, 3, 5))
+EACH_POINT(elastic_stop_spectrum, ROW(0), ROW(1), ROW(2))
+FUNCTION(elastic_stop_spectrum, in_rows, 1, 2, VECTOR(0, 5), VECTOR(0, 12), TABLE(1, 12, 5))
+EACH_POINT(elastic_stop_flow_contact, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(elastic_stop_flow_contact, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 12), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(elastic_stop_flow_free, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(elastic_stop_flow_free, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 12), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(elastic_stop_fields, ROW(0), ROW(1))
+FUNCTION(elastic_stop_fields, in_rows, 1, 1, VECTOR(0, 5), TABLE(0, 8, 5))
+EACH_POINT(elastic_stop_rows, ROW(0), ROW(1))
+FUNCTION(elastic_stop_rows, in_rows, 1, 1, VECTOR(0, 5), TABLE(0, 5, 5))
+EACH_POINT(elastic_stop_resets, ROW(0), ROW(1))
+FUNCTION(elastic_stop_resets, in_rows, 1, 1, VECTOR(0, 5), TABLE(0, 4, 5))
+EACH_POINT(elastic_stop_modes, ROW(0), ROW(1), ROW(2), ROW(3))
+FUNCTION(elastic_stop_modes, in_rows, 2, 2, VECTOR(0, 5), VECTOR(0, 12), TABLE(0, 6, 2),
+    TABLE(1, 40, 5))
+EACH_POINT(elastic_stop_one_contact_equations, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5),
+    ROW(6))
+FUNCTION(elastic_stop_one_contact_equations, in_rows, 4, 3, VECTOR(0, 6), VECTOR(0, 12),
+    VECTOR(0, 4), TABLE(2, 12, 5), VECTOR(0, 4), TABLE(1, 4, 4), TABLE(2, 4, 6))
+EACH_POINT(elastic_stop_one_contact_trace, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(elastic_stop_one_contact_trace, in_rows, 4, 2, VECTOR(0, 6), VECTOR(0, 12), VECTOR(0, 4),
+    TABLE(1, 12, 5), SCALAR(0), VECTOR(1, 10))
+EACH_POINT(elastic_stop_one_contact_passage, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(elastic_stop_one_contact_passage, in_rows, 3, 3, VECTOR(0, 6), VECTOR(0, 12), VECTOR(0, 4),
+    TABLE(0, 3, 4), VECTOR(1, 12), VECTOR(2, 4))
+EACH_POINT(elastic_stop_one_contact_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(elastic_stop_one_contact_linearisation, in_rows, 3, 3, VECTOR(0, 6), VECTOR(0, 12),
+    VECTOR(0, 4), TABLE(0, 3, 3), TABLE(1, 8, 4), TABLE(2, 4, 4))
+EACH_POINT(elastic_stop_one_contact_flow_contact, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(elastic_stop_one_contact_flow_contact, in_rows, 4, 1, VECTOR(0, 6), VECTOR(0, 12),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(elastic_stop_one_contact_flow_free, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(elastic_stop_one_contact_flow_free, in_rows, 4, 1, VECTOR(0, 6), VECTOR(0, 12), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(elastic_stop_one_contact_reduced, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6))
+FUNCTION(elastic_stop_one_contact_reduced, in_rows, 3, 4, VECTOR(0, 6), VECTOR(0, 12), VECTOR(0, 1),
+    VECTOR(0, 4), VECTOR(1, 1), VECTOR(2, 1), TABLE(3, 1, 1))
+ALL_POINTS(elastic_stop_one_contact_solve, a[0], a[1], a[2], a[3], a[4], a[5], a[6])
+FUNCTION(elastic_stop_one_contact_solve, in_columns, 2, 5, VECTOR(0, 6), VECTOR(0, 1), VECTOR(0, 4),
+    SCALAR(0), SCALAR(0), COUNT(0), COUNT(0))
+ALL_POINTS(elastic_stop_one_contact_admissible, a[0], a[1], a[2], a[3], a[4])
+FUNCTION(elastic_stop_one_contact_admissible, one_point, 2, 3, VECTOR(0, 6), VECTOR(0, 4), COUNT(0),
+    SCALAR(0), SCALAR(0))
+ALL_POINTS(elastic_stop_one_contact_directions, a[0], a[1], a[2])
+FUNCTION(elastic_stop_one_contact_directions, in_columns, 2, 1, VECTOR(0, 6), VECTOR(0, 4),
+    TABLE(0, 5, 6))
+EACH_POINT(dry_friction_spectrum, ROW(0), ROW(1), ROW(2))
+FUNCTION(dry_friction_spectrum, in_rows, 1, 2, VECTOR(0, 2), VECTOR(0, 7), TABLE(1, 7, 2))
+EACH_POINT(dry_friction_flow_slip_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_slip_slip, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_slip_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_slip_stick, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_slip_overshoot, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_slip_overshoot, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_stick_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_stick_slip, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_stick_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_stick_stick, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_stick_overshoot, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_stick_overshoot, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_overshoot_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_overshoot_slip, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_overshoot_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_overshoot_stick, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7), SCALAR(0),
+    VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_flow_overshoot_overshoot, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_flow_overshoot_overshoot, in_rows, 4, 1, VECTOR(0, 7), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_fields, ROW(0), ROW(1))
+FUNCTION(dry_friction_fields, in_rows, 1, 1, VECTOR(0, 7), TABLE(0, 36, 5))
+EACH_POINT(dry_friction_rows, ROW(0), ROW(1))
+FUNCTION(dry_friction_rows, in_rows, 1, 1, VECTOR(0, 7), TABLE(0, 17, 5))
+EACH_POINT(dry_friction_resets, ROW(0), ROW(1))
+FUNCTION(dry_friction_resets, in_rows, 1, 1, VECTOR(0, 7), TABLE(0, 16, 5))
+EACH_POINT(dry_friction_modes, ROW(0), ROW(1), ROW(2), ROW(3))
+FUNCTION(dry_friction_modes, in_rows, 2, 2, VECTOR(0, 7), VECTOR(0, 7), TABLE(0, 21, 2),
+    TABLE(1, 152, 5))
+EACH_POINT(dry_friction_symmetric_equations, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6))
+FUNCTION(dry_friction_symmetric_equations, in_rows, 4, 3, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 5),
+    TABLE(2, 7, 2), VECTOR(0, 5), TABLE(1, 5, 5), TABLE(2, 5, 4))
+EACH_POINT(dry_friction_symmetric_trace, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_symmetric_trace, in_rows, 4, 2, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 5),
+    TABLE(1, 7, 2), SCALAR(0), VECTOR(1, 9))
+EACH_POINT(dry_friction_symmetric_passage, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_symmetric_passage, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 5),
+    TABLE(0, 3, 4), VECTOR(1, 24), VECTOR(2, 3))
+EACH_POINT(dry_friction_symmetric_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_symmetric_linearisation, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7),
+    VECTOR(0, 5), TABLE(0, 2, 2), TABLE(1, 8, 4), TABLE(2, 4, 4))
+EACH_POINT(dry_friction_symmetric_flow_slip_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_symmetric_flow_slip_slip, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_symmetric_flow_slip_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_symmetric_flow_slip_stick, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_symmetric_reduced, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6))
+FUNCTION(dry_friction_symmetric_reduced, in_rows, 3, 4, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 2),
+    VECTOR(0, 5), VECTOR(1, 1), VECTOR(2, 2), TABLE(3, 2, 2))
+EACH_POINT(dry_friction_global_stick_equations, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5),
+    ROW(6))
+FUNCTION(dry_friction_global_stick_equations, in_rows, 4, 3, VECTOR(0, 5), VECTOR(0, 7),
+    VECTOR(0, 6), TABLE(2, 7, 2), VECTOR(0, 6), TABLE(1, 6, 6), TABLE(2, 6, 5))
+EACH_POINT(dry_friction_global_stick_trace, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_global_stick_trace, in_rows, 4, 2, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 6),
+    TABLE(1, 7, 2), SCALAR(0), VECTOR(1, 11))
+EACH_POINT(dry_friction_global_stick_passage, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_global_stick_passage, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 6),
+    TABLE(0, 5, 4), VECTOR(1, 44), VECTOR(2, 4))
+EACH_POINT(dry_friction_global_stick_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_global_stick_linearisation, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7),
+    VECTOR(0, 6), TABLE(0, 2, 2), TABLE(1, 16, 4), TABLE(2, 4, 4))
+EACH_POINT(dry_friction_global_stick_flow_stick_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_global_stick_flow_stick_stick, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_global_stick_flow_slip_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_global_stick_flow_slip_stick, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_global_stick_flow_slip_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_global_stick_flow_slip_slip, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_global_stick_flow_stick_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_global_stick_flow_stick_slip, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_global_stick_reduced, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_global_stick_reduced, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 2),
+    VECTOR(0, 6), VECTOR(1, 2), TABLE(2, 2, 2))
+EACH_POINT(dry_friction_global_stick_period_map, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_global_stick_period_map, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7),
+    VECTOR(0, 6), TABLE(0, 4, 5), VECTOR(1, 2), VECTOR(2, 4))
+EACH_POINT(dry_friction_solution_ii_equations, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5),
+    ROW(6))
+FUNCTION(dry_friction_solution_ii_equations, in_rows, 4, 3, VECTOR(0, 4), VECTOR(0, 7),
+    VECTOR(0, 6), TABLE(2, 7, 2), VECTOR(0, 6), TABLE(1, 6, 6), TABLE(2, 6, 4))
+EACH_POINT(dry_friction_solution_ii_trace, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_solution_ii_trace, in_rows, 4, 2, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 6),
+    TABLE(1, 7, 2), SCALAR(0), VECTOR(1, 10))
+EACH_POINT(dry_friction_solution_ii_passage, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_solution_ii_passage, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 6),
+    TABLE(0, 5, 4), VECTOR(1, 44), VECTOR(2, 4))
+EACH_POINT(dry_friction_solution_ii_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_solution_ii_linearisation, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7),
+    VECTOR(0, 6), TABLE(0, 2, 2), TABLE(1, 16, 4), TABLE(2, 4, 4))
+EACH_POINT(dry_friction_solution_ii_flow_stick_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_solution_ii_flow_stick_stick, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_solution_ii_flow_slip_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_solution_ii_flow_slip_stick, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_solution_ii_flow_slip_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_solution_ii_flow_slip_slip, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_solution_ii_flow_stick_slip, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
+FUNCTION(dry_friction_solution_ii_flow_stick_slip, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
+    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
+EACH_POINT(dry_friction_solution_ii_reduced, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_solution_ii_reduced, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7), VECTOR(0, 3),
+    VECTOR(0, 6), VECTOR(1, 3), TABLE(2, 3, 3))
+EACH_POINT(dry_friction_solution_ii_period_map, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
+FUNCTION(dry_friction_solution_ii_period_map, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7),
+    VECTOR(0, 6), TABLE(0, 4, 5), VECTOR(1, 2), VECTOR(2, 4))
+ALL_POINTS(dry_friction_symmetric_solve, a[0], a[1], a[2], a[3], a[4], a[5], a[6])
+FUNCTION(dry_friction_symmetric_solve, in_columns, 2, 5, VECTOR(0, 4), VECTOR(0, 2), VECTOR(0, 5),
+    SCALAR(0), SCALAR(0), COUNT(0), COUNT(0))
+ALL_POINTS(dry_friction_symmetric_admissible, a[0], a[1], a[2], a[3], a[4], a[5])
+FUNCTION(dry_friction_symmetric_admissible, one_point, 2, 4, VECTOR(0, 4), VECTOR(0, 5),
+    VECTOR(0, 1), COUNT(0), SCALAR(0), SCALAR(0))
+ALL_POINTS(dry_friction_symmetric_directions, a[0], a[1], a[2])
+FUNCTION(dry_friction_symmetric_directions, in_columns, 2, 1, VECTOR(0, 4), VECTOR(0, 5),
+    TABLE(0, 6, 4))
+ALL_POINTS(dry_friction_global_stick_solve, a[0], a[1], a[2], a[3], a[4], a[5], a[6])
+FUNCTION(dry_friction_global_stick_solve, in_columns, 2, 5, VECTOR(0, 5), VECTOR(0, 2),
+    VECTOR(0, 6), SCALAR(0), SCALAR(0), COUNT(0), COUNT(0))
+ALL_POINTS(dry_friction_global_stick_admissible, a[0], a[1], a[2], a[3], a[4], a[5])
+FUNCTION(dry_friction_global_stick_admissible, one_point, 2, 4, VECTOR(0, 5), VECTOR(0, 6),
+    VECTOR(0, 2), COUNT(0), SCALAR(0), SCALAR(0))
+ALL_POINTS(dry_friction_global_stick_directions, a[0], a[1], a[2])
+FUNCTION(dry_friction_global_stick_directions, in_columns, 2, 1, VECTOR(0, 5), VECTOR(0, 6),
+    TABLE(0, 7, 5))
+ALL_POINTS(dry_friction_solution_ii_solve, a[0], a[1], a[2], a[3], a[4], a[5], a[6])
+FUNCTION(dry_friction_solution_ii_solve, in_columns, 2, 5, VECTOR(0, 4), VECTOR(0, 3), VECTOR(0, 6),
+    SCALAR(0), SCALAR(0), COUNT(0), COUNT(0))
+ALL_POINTS(dry_friction_solution_ii_admissible, a[0], a[1], a[2], a[3], a[4], a[5])
+FUNCTION(dry_friction_solution_ii_admissible, one_point, 2, 4, VECTOR(0, 4), VECTOR(0, 6),
+    VECTOR(0, 2), COUNT(0), SCALAR(0), SCALAR(0))
+
+static const wrapped ufuncs[] = {
+    {"rigid_stop_spectrum_1", &of_rigid_stop_spectrum, 1, "(4)->(7)"},
+    {"rigid_stop_spectrum_2", &of_rigid_stop_spectrum, 2, "(4)->(7),(7,4)"},
+    {"rigid_stop_flow_free_1", &of_rigid_stop_flow_free, 1, "(5),(7),(),(4)->(4)"},
+    {"rigid_stop_flow_contact_1", &of_rigid_stop_flow_contact, 1, "(5),(7),(),(4)->(4)"},
+    {"rigid_stop_fields_1", &of_rigid_stop_fields, 1, "(5)->(8,5)"},
+    {"rigid_stop_rows_1", &of_rigid_stop_rows, 1, "(5)->(5,5)"},
+    {"rigid_stop_resets_1", &of_rigid_stop_resets, 1, "(5)->(12,5)"},
+    {"rigid_stop_modes_1", &of_rigid_stop_modes, 1, "(5),(7)->(5,2)"},
+    {"rigid_stop_modes_2", &of_rigid_stop_modes, 2, "(5),(7)->(5,2),(36,5)"},
+    {"rigid_stop_one_impact_equations_1", &of_rigid_stop_one_impact_equations, 1, "(5),(7),(2)->(2)"},
+    {"rigid_stop_one_impact_equations_2", &of_rigid_stop_one_impact_equations, 2, "(5),(7),(2)->(2),(2,2)"},
+    {"rigid_stop_one_impact_equations_3", &of_rigid_stop_one_impact_equations, 3, "(5),(7),(2),(7,4)->(2),(2,2),(2,5)"},
+    {"rigid_stop_one_impact_trace_1", &of_rigid_stop_one_impact_trace, 1, "(5),(7),(2)->()"},
+    {"rigid_stop_one_impact_trace_2", &of_rigid_stop_one_impact_trace, 2, "(5),(7),(2),(7,4)->(),(7)"},
+    {"rigid_stop_one_impact_passage_1", &of_rigid_stop_one_impact_passage, 1, "(5),(7),(2)->(2,4)"},
+    {"rigid_stop_one_impact_passage_2", &of_rigid_stop_one_impact_passage, 2, "(5),(7),(2)->(2,4),(6)"},
+    {"rigid_stop_one_impact_passage_3", &of_rigid_stop_one_impact_passage, 3, "(5),(7),(2)->(2,4),(6),(2)"},
+    {"rigid_stop_one_impact_linearisation_1", &of_rigid_stop_one_impact_linearisation, 1, "(5),(7),(2)->(3,3)"},
+    {"rigid_stop_one_impact_linearisation_2", &of_rigid_stop_one_impact_linearisation, 2, "(5),(7),(2)->(3,3),(4,4)"},
+    {"rigid_stop_one_impact_linearisation_3", &of_rigid_stop_one_impact_linearisation, 3, "(5),(7),(2)->(3,3),(4,4),(4,4)"},
+    {"rigid_stop_one_impact_flow_free_1", &of_rigid_stop_one_impact_flow_free, 1, "(5),(7),(),(4)->(4)"},
+    {"rigid_stop_one_impact_reduced_1", &of_rigid_stop_one_impact_reduced, 1, "(5),(7)->(2)"},
+    {"rigid_stop_one_impact_reduced_2", &of_rigid_stop_one_impact_reduced, 2, "(5),(7)->(2),(1)"},
+    {"rigid_stop_one_impact_solve", &of_rigid_stop_one_impact_solve, 1, "(5)->(2),(),(),(),()"},
+    {"rigid_stop_one_impact_admissible", &of_rigid_stop_one_impact_admissible, 1, "(5),(2)->(),(),()"},
+    {"rigid_stop_one_impact_directions", &of_rigid_stop_one_impact_directions, 1, "(5),(2)->(3,5)"},
+    {"elastic_stop_spectrum_1", &of_elastic_stop_spectrum, 1, "(5)->(12)"},
+    {"elastic_stop_spectrum_2", &of_elastic_stop_spectrum, 2, "(5)->(12),(12,5)"},
+    {"elastic_stop_flow_contact_1", &of_elastic_stop_flow_contact, 1, "(5),(12),(),(4)->(4)"},
+    {"elastic_stop_flow_free_1", &of_elastic_stop_flow_free, 1, "(5),(12),(),(4)->(4)"},
+    {"elastic_stop_fields_1", &of_elastic_stop_fields, 1, "(5)->(8,5)"},
+    {"elastic_stop_rows_1", &of_elastic_stop_rows, 1, "(5)->(5,5)"},
+    {"elastic_stop_resets_1", &of_elastic_stop_resets, 1, "(5)->(4,5)"},
+    {"elastic_stop_modes_1", &of_elastic_stop_modes, 1, "(5),(12)->(6,2)"},
+    {"elastic_stop_modes_2", &of_elastic_stop_modes, 2, "(5),(12)->(6,2),(40,5)"},
+    {"elastic_stop_one_contact_equations_1", &of_elastic_stop_one_contact_equations, 1, "(6),(12),(4)->(4)"},
+    {"elastic_stop_one_contact_equations_2", &of_elastic_stop_one_contact_equations, 2, "(6),(12),(4)->(4),(4,4)"},
+    {"elastic_stop_one_contact_equations_3", &of_elastic_stop_one_contact_equations, 3, "(6),(12),(4),(12,5)->(4),(4,4),(4,6)"},
+    {"elastic_stop_one_contact_trace_1", &of_elastic_stop_one_contact_trace, 1, "(6),(12),(4)->()"},
+    {"elastic_stop_one_contact_trace_2", &of_elastic_stop_one_contact_trace, 2, "(6),(12),(4),(12,5)->(),(10)"},
+    {"elastic_stop_one_contact_passage_1", &of_elastic_stop_one_contact_passage, 1, "(6),(12),(4)->(3,4)"},
+    {"elastic_stop_one_contact_passage_2", &of_elastic_stop_one_contact_passage, 2, "(6),(12),(4)->(3,4),(12)"},
+    {"elastic_stop_one_contact_passage_3", &of_elastic_stop_one_contact_passage, 3, "(6),(12),(4)->(3,4),(12),(4)"},
+    {"elastic_stop_one_contact_linearisation_1", &of_elastic_stop_one_contact_linearisation, 1, "(6),(12),(4)->(3,3)"},
+    {"elastic_stop_one_contact_linearisation_2", &of_elastic_stop_one_contact_linearisation, 2, "(6),(12),(4)->(3,3),(8,4)"},
+    {"elastic_stop_one_contact_linearisation_3", &of_elastic_stop_one_contact_linearisation, 3, "(6),(12),(4)->(3,3),(8,4),(4,4)"},
+    {"elastic_stop_one_contact_flow_contact_1", &of_elastic_stop_one_contact_flow_contact, 1, "(6),(12),(),(4)->(4)"},
+    {"elastic_stop_one_contact_flow_free_1", &of_elastic_stop_one_contact_flow_free, 1, "(6),(12),(),(4)->(4)"},
+    {"elastic_stop_one_contact_reduced_1", &of_elastic_stop_one_contact_reduced, 1, "(6),(12),(1)->(4)"},
+    {"elastic_stop_one_contact_reduced_2", &of_elastic_stop_one_contact_reduced, 2, "(6),(12),(1)->(4),(1)"},
+    {"elastic_stop_one_contact_reduced_3", &of_elastic_stop_one_contact_reduced, 3, "(6),(12),(1)->(4),(1),(1)"},
+    {"elastic_stop_one_contact_reduced_4", &of_elastic_stop_one_contact_reduced, 4, "(6),(12),(1)->(4),(1),(1),(1,1)"},
+    {"elastic_stop_one_contact_solve", &of_elastic_stop_one_contact_solve, 1, "(6),(1)->(4),(),(),(),()"},
+    {"elastic_stop_one_contact_admissible", &of_elastic_stop_one_contact_admissible, 1, "(6),(4)->(),(),()"},
+    {"elastic_stop_one_contact_directions", &of_elastic_stop_one_contact_directions, 1, "(6),(4)->(5,6)"},
+    {"dry_friction_spectrum_1", &of_dry_friction_spectrum, 1, "(2)->(7)"},
+    {"dry_friction_spectrum_2", &of_dry_friction_spectrum, 2, "(2)->(7),(7,2)"},
+    {"dry_friction_flow_slip_slip_1", &of_dry_friction_flow_slip_slip, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_slip_stick_1", &of_dry_friction_flow_slip_stick, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_slip_overshoot_1", &of_dry_friction_flow_slip_overshoot, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_stick_slip_1", &of_dry_friction_flow_stick_slip, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_stick_stick_1", &of_dry_friction_flow_stick_stick, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_stick_overshoot_1", &of_dry_friction_flow_stick_overshoot, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_overshoot_slip_1", &of_dry_friction_flow_overshoot_slip, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_overshoot_stick_1", &of_dry_friction_flow_overshoot_stick, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_flow_overshoot_overshoot_1", &of_dry_friction_flow_overshoot_overshoot, 1, "(7),(7),(),(4)->(4)"},
+    {"dry_friction_fields_1", &of_dry_friction_fields, 1, "(7)->(36,5)"},
+    {"dry_friction_rows_1", &of_dry_friction_rows, 1, "(7)->(17,5)"},
+    {"dry_friction_resets_1", &of_dry_friction_resets, 1, "(7)->(16,5)"},
+    {"dry_friction_modes_1", &of_dry_friction_modes, 1, "(7),(7)->(21,2)"},
+    {"dry_friction_modes_2", &of_dry_friction_modes, 2, "(7),(7)->(21,2),(152,5)"},
+    {"dry_friction_symmetric_equations_1", &of_dry_friction_symmetric_equations, 1, "(4),(7),(5)->(5)"},
+    {"dry_friction_symmetric_equations_2", &of_dry_friction_symmetric_equations, 2, "(4),(7),(5)->(5),(5,5)"},
+    {"dry_friction_symmetric_equations_3", &of_dry_friction_symmetric_equations, 3, "(4),(7),(5),(7,2)->(5),(5,5),(5,4)"},
+    {"dry_friction_symmetric_trace_1", &of_dry_friction_symmetric_trace, 1, "(4),(7),(5)->()"},
+    {"dry_friction_symmetric_trace_2", &of_dry_friction_symmetric_trace, 2, "(4),(7),(5),(7,2)->(),(9)"},
+    {"dry_friction_symmetric_passage_1", &of_dry_friction_symmetric_passage, 1, "(4),(7),(5)->(3,4)"},
+    {"dry_friction_symmetric_passage_2", &of_dry_friction_symmetric_passage, 2, "(4),(7),(5)->(3,4),(24)"},
+    {"dry_friction_symmetric_passage_3", &of_dry_friction_symmetric_passage, 3, "(4),(7),(5)->(3,4),(24),(3)"},
+    {"dry_friction_symmetric_linearisation_1", &of_dry_friction_symmetric_linearisation, 1, "(4),(7),(5)->(2,2)"},
+    {"dry_friction_symmetric_linearisation_2", &of_dry_friction_symmetric_linearisation, 2, "(4),(7),(5)->(2,2),(8,4)"},
+    {"dry_friction_symmetric_linearisation_3", &of_dry_friction_symmetric_linearisation, 3, "(4),(7),(5)->(2,2),(8,4),(4,4)"},
+    {"dry_friction_symmetric_flow_slip_slip_1", &of_dry_friction_symmetric_flow_slip_slip, 1, "(4),(7),(),(4)->(4)"},
+    {"dry_friction_symmetric_flow_slip_stick_1", &of_dry_friction_symmetric_flow_slip_stick, 1, "(4),(7),(),(4)->(4)"},
+    {"dry_friction_symmetric_reduced_1", &of_dry_friction_symmetric_reduced, 1, "(4),(7),(2)->(5)"},
+    {"dry_friction_symmetric_reduced_2", &of_dry_friction_symmetric_reduced, 2, "(4),(7),(2)->(5),(1)"},
+    {"dry_friction_symmetric_reduced_3", &of_dry_friction_symmetric_reduced, 3, "(4),(7),(2)->(5),(1),(2)"},
+    {"dry_friction_symmetric_reduced_4", &of_dry_friction_symmetric_reduced, 4, "(4),(7),(2)->(5),(1),(2),(2,2)"},
+    {"dry_friction_global_stick_equations_1", &of_dry_friction_global_stick_equations, 1, "(5),(7),(6)->(6)"},
+    {"dry_friction_global_stick_equations_2", &of_dry_friction_global_stick_equations, 2, "(5),(7),(6)->(6),(6,6)"},
+    {"dry_friction_global_stick_equations_3", &of_dry_friction_global_stick_equations, 3, "(5),(7),(6),(7,2)->(6),(6,6),(6,5)"},
+    {"dry_friction_global_stick_trace_1", &of_dry_friction_global_stick_trace, 1, "(5),(7),(6)->()"},
+    {"dry_friction_global_stick_trace_2", &of_dry_friction_global_stick_trace, 2, "(5),(7),(6),(7,2)->(),(11)"},
+    {"dry_friction_global_stick_passage_1", &of_dry_friction_global_stick_passage, 1, "(5),(7),(6)->(5,4)"},
+    {"dry_friction_global_stick_passage_2", &of_dry_friction_global_stick_passage, 2, "(5),(7),(6)->(5,4),(44)"},
+    {"dry_friction_global_stick_passage_3", &of_dry_friction_global_stick_passage, 3, "(5),(7),(6)->(5,4),(44),(4)"},
+    {"dry_friction_global_stick_linearisation_1", &of_dry_friction_global_stick_linearisation, 1, "(5),(7),(6)->(2,2)"},
+    {"dry_friction_global_stick_linearisation_2", &of_dry_friction_global_stick_linearisation, 2, "(5),(7),(6)->(2,2),(16,4)"},
+    {"dry_friction_global_stick_linearisation_3", &of_dry_friction_global_stick_linearisation, 3, "(5),(7),(6)->(2,2),(16,4),(4,4)"},
+    {"dry_friction_global_stick_flow_stick_stick_1", &of_dry_friction_global_stick_flow_stick_stick, 1, "(5),(7),(),(4)->(4)"},
+    {"dry_friction_global_stick_flow_slip_stick_1", &of_dry_friction_global_stick_flow_slip_stick, 1, "(5),(7),(),(4)->(4)"},
+    {"dry_friction_global_stick_flow_slip_slip_1", &of_dry_friction_global_stick_flow_slip_slip, 1, "(5),(7),(),(4)->(4)"},
+    {"dry_friction_global_stick_flow_stick_slip_1", &of_dry_friction_global_stick_flow_stick_slip, 1, "(5),(7),(),(4)->(4)"},
+    {"dry_friction_global_stick_reduced_1", &of_dry_friction_global_stick_reduced, 1, "(5),(7),(2)->(6)"},
+    {"dry_friction_global_stick_reduced_2", &of_dry_friction_global_stick_reduced, 2, "(5),(7),(2)->(6),(2)"},
+    {"dry_friction_global_stick_reduced_3", &of_dry_friction_global_stick_reduced, 3, "(5),(7),(2)->(6),(2),(2,2)"},
+    {"dry_friction_global_stick_period_map_1", &of_dry_friction_global_stick_period_map, 1, "(5),(7),(6)->(4,5)"},
+    {"dry_friction_global_stick_period_map_2", &of_dry_friction_global_stick_period_map, 2, "(5),(7),(6)->(4,5),(2)"},
+    {"dry_friction_global_stick_period_map_3", &of_dry_friction_global_stick_period_map, 3, "(5),(7),(6)->(4,5),(2),(4)"},
+    {"dry_friction_solution_ii_equations_1", &of_dry_friction_solution_ii_equations, 1, "(4),(7),(6)->(6)"},
+    {"dry_friction_solution_ii_equations_2", &of_dry_friction_solution_ii_equations, 2, "(4),(7),(6)->(6),(6,6)"},
+    {"dry_friction_solution_ii_equations_3", &of_dry_friction_solution_ii_equations, 3, "(4),(7),(6),(7,2)->(6),(6,6),(6,4)"},
+    {"dry_friction_solution_ii_trace_1", &of_dry_friction_solution_ii_trace, 1, "(4),(7),(6)->()"},
+    {"dry_friction_solution_ii_trace_2", &of_dry_friction_solution_ii_trace, 2, "(4),(7),(6),(7,2)->(),(10)"},
+    {"dry_friction_solution_ii_passage_1", &of_dry_friction_solution_ii_passage, 1, "(4),(7),(6)->(5,4)"},
+    {"dry_friction_solution_ii_passage_2", &of_dry_friction_solution_ii_passage, 2, "(4),(7),(6)->(5,4),(44)"},
+    {"dry_friction_solution_ii_passage_3", &of_dry_friction_solution_ii_passage, 3, "(4),(7),(6)->(5,4),(44),(4)"},
+    {"dry_friction_solution_ii_linearisation_1", &of_dry_friction_solution_ii_linearisation, 1, "(4),(7),(6)->(2,2)"},
+    {"dry_friction_solution_ii_linearisation_2", &of_dry_friction_solution_ii_linearisation, 2, "(4),(7),(6)->(2,2),(16,4)"},
+    {"dry_friction_solution_ii_linearisation_3", &of_dry_friction_solution_ii_linearisation, 3, "(4),(7),(6)->(2,2),(16,4),(4,4)"},
+    {"dry_friction_solution_ii_flow_stick_stick_1", &of_dry_friction_solution_ii_flow_stick_stick, 1, "(4),(7),(),(4)->(4)"},
+    {"dry_friction_solution_ii_flow_slip_stick_1", &of_dry_friction_solution_ii_flow_slip_stick, 1, "(4),(7),(),(4)->(4)"},
+    {"dry_friction_solution_ii_flow_slip_slip_1", &of_dry_friction_solution_ii_flow_slip_slip, 1, "(4),(7),(),(4)->(4)"},
+    {"dry_friction_solution_ii_flow_stick_slip_1", &of_dry_friction_solution_ii_flow_stick_slip, 1, "(4),(7),(),(4)->(4)"},
+    {"dry_friction_solution_ii_reduced_1", &of_dry_friction_solution_ii_reduced, 1, "(4),(7),(3)->(6)"},
+    {"dry_friction_solution_ii_reduced_2", &of_dry_friction_solution_ii_reduced, 2, "(4),(7),(3)->(6),(3)"},
+    {"dry_friction_solution_ii_reduced_3", &of_dry_friction_solution_ii_reduced, 3, "(4),(7),(3)->(6),(3),(3,3)"},
+    {"dry_friction_solution_ii_period_map_1", &of_dry_friction_solution_ii_period_map, 1, "(4),(7),(6)->(4,5)"},
+    {"dry_friction_solution_ii_period_map_2", &of_dry_friction_solution_ii_period_map, 2, "(4),(7),(6)->(4,5),(2)"},
+    {"dry_friction_solution_ii_period_map_3", &of_dry_friction_solution_ii_period_map, 3, "(4),(7),(6)->(4,5),(2),(4)"},
+    {"dry_friction_symmetric_solve", &of_dry_friction_symmetric_solve, 1, "(4),(2)->(5),(),(),(),()"},
+    {"dry_friction_symmetric_admissible", &of_dry_friction_symmetric_admissible, 1, "(4),(5)->(1),(),(),()"},
+    {"dry_friction_symmetric_directions", &of_dry_friction_symmetric_directions, 1, "(4),(5)->(6,4)"},
+    {"dry_friction_global_stick_solve", &of_dry_friction_global_stick_solve, 1, "(5),(2)->(6),(),(),(),()"},
+    {"dry_friction_global_stick_admissible", &of_dry_friction_global_stick_admissible, 1, "(5),(6)->(2),(),(),()"},
+    {"dry_friction_global_stick_directions", &of_dry_friction_global_stick_directions, 1, "(5),(6)->(7,5)"},
+    {"dry_friction_solution_ii_solve", &of_dry_friction_solution_ii_solve, 1, "(4),(3)->(6),(),(),(),()"},
+    {"dry_friction_solution_ii_admissible", &of_dry_friction_solution_ii_admissible, 1, "(4),(6)->(2),(),(),()"},
 };
-enum { function_count = sizeof functions / sizeof *functions };
-static PyUFuncGenericFunction loops[function_count];
-static void *data[function_count];
-static char types[function_count][most_arrays];
+enum { ufunc_count = sizeof ufuncs / sizeof *ufuncs };
+static PyUFuncGenericFunction loops[ufunc_count];
+static used uses[ufunc_count];
+static void *data[ufunc_count];
+static char types[ufunc_count][most_arrays];
 
 static int add_all(PyObject *module)
 {
     import_array1(-1);
     import_umath1(-1);
-    for (int i = 0; i < function_count; ++i) {
-        const wrapped *const f = &functions[i];
+    for (int i = 0; i < ufunc_count; ++i) {
+        const wrapped *const ufunc = &ufuncs[i];
+        const function *const f = ufunc->of;
+        used *const u = &uses[i];
+        u->ufunc = ufunc;
+        for (int place = 0; place < f->inputs + f->outputs; ++place)
+            if (f->arrays[place].since < ufunc->wanted && f->arrays[place].size > 0) {
+                types[i][u->count] = (char)f->arrays[place].type;
+                u->places[u->count++] = place;
+                u->inputs += place < f->inputs;
+            }
         loops[i] = loop;
-        data[i] = (void *)f;
-        for (int k = 0; k < f->inputs + f->outputs; ++k)
-            types[i][k] = (char)f->arrays[k].type;
-        PyObject *const ufunc = PyUFunc_FromFuncAndDataAndSignature(
-            &loops[i], &data[i], types[i], 1, f->inputs, f->outputs, PyUFunc_None, f->name, NULL,
-            0, f->signature);
-        if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
+        data[i] = u;
+        PyObject *const made = PyUFunc_FromFuncAndDataAndSignature(
+            &loops[i], &data[i], types[i], 1, u->inputs, u->count - u->inputs, PyUFunc_None,
+            ufunc->name, NULL, 0, ufunc->signature);
+        if (!made || PyModule_AddObject(module, ufunc->name, made) < 0)
             return -1;
-        for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
-            ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
+        for (int k = u->inputs; k < u->count; ++k)
+            ((PyUFuncObject *)made)->op_flags[k] = of_output;
     }
     if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "6ab4b35d60128a25") < 0)
         return -1;

@@ -7,7 +7,6 @@ mpmath and ball arithmetic.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -116,10 +115,8 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
         lines.append(f"    Gives {shape_text(output)}.")
     lines.append(f"    Operations: {body.operations}. Intermediate terms: {len(body.lines)}.")
     lines.append('    """')
-    for place, (output, part, expressions) in enumerate(
-        zip(kernel.outputs, body.parts, body.outputs, strict=True)
-    ):
-        for argument in kernel.arguments:
+    for place, (output, part) in enumerate(zip(body.outputs, body.parts, strict=True)):
+        for argument in body.arguments:
             if argument.since == place:
                 lines += _unpack(argument, body.used)
         for line in part:
@@ -127,9 +124,9 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
                 lines.append(f"    # {line.title}")
             lines.append(f"    {line.symbol} = {print_python(line.expression)}")
         if count == 1:
-            lines.append(f"    return {_pack(output, expressions)}")
+            lines.append(f"    return {_pack(output)}")
             continue
-        lines.append(f"    {output.name} = {_pack(output, expressions)}")
+        lines.append(f"    {output.name} = {_pack(output)}")
         results = ", ".join(o.name for o in kernel.outputs[: place + 1])
         if place == count - 1:
             lines.append(f"    return {results}")
@@ -141,8 +138,7 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
 
 def _unpack(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
     if not argument.shape:
-        symbol = str(argument.symbols[0])
-        return [f"    {symbol} = {argument.name}"] if symbol != argument.name else []
+        return [f"    {argument.symbols[0]} = {argument.name}"]
     if not set(argument.symbols) & used:
         return []
     names = [str(s) if s in used else "_" for s in argument.symbols]
@@ -153,8 +149,8 @@ def _unpack(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
     return [f"    [{', '.join(rows)}] = {argument.name}"]
 
 
-def _pack(output: Output, expressions: Sequence[sp.Expr]) -> str:
-    printed = [print_python(e) for e in expressions]
+def _pack(output: Output) -> str:
+    printed = [print_python(e) for e in output.expressions]
     if not output.shape:
         return printed[0]
     if len(output.shape) == 1:

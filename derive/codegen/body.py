@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.naming import RESERVED
+from nonsmooth.derive.codegen.naming import free_name
 from nonsmooth.derive.declaration.real_numbers import (
     map_numbers,
     nearest_double,
     number_text,
 )
-from nonsmooth.derive.equations.program import Kernel, Stage, prune
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.symbols import meaning_of
 
 __all__ = ["Body", "Constant", "Line", "body_of", "needed", "split"]
+
+_Translation = Callable[[sp.Expr], sp.Expr]
 
 
 class Constant(sp.AtomicExpr):
@@ -57,13 +60,15 @@ class Line:
 
 @dataclass(frozen=True)
 class Body:
-    """The lines of a kernel in order of evaluation, and the expressions of its outputs.
+    """What a kernel takes, its lines in order of evaluation, and what it gives.
 
-    An output needs the lines up to its place in `ends`, and no later ones.
+    All symbols have different names, which are free in Python and in C. An output needs the lines
+    up to its place in `ends`, and no later ones.
     """
 
+    arguments: tuple[Argument, ...]
     lines: tuple[Line, ...]
-    outputs: tuple[tuple[sp.Expr, ...], ...]
+    outputs: tuple[Output, ...]
     ends: tuple[int, ...]
 
     @property
@@ -84,8 +89,7 @@ class Body:
 
     @property
     def _expressions(self) -> tuple[sp.Expr, ...]:
-        outputs = (e for output in self.outputs for e in output)
-        return (*(line.expression for line in self.lines), *outputs)
+        return (*(line.expression for line in self.lines), *_results(self.outputs))
 
 
 @lru_cache(maxsize=1 << 14)
@@ -107,48 +111,79 @@ def body_of(kernel: Kernel) -> Body:
     The symbols of the stages stay; each common term is assigned right before its first use.
     SymPy sorts by name: meanwhile every symbol has a name that only tells its place.
     """
-    prepared = _translated(kernel, _prepared)
-    taken = _checked_names(prepared)
     # of the orders that were tried, the last entries of an argument first gives least operations
-    inputs = tuple(s for argument in kernel.arguments for s in reversed(argument.symbols))
-    places = _places([*inputs, *(s for s, _ in _assignments(kernel))])
+    inputs = [s for argument in kernel.arguments for s in reversed(argument.symbols)]
+    symbols = [*inputs, *(s for s, _ in _assignments(kernel))]
+    prepared = _translated(kernel, _prepared)
+    _check(prepared, {*symbols})
+    places = {s: _renamed(s, f"s{i:06}") for i, s in enumerate(symbols)}
     body = _eliminated(_translated(prepared, lambda e: e.xreplace(places)))
-    return _named(body, places, taken)
-
-
-def _places(symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
-    """A symbol in place of each, such that SymPy sorts them as they are given."""
-    return {s: sp.Symbol(f"s{i:06}", **s.assumptions0) for i, s in enumerate(symbols)}
-
-
-def _named(body: Body, places: Mapping[sp.Symbol, sp.Symbol], taken: set[str]) -> Body:
-    """The body with the symbols again that have places, and numbered ones for all others."""
-    names = {place: symbol for symbol, place in places.items()}
+    names = _names(kernel, symbols)
+    written = {places[symbol]: _renamed(symbol, name) for symbol, name in names.items()}
+    taken = {*names.values()}
     fresh = (s for s in sp.numbered_symbols("t", real=True) if s.name not in taken)
-    names |= {line.symbol: next(fresh) for line in body.lines if line.symbol not in names}
+    written |= {line.symbol: next(fresh) for line in body.lines if line.symbol not in written}
+
+    def named(expression: sp.Expr) -> sp.Expr:
+        return expression.xreplace(written)
+
     return Body(
-        tuple(Line(names[x.symbol], x.expression.xreplace(names), x.title) for x in body.lines),
-        tuple(tuple(e.xreplace(names) for e in output) for output in body.outputs),
+        _of_arguments(body.arguments, named),
+        tuple(Line(named(x.symbol), named(x.expression), x.title) for x in body.lines),
+        _of_outputs(body.outputs, named),
         body.ends,
     )
+
+
+def _names(kernel: Kernel, symbols: Iterable[sp.Symbol]) -> dict[sp.Symbol, str]:
+    """Different names of all symbols of a kernel, none of which is that of an array.
+
+    Symbols of a declaration keep theirs, unless no kernel can have them; those of the derivation
+    give way.
+    """
+    arrays = {*(a.name for a in kernel.arguments), *(o.name for o in kernel.outputs)}
+    names: dict[sp.Symbol, str] = {}
+    taken = set(arrays)
+    for symbol in sorted(
+        symbols, key=lambda s: (meaning_of(s) != "", free_name(s.name, arrays) != s.name)
+    ):
+        names[symbol] = free_name(symbol.name, taken)
+        taken.add(names[symbol])
+    return names
+
+
+def _renamed(symbol: sp.Symbol, name: str) -> sp.Symbol:
+    return sp.Symbol(name, **symbol.assumptions0)
 
 
 def _assignments(kernel: Kernel) -> list[tuple[sp.Symbol, sp.Expr]]:
     return [assignment for stage in kernel.stages for assignment in stage.assignments]
 
 
-def _results(kernel: Kernel) -> list[sp.Expr]:
-    return [e for output in kernel.outputs for e in output.expressions]
+def _results(outputs: Iterable[Output]) -> list[sp.Expr]:
+    return [e for output in outputs for e in output.expressions]
 
 
-def _translated(kernel: Kernel, translate: Callable[[sp.Expr], sp.Expr]) -> Kernel:
-    """A kernel with the translation of every symbol that it assigns, and of every expression."""
+def _translated(kernel: Kernel, translate: _Translation) -> Kernel:
+    """A kernel with the translation of every symbol and every expression."""
     stages = (
         Stage(s.title, tuple((translate(x), translate(e)) for x, e in s.assignments))
         for s in kernel.stages
     )
-    outputs = (replace(o, expressions=tuple(map(translate, o.expressions))) for o in kernel.outputs)
-    return replace(kernel, stages=tuple(stages), outputs=tuple(outputs))
+    return replace(
+        kernel,
+        arguments=_of_arguments(kernel.arguments, translate),
+        outputs=_of_outputs(kernel.outputs, translate),
+        stages=tuple(stages),
+    )
+
+
+def _of_arguments(arguments: Iterable[Argument], translate: _Translation) -> tuple[Argument, ...]:
+    return tuple(replace(a, symbols=tuple(map(translate, a.symbols))) for a in arguments)
+
+
+def _of_outputs(outputs: Iterable[Output], translate: _Translation) -> tuple[Output, ...]:
+    return tuple(replace(o, expressions=tuple(map(translate, o.expressions))) for o in outputs)
 
 
 def _eliminated(kernel: Kernel) -> Body:
@@ -157,7 +192,7 @@ def _eliminated(kernel: Kernel) -> Body:
     right = [e for _, e in _assignments(kernel)]
     # a flat list: SymPy loses common subexpressions of nested ones
     common, reduced = sp.cse(
-        [*right, *_results(kernel)],
+        [*right, *_results(kernel.outputs)],
         symbols=sp.numbered_symbols("t", real=True),
         order="none",
         list=True,
@@ -210,36 +245,20 @@ def _eliminated(kernel: Kernel) -> Body:
             titled(begin, stage.title)
         left -= wanted
         begin = len(lines)
-        outputs.append(tuple(require(e) for e in expressions))
+        outputs.append(replace(output, expressions=tuple(map(require, expressions))))
         titled(begin, output.name)
         ends.append(len(lines))
-    return Body(tuple(lines), tuple(outputs), tuple(ends))
+    return Body(kernel.arguments, tuple(lines), tuple(outputs), tuple(ends))
 
 
-def _checked_names(kernel: Kernel) -> set[str]:
-    """Names of the symbols of a kernel.
-
-    DerivationError refuses a symbol without a value, a name with two meanings, and a number
-    that no kernel can hold.
-    """
-    assignments = _assignments(kernel)
-    expressions = [*(e for _, e in assignments), *_results(kernel)]
-    defined = {*(s for a in kernel.arguments for s in a.symbols), *(s for s, _ in assignments)}
-    # an argument without a shape may bear the name of its symbol
-    arrays = {a.name for a in kernel.arguments if a.shape or a.name != a.symbols[0].name}
-    arrays |= {o.name for o in kernel.outputs}
-    owners: dict[str, sp.Symbol] = {}
-    for symbol in sorted(defined, key=str):
-        name = symbol.name
-        if owners.setdefault(name, symbol) != symbol or name in arrays | RESERVED:
-            raise DerivationError(f"kernel {kernel.name!r}: the name {name!r} is taken; rename it")
-    for expression in expressions:
+def _check(kernel: Kernel, defined: Set[sp.Symbol]) -> None:
+    """Refuse, by DerivationError, a symbol without a value and a number that no kernel can hold."""
+    for expression in (*(e for _, e in _assignments(kernel)), *_results(kernel.outputs)):
         unknown = sorted(expression.free_symbols - defined, key=str)
         if unknown:
             raise DerivationError(f"kernel {kernel.name!r}: {unknown[0]} has no value")
         if atoms := _not_held(expression):
             raise DerivationError(f"kernel {kernel.name!r}: no kernel holds {min(atoms, key=str)}")
-    return set(owners)
 
 
 @lru_cache(maxsize=1 << 14)

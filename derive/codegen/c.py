@@ -13,7 +13,7 @@ from sympy.printing.precedence import PRECEDENCE
 
 from nonsmooth.derive.codegen.any_arithmetic import Ordered
 from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of, needed, split
-from nonsmooth.derive.codegen.naming import C_TAKEN, C_TAKEN_BEGINNINGS, c_function
+from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
@@ -51,11 +51,6 @@ class _Printer(Ordered, C99CodePrinter):
     def __init__(self, scope: Scope | None = None) -> None:
         super().__init__()
         self.scope = scope
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        name = str(super()._print_Symbol(expr))
-        taken = name in C_TAKEN or name.startswith(C_TAKEN_BEGINNINGS)
-        return f"{name}_" if taken else name
 
     def _print_Pow(self, expr: sp.Pow) -> str:
         base, exponent = expr.base, expr.exp
@@ -188,7 +183,7 @@ def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
     for line in lines:
         if line.title:
             sources.append(f"{scope.indent}/* {line.title} */")
-        sources += scope.assigned(f"const double {print_c(line.symbol)}", line.expression)
+        sources += scope.assigned(f"const double {line.symbol}", line.expression)
     return sources
 
 
@@ -221,71 +216,64 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
     public = ["NONSMOOTH_UNMERGED"] if orbit is not None else []
     public += [c_prototype(kernel, system, orbit), "{"]
     if not _runs_in_lanes(kernel):
-        return "\n".join([*comment, *public, *_statements(kernel, body, lanes=False), "}"])
+        return "\n".join([*comment, *public, *_statements(body, lanes=False), "}"])
     fixed, moving = _parts(kernel)
     if fixed is not None:
-        comment += [*_for_one_lane(*fixed, fixed_part(function)), ""]
-        (carried,) = fixed[0].outputs
+        comment += [*_for_one_lane(fixed, fixed_part(function)), ""]
         public += [
-            f"    double fixed[{len(carried.expressions)}];",
-            *_call(fixed_part(function), fixed[0]),
+            f"    double fixed[{count_of_fixed(kernel)}];",
+            *_call(fixed_part(function), fixed),
         ]
     return "\n".join(
-        [*comment, *_for_one_lane(*moving, function), "", *public, *_call(function, moving[0]), "}"]
+        [*comment, *_for_one_lane(moving, function), "", *public, *_call(function, moving), "}"]
     )
 
 
-def _for_one_lane(kernel: Kernel, body: Body, function: str) -> list[str]:
+def _for_one_lane(body: Body, function: str) -> list[str]:
     """C definition of what a kernel computes for one lane."""
-    arrays = [f"const double *{a.name}" for a in kernel.arguments]
-    arrays += [f"double *{o.name}" for o in kernel.outputs]
+    arrays = [f"const double *{a.name}" for a in body.arguments]
+    arrays += [f"double *{o.name}" for o in body.outputs]
     declared = c_declaration(in_lane(function), ["int lanes", "int lane", *arrays])
-    statements = _statements(kernel, body, lanes=True)
-    return [f"static NONSMOOTH_INLINE {declared}", "{", *statements, "}"]
+    statements = _statements(body, lanes=True)
+    unused = [] if any("lanes" in line for line in statements) else ["    (void)lanes;"]
+    return [f"static NONSMOOTH_INLINE {declared}", "{", *unused, *statements, "}"]
 
 
-def _call(function: str, kernel: Kernel) -> list[str]:
+def _call(function: str, body: Body) -> list[str]:
     """C statement that computes a kernel for the only lane."""
-    given = ", ".join([*(a.name for a in kernel.arguments), *(o.name for o in kernel.outputs)])
+    given = ", ".join([*(a.name for a in body.arguments), *(o.name for o in body.outputs)])
     call, indent = f"{in_lane(function)}(1, 0, {given});", " " * 4
     return wrap(call, 100, initial_indent=indent, subsequent_indent=2 * indent)
 
 
-_Part = tuple[Kernel, Body]
-
-
 @lru_cache(maxsize=64)
-def _parts(kernel: Kernel) -> tuple[_Part | None, _Part]:
+def _parts(kernel: Kernel) -> tuple[Body | None, Body]:
     """What of a kernel does not depend on the argument that changes in iterations, and the rest.
 
     The first part is None if there is nothing of it.
     """
     body = body_of(kernel)
-    given = [a for a in kernel.arguments if a.name != _ITERATED]
+    given = tuple(a for a in body.arguments if a.name != _ITERATED)
+    iterated = tuple(a for a in body.arguments if a.name == _ITERATED)
     fixed, moving = split(body, {s for argument in given for s in argument.symbols})
     left = {line.symbol for line in moving}
     ends = tuple(sum(line.symbol in left for line in body.lines[:end]) for end in body.ends)
-    rest = Body(moving, body.outputs, ends)
+    rest = replace(body, lines=moving, ends=ends)
     carried = tuple(line.symbol for line in fixed if line.symbol in rest.used)
-    if len(given) == len(kernel.arguments) or not carried:
-        return None, (kernel, body)
-    title = "What does not depend on the iterated unknowns."
+    if not iterated or not carried:
+        return None, body
     values = Output("fixed", (len(carried),), carried)
-    before = Kernel(f"{kernel.name}_fixed", title, tuple(given), (values,), ())
-    argument = Argument("fixed", values.shape, carried)
-    iterated = [a for a in kernel.arguments if a.name == _ITERATED]
-    arguments = (*given, argument, *iterated)
     lines = needed(fixed, carried)
     return (
-        (before, Body(lines, (carried,), (len(lines),))),
-        (replace(kernel, arguments=arguments), rest),
+        Body(given, lines, (values,), (len(lines),)),
+        replace(rest, arguments=(*given, Argument("fixed", values.shape, carried), *iterated)),
     )
 
 
 def count_of_fixed(kernel: Kernel) -> int:
     """Number of those values of a kernel that iterations carry from one to the next."""
     fixed, _ = _parts(kernel)
-    return 0 if fixed is None else len(fixed[0].outputs[0].expressions)
+    return 0 if fixed is None else len(fixed.outputs[0].expressions)
 
 
 def fixed_part(function: str) -> str:
@@ -303,23 +291,20 @@ def in_lane(function: str) -> str:
     return f"{function}_in_lane"
 
 
-def _statements(kernel: Kernel, body: Body, *, lanes: bool) -> list[str]:
+def _statements(body: Body, *, lanes: bool) -> list[str]:
     """C statements of a kernel, for one lane or for the only point."""
     lines = []
-    scope, some = Scope("    ", lanes), len(kernel.outputs) > 1
-    for place, (output, part, expressions) in enumerate(
-        zip(kernel.outputs, body.parts, body.outputs, strict=True)
-    ):
-        for argument in kernel.arguments:
+    scope, some = Scope("    ", lanes), len(body.outputs) > 1
+    for place, (output, part) in enumerate(zip(body.outputs, body.parts, strict=True)):
+        for argument in body.arguments:
             if argument.since == place:
                 lines += _loads(argument, body.used, lanes=lanes)
         lines += line_sources(part, scope)
         if some:
-            guarded = _stores(output, expressions, scope.nested())
-            lines += [f"    if ({output.name}) {{", *guarded, "    }"]
+            lines += [f"    if ({output.name}) {{", *_stores(output, scope.nested()), "    }"]
         else:
-            lines += _stores(output, expressions, scope)
-        later = [f"!{o.name}" for o in kernel.outputs[place + 1 :]]
+            lines += _stores(output, scope)
+        later = [f"!{o.name}" for o in body.outputs[place + 1 :]]
         if later:
             lines += [f"    if ({' && '.join(later)})", "        return;"]
     return lines
@@ -330,10 +315,10 @@ def _loads(argument: Argument, used: frozenset[sp.Symbol], *, lanes: bool) -> li
     if not set(argument.symbols) & used:
         return [f"    (void){argument.name};"]
     return [
-        f"    const double {print_c(symbol)} = "
+        f"    const double {symbol} = "
         f"{_entry(argument, position, lanes=lanes) if argument.shape else argument.name};"
         for position, symbol in enumerate(argument.symbols)
-        if symbol in used and (argument.shape or str(symbol) != argument.name)
+        if symbol in used
     ]
 
 
@@ -344,11 +329,12 @@ def _entry(array: Argument | Output, position: int, *, lanes: bool) -> str:
     return f"{array.name}[{position}*lanes + lane]" if position else f"{array.name}[lane]"
 
 
-def _stores(output: Output, expressions: Sequence[sp.Expr], scope: Scope) -> list[str]:
+def _stores(output: Output, scope: Scope) -> list[str]:
     """C statements that fill an output: a large one of few values by a table of their places.
 
     A loop over lanes has no loop inside: compilers would not use vectors for it.
     """
+    expressions = output.expressions
     values = list(dict.fromkeys(expressions))
     if scope.lanes or len(expressions) < _LARGE or 3 * len(values) > len(expressions):
         return [

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from string import Template
+from textwrap import wrap
 
 from nonsmooth.derive.codegen.naming import c_function, module_file
 from nonsmooth.derive.equations.equation_system import EquationSystem
@@ -159,19 +160,38 @@ enum {
 /* Order of the entries of a block: points one after the other, or columns of all points. */
 enum layout { in_rows, in_columns, one_point };
 
-/* Core of one argument: its place among those of the C function, entries of a point, axes, columns
- * of a table. */
+/* Core of an argument or result: the first output that needs it, entries of a point, columns of a
+ * table, axes. */
 typedef struct {
-    int place, size, axes, columns, type;
+    int since, size, columns, axes, type;
 } array;
+#define SCALAR(since) {since, 1, 0, 0, NPY_DOUBLE}
+#define COUNT(since) {since, 1, 0, 0, NPY_INT32}
+#define VECTOR(since, entries) {since, entries, 0, 1, NPY_DOUBLE}
+#define TABLE(since, rows, columns) {since, (rows) * (columns), columns, 2, NPY_DOUBLE}
 
+/* A C function, with what calls it for a block of points. */
 typedef struct {
-    const char *name, *signature;
-    void (*call)(npy_intp count, void *const *blocks);
+    void (*call)(npy_intp count, void *const *a, const array *of);
     enum layout layout;
     int inputs, outputs;
     array arrays[most_arrays];
+} function;
+
+/* A ufunc: it gives the `wanted` first outputs, and takes what these need. */
+typedef struct {
+    const char *name;
+    const function *of;
+    int wanted;
+    const char *signature;
 } wrapped;
+
+/* The arrays of a ufunc: their places among those of the C function, and how many are inputs. */
+typedef struct {
+    const wrapped *ufunc;
+    int inputs, count;
+    int places[most_arrays];
+} used;
 
 /* Where an argument lies in NumPy's arrays, and in a block. */
 typedef struct {
@@ -238,18 +258,21 @@ static void out_of_memory(void)
 /* The loop of every function; NumPy hands it over as `data`. */
 static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps, void *data)
 {
-    const wrapped *const f = data;
-    const int count = f->inputs + f->outputs;
+    const used *const u = data;
+    const function *const f = u->ufunc->of;
+    const int count = u->count;
     const npy_intp most = f->layout == one_point ? 1 : most_points;
     const npy_intp points = dimensions[0] < most ? dimensions[0] : most;
     located at[most_arrays];
     void *blocks[most_arrays] = {NULL};
     double stack[on_stack];
     size_t total = 0;
-    for (int k = 0, axes = 0; k < count; axes += f->arrays[k++].axes) {
-        const int bytes = f->arrays[k].type == NPY_INT32 ? 4 : 8;
+    const array *arrays[most_arrays];
+    for (int k = 0, axes = 0; k < count; axes += arrays[k++]->axes) {
+        arrays[k] = &f->arrays[u->places[k]];
+        const int bytes = arrays[k]->type == NPY_INT32 ? 4 : 8;
         at[k] = (located){args[k], NULL, steps[k], steps + count + axes, bytes};
-        total += (size_t)(points * f->arrays[k].size);
+        total += (size_t)(points * arrays[k]->size);
     }
     double *const memory = total <= on_stack ? stack : malloc(total * sizeof(double));
     if (!memory) {
@@ -264,60 +287,79 @@ static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps,
         double *rest = memory;
         for (int k = 0; k < count; ++k) {
             at[k].base = args[k] + start * steps[k];
-            const int direct = f->layout == in_rows && lies_in_rows(&f->arrays[k], &at[k]);
+            const int direct = f->layout == in_rows && lies_in_rows(arrays[k], &at[k]);
             at[k].block = direct ? at[k].base : (char *)rest;
-            blocks[f->arrays[k].place] = at[k].block;
-            rest += points * f->arrays[k].size;
+            blocks[u->places[k]] = at[k].block;
+            rest += points * arrays[k]->size;
         }
-        for (int k = 0; k < f->inputs; ++k)
-            move(&f->arrays[k], &at[k], here, f->layout, 1);
-        f->call(here, blocks);
-        for (int k = f->inputs; k < count; ++k)
-            move(&f->arrays[k], &at[k], here, f->layout, 0);
+        for (int k = 0; k < u->inputs; ++k)
+            move(arrays[k], &at[k], here, f->layout, 1);
+        f->call(here, blocks, f->arrays);
+        for (int k = u->inputs; k < count; ++k)
+            move(arrays[k], &at[k], here, f->layout, 0);
     }
     if (memory != stack)
         free(memory);
 }
 
-/* Row of a point in a block. */
+/* Row of a point in a block; NULL where there is no block, as it is not wanted. */
 static inline double *row(void *block, npy_intp point, int size)
 {
-    return (double *)block + size * point;
+    return block ? (double *)block + size * point : NULL;
 }
+#define ROW(place) row(a[place], i, of[place].size)
 
-/* The same, or NULL in place of a block that is not wanted. */
-static inline double *row_if_wanted(void *block, npy_intp point, int size)
-{
-    return block ? row(block, point, size) : NULL;
-}
+/* Callers of a function of one point, and of one of many. */
+#define EACH_POINT(name, ...)                                                                \
+    static void call_##name(npy_intp count, void *const *a, const array *of)                 \
+    {                                                                                        \
+        for (npy_intp i = 0; i < count; ++i)                                                 \
+            name(__VA_ARGS__);                                                               \
+    }
+#define ALL_POINTS(name, ...)                                                                \
+    static void call_##name(npy_intp count, void *const *a, const array *of)                 \
+    {                                                                                        \
+        (void)of;                                                                            \
+        name(count, __VA_ARGS__);                                                            \
+    }
+#define FUNCTION(name, layout, inputs, outputs, ...)                                         \
+    static const function of_##name = {call_##name, layout, inputs, outputs, {__VA_ARGS__}};
 
-$calls
+$functions
 
-static const wrapped functions[] = {
+static const wrapped ufuncs[] = {
 $table
 };
-enum { function_count = sizeof functions / sizeof *functions };
-static PyUFuncGenericFunction loops[function_count];
-static void *data[function_count];
-static char types[function_count][most_arrays];
+enum { ufunc_count = sizeof ufuncs / sizeof *ufuncs };
+static PyUFuncGenericFunction loops[ufunc_count];
+static used uses[ufunc_count];
+static void *data[ufunc_count];
+static char types[ufunc_count][most_arrays];
 
 static int add_all(PyObject *module)
 {
     import_array1(-1);
     import_umath1(-1);
-    for (int i = 0; i < function_count; ++i) {
-        const wrapped *const f = &functions[i];
+    for (int i = 0; i < ufunc_count; ++i) {
+        const wrapped *const ufunc = &ufuncs[i];
+        const function *const f = ufunc->of;
+        used *const u = &uses[i];
+        u->ufunc = ufunc;
+        for (int place = 0; place < f->inputs + f->outputs; ++place)
+            if (f->arrays[place].since < ufunc->wanted && f->arrays[place].size > 0) {
+                types[i][u->count] = (char)f->arrays[place].type;
+                u->places[u->count++] = place;
+                u->inputs += place < f->inputs;
+            }
         loops[i] = loop;
-        data[i] = (void *)f;
-        for (int k = 0; k < f->inputs + f->outputs; ++k)
-            types[i][k] = (char)f->arrays[k].type;
-        PyObject *const ufunc = PyUFunc_FromFuncAndDataAndSignature(
-            &loops[i], &data[i], types[i], 1, f->inputs, f->outputs, PyUFunc_None, f->name, NULL,
-            0, f->signature);
-        if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
+        data[i] = u;
+        PyObject *const made = PyUFunc_FromFuncAndDataAndSignature(
+            &loops[i], &data[i], types[i], 1, u->inputs, u->count - u->inputs, PyUFunc_None,
+            ufunc->name, NULL, 0, ufunc->signature);
+        if (!made || PyModule_AddObject(module, ufunc->name, made) < 0)
             return -1;
-        for (int k = f->inputs; k < f->inputs + f->outputs; ++k)
-            ((PyUFuncObject *)ufunc)->op_flags[k] = of_output;
+        for (int k = u->inputs; k < u->count; ++k)
+            ((PyUFuncObject *)made)->op_flags[k] = of_output;
     }
 $derivations
     return 0;
@@ -339,22 +381,9 @@ PyMODINIT_FUNC PyInit__kernels(void)
 
 def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]) -> str:
     """C source of the extension module for all systems, without a stamp."""
-    kinds = {"double": "NPY_DOUBLE", "int32_t": "NPY_INT32"}
-    table = []
-    for function in functions:
-        arrays = [
-            f"{{{place}, {a.size}, {len(a.shape)}, {a.shape[-1] if len(a.shape) == 2 else 0},"
-            f" {kinds[a.ctype]}}}"
-            for place, a in enumerate((*function.inputs, *function.outputs))
-            if function.uses(a)
-        ]
-        layout = "in_rows" if not function.many else "one_point" if function.long else "in_columns"
-        table.append(
-            f'    {{"{function.name}", "{function.signature}",\n'
-            f"     call_{function.function}, {layout},"
-            f" {len(function.taken)}, {len(function.given)},\n"
-            f"     {{{', '.join(arrays)}}}}},"
-        )
+    table = [
+        f'    {{"{f.name}", &of_{f.function}, {f.wanted}, "{f.signature}"}},' for f in functions
+    ]
     constants = [
         f'    if (PyModule_AddStringConstant(module, "derivation_{module_file(name, "")}",'
         f' "{value}") < 0)\n        return -1;'
@@ -363,23 +392,41 @@ def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[s
     return _MODULE.substitute(
         includes="\n".join(f'#include "{module_file(name, ".h")}"' for name, _ in derivations),
         most=max((len(f.inputs) + len(f.outputs) for f in functions), default=1),
-        calls="\n\n".join({f.function: _call(f) for f in functions}.values()),
+        functions="\n".join({f.function: _function(f) for f in functions}.values()),
         table="\n".join(table),
         derivations="\n".join(constants),
     )
 
 
-def _call(function: Wrapped) -> str:
-    """The C function that calls a wrapped one for a block of points."""
-    head = f"static void call_{function.function}(npy_intp count, void *const *a)"
-    arrays = (*function.inputs, *function.outputs)
+def _function(function: Wrapped) -> str:
+    """The lines of a C function: what calls it for a block of points, and its arrays."""
+    arrays, inputs = (*function.inputs, *function.outputs), len(function.inputs)
+    layout = "in_rows" if not function.many else "one_point" if function.long else "in_columns"
     if function.many:
-        passed = ", ".join(f"a[{place}]" for place in range(len(arrays)))
-        return f"{head}\n{{\n    {function.function}(count, {passed});\n}}"
-    passed = ", ".join(
-        f"{'' if array.shape or place >= len(function.inputs) else '*'}"
-        f"row{'_if_wanted' if array.since or not array.size else ''}(a[{place}], i, {array.size})"
-        for place, array in enumerate(arrays)
+        caller, passed = "ALL_POINTS", [f"a[{place}]" for place in range(len(arrays))]
+    else:
+        caller, passed = (
+            "EACH_POINT",
+            [
+                f"{'' if array.shape or place >= inputs else '*'}ROW({place})"
+                for place, array in enumerate(arrays)
+            ],
+        )
+    sizes = [str(inputs), str(len(function.outputs)), *map(_array, arrays)]
+    return "\n".join(
+        [
+            *_macro(caller, [function.function, *passed]),
+            *_macro("FUNCTION", [function.function, layout, *sizes]),
+        ]
     )
-    call = f"{function.function}({passed});"
-    return f"{head}\n{{\n    for (npy_intp i = 0; i < count; ++i)\n        {call}\n}}"
+
+
+def _macro(name: str, arguments: Sequence[str]) -> list[str]:
+    """Lines of the use of a macro, broken between its arguments alone."""
+    whole = f"{name}({', '.join(a.replace(' ', chr(0)) for a in arguments)})"
+    return [line.replace(chr(0), " ") for line in wrap(whole, 100, subsequent_indent="    ")]
+
+
+def _array(array: Array) -> str:
+    kind = "COUNT" if array.ctype == "int32_t" else ("SCALAR", "VECTOR", "TABLE")[len(array.shape)]
+    return f"{kind}({', '.join(map(str, (array.since, *array.shape)))})"

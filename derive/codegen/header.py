@@ -14,10 +14,9 @@ from typing import NamedTuple
 from nonsmooth.derive.codegen.admissibility import VERDICTS
 from nonsmooth.derive.codegen.derived import DerivedSystem, reduced_names
 from nonsmooth.derive.codegen.naming import (
-    C_TAKEN,
-    C_TAKEN_BEGINNINGS,
     c_function,
     constant,
+    free_name,
     identifier,
     module_file,
 )
@@ -75,14 +74,10 @@ class _Constants:
     def __init__(self, system: str) -> None:
         self._system = system
         fixed = ("h", *STATUSES, *VERDICTS)
-        self._taken = {*C_TAKEN, *(constant(system, name) for name in fixed)}
+        self._taken = {constant(system, name) for name in fixed}
 
     def _name(self, words: Sequence[str]) -> str:
-        name = constant(self._system, identifier("_".join(words)))
-        if name.startswith(C_TAKEN_BEGINNINGS):
-            name += "_"
-        while name in self._taken:
-            name += "_"
+        name = free_name(constant(self._system, identifier("_".join(words))), self._taken)
         self._taken.add(name)
         return name
 

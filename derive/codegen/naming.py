@@ -3,35 +3,42 @@
 from __future__ import annotations
 
 import keyword
+import re
+from collections.abc import Collection
+from unicodedata import normalize
 
-__all__ = [
-    "C_TAKEN",
-    "C_TAKEN_BEGINNINGS",
-    "RESERVED",
-    "c_function",
-    "constant",
-    "identifier",
-    "module_file",
-    "python_function",
-]
+__all__ = ["c_function", "constant", "free_name", "identifier", "module_file", "python_function"]
 
 _C_KEYWORDS = """
-auto break case char const continue default do double else enum extern float for goto if
-inline int long register restrict return short signed sizeof static struct switch typedef
-union unsigned void volatile while
+alignas alignof asm auto bool break case char const constexpr continue default do double else enum
+extern false float for goto if inline int long nullptr register restrict return short signed sizeof
+static static_assert struct switch thread_local true typedef typeof typeof_unqual union unsigned
+void volatile while
 """
-# names that no symbol of a kernel can have, in Python or in C
-RESERVED = frozenset({"lib", "outputs", *keyword.kwlist, *_C_KEYWORDS.split()})
-# what kernels in C call and name themselves, and macros: there such a symbol gets a suffix
-_C_OWN = """
-cos exp fabs lane lanes log pow sin sqrt tan DOMAIN HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN
-OVERFLOW PLOSS SING TLOSS UNDERFLOW math_errhandling
+# what kernels in Python or C call and name themselves, and macros
+_OWN = """
+abs lib outputs
+cos exp fabs fixed i lane lanes log main pow sin sqrt tan
+DECIMAL_DIG DOMAIN HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN NULL OVERFLOW PLOSS SING TLOSS
+UNDERFLOW i386 linux math_errhandling signgam unix
 """
-C_TAKEN = frozenset(_C_OWN.split())
-C_TAKEN_BEGINNINGS = (
-    *("DBL_", "FLT_", "FP_", "LDBL_", "MATH_", "M_", "NONSMOOTH_", "nonsmooth_"),
-    *("derivatives_", "wave_"),
+_WORDS = frozenset({*keyword.kwlist, *_C_KEYWORDS.split(), *_OWN.split()})
+# macros of the headers that C includes, and what C names by a number
+_FAMILIES = re.compile(
+    r"(DBL|FLT|FP|LDBL|M|MATH|NONSMOOTH|derivatives|nonsmooth|wave)_\w*(?<!_)"
+    r"|(U?INT\w*|PTRDIFF|SIG_ATOMIC|SIZE|WCHAR|WINT)_(C|MAX|MIN)"
 )
+
+
+def free_name(name: str, taken: Collection[str]) -> str:
+    """The name if it is free, else with as few underscores behind it as make it so.
+
+    Not free are those that are taken, and those that emitted files use for something else.
+    """
+    name = normalize("NFKC", name)  # as Python reads it
+    while name in taken or name in _WORDS or _FAMILIES.fullmatch(name):
+        name += "_"
+    return name
 
 
 def identifier(name: str) -> str:

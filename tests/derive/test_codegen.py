@@ -33,6 +33,7 @@ from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
 from nonsmooth.derive.flows.modal import derive_flows
+from nonsmooth.derive.symbols import Symbol
 from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.model import kernels as door
@@ -207,7 +208,7 @@ def test_eliminating_common_terms_keeps_every_value(kernel: Kernel) -> None:
     outputs = [e for output in kernel.outputs for e in output.expressions]
     expected = [sp.N(e, 40) for e in evaluate(kernel.stages, outputs, POINT)]
     body = body_of(kernel)
-    results = [e for output in body.outputs for e in output]
+    results = [e for output in body.outputs for e in output.expressions]
     assert agree(values_of(body.lines, results), expected)
     assert len({line.symbol for line in body.lines}) == len(body.lines)
     # only what the outputs need
@@ -353,11 +354,26 @@ TAKEN = {
 
 
 @pytest.mark.parametrize("kernel", TAKEN.values(), ids=TAKEN)
-def test_a_name_that_is_taken_is_refused(kernel: Kernel) -> None:
-    name = str(kernel.arguments[0].symbols[0])
-    for emit in (lambda: python_kernel(kernel, None), lambda: c_kernel(kernel, "s", None)):
-        with pytest.raises(DerivationError, match=f"the name '{name}' is taken"):
-            emit()
+def test_a_name_that_is_taken_gives_way(kernel: Kernel) -> None:
+    symbols = [s for a in kernel.arguments for s in a.symbols]
+    values = {s: sp.Rational(n, 7) for n, s in enumerate(symbols, start=1)}
+    given = [[float(values[s]) for s in a.symbols] for a in kernel.arguments]
+    namespace: dict[str, Any] = {}
+    exec(python_kernel(kernel, None), namespace)
+    arguments = (g if a.shape else g[0] for a, g in zip(kernel.arguments, given, strict=True))
+    expected = float(kernel.outputs[0].expressions[0].xreplace(values))
+    assert namespace["probe"](*arguments, lib=FLOATS) == pytest.approx(expected, rel=1e-15)
+
+
+def test_symbols_of_the_derivation_give_way_to_those_of_the_user() -> None:
+    x, word = sp.symbols("x int", real=True)
+    declared = sp.symbols("x_1 int_ x_1_", real=True)
+    made = Symbol("state", x, 1)
+    stage = Stage("end", ((made, sp.cos(x)),))
+    kernel = probe(sp.Add(made * x, word, *declared), word, x, *declared)
+    body = body_of(replace(kernel, stages=(stage,)))
+    assert [s.name for s in body.arguments[0].symbols] == ["int__", "x", "x_1", "int_", "x_1_"]
+    assert [line.symbol.name for line in body.lines] == ["x_1__"]
 
 
 @pytest.mark.parametrize(

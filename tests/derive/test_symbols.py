@@ -1,42 +1,56 @@
 """Symbols carry their meaning: no name of a declaration is taken for one of the derivation."""
 
 import copy
+import ctypes
 import pickle
+import shutil
+import subprocess
 from itertools import combinations
+from pathlib import Path
+from random import Random
+from typing import Any
 
+import numpy as np
 import pytest
 import sympy as sp
 
 from nonsmooth.derive import (
     Boundary,
     Configuration,
-    DerivationError,
     EquationSystem,
-    FirstOrder,
     Itinerary,
     Parameter,
     Phase,
+    SecondOrder,
     System,
     Transition,
     derive_equations,
 )
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.codegen.kernels import orbit_kernels
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.document.views.view import naming_of
+from nonsmooth.derive.equations.explicit import Angle
+from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.symbols import Symbol, derivative
+from nonsmooth.runtime.core.arithmetic import FLOATS
+
+compiler = shutil.which("gcc") or shutil.which("cc")
 
 X = sp.Symbol("x", real=True)
 
 
-def hopping(position: str, velocity: str, place: str, push: str, dwell: str) -> EquationSystem:
-    """A ball that falls onto a place and is thrown back, faster by a push."""
+def hopping(
+    position: str, velocity: str, place: str, push: str, dwell: str, spring: str = "k"
+) -> EquationSystem:
+    """A ball on a spring that falls onto a place and is thrown back, faster by a push."""
     x, v = sp.symbols([position, velocity], real=True)
     parameters = tuple(Parameter(name, "", lower=-sp.oo) for name in (place, push))
-    ground, faster = (p.symbol for p in parameters)
-    field = FirstOrder(sp.Matrix([[0, 1], [-1, 0]]), sp.Matrix([0, -1]))
-    air = Configuration("air", field, (Boundary("lands", ground - x),))
+    parameters += (Parameter(spring, ""),)
+    ground, faster, stiffness = (p.symbol for p in parameters)
+    motion = SecondOrder(sp.Matrix([[1]]), sp.Matrix([[stiffness]]), load=(-1,))
+    air = Configuration("air", motion, (Boundary("lands", ground - x),))
     back = Transition("air", frozenset({"lands"}), "air", (), {v: -v / 2 + faster})
     ball = System("ball", "", (x, v), parameters, (air,), (back,))
     hop = Itinerary("hop", ball, (Phase("air", "lands", dwell),), start={velocity: f"{velocity}0"})
@@ -47,7 +61,7 @@ PLAIN = hopping("x", "v", "a", "b", "tau")
 NAMES = {
     "a parameter as a state behind a phase": ("x", "v", "x_1", "v_1_reset", "tau"),
     "a parameter as a function of time": ("x", "v", "cos_tau", "half_tau", "tau"),
-    "a parameter as a spectral one": ("x", "v", "omega1", "factor1", "tau"),
+    "a parameter as a spectral one": ("x", "v", "omega1", "omega1_by_k", "tau", "omega2"),
     "a parameter as a derivative": ("x", "v", "x_1_by_tau", "v_1_by_v0", "tau"),
     "a parameter of linear equations": ("x", "v", "determinant", "coefficient11", "tau"),
     "a parameter of the first return": ("x", "v", "rate_tau", "amplitude_tau", "tau"),
@@ -88,10 +102,79 @@ def test_different_symbols_are_written_differently(names: tuple[str, ...]) -> No
     assert to_markdown(describe_orbit(equations)).count(notation.symbol(declared[2])) > 1
 
 
-def test_a_kernel_refuses_two_symbols_with_one_name() -> None:
-    kernel, *_ = orbit_kernels(hopping(*NAMES["a parameter as a state behind a phase"]))
-    with pytest.raises(DerivationError, match="the name 'v_1_reset' is taken; rename it"):
-        python_kernel(kernel, "hop")
+# beside those above: names that Python, C, the kernels or their printers have for something else
+WORDS = {
+    "arrays of the kernels": ("unknowns", "trace", "parameters", "spectrum", "time", "residual"),
+    "what kernels call": ("abs", "fabs", "sin", "cos", "sqrt", "M_PI"),
+    "what Python calls": ("np", "lib", "outputs", "lambda_", "print", "json"),
+    "words of C": ("int", "double", "const", "static", "bool", "default"),
+    "words of C and what takes their place": ("int", "int_", "x_1", "x_1_", "int__", "int___"),
+    "what C names itself": ("lane", "lanes", "fixed", "wave_0", "main", "count"),
+    "macros": ("I", "NULL", "NAN", "DBL_EPSILON", "SIZE_MAX", "NONSMOOTH_SIMD"),
+    "numbers and functions of SymPy": ("E", "S", "N", "pi", "zoo", "Q"),
+    "common terms": ("t0", "t1", "t2", "t3", "t4", "t5"),
+    "derivatives": ("x", "dx", "dx_1", "dx_1_by_tau", "tau", "x_1_by_dx_1"),
+    "time": ("s", "x", "time_", "s0", "tau", "t_"),
+    "letters that Python reads as one": ("\u00b5", "x", "\u03bc", "\u03bc_", "tau", "k"),
+    "what begins another name": ("x", "v", "x_", "v_", "tau_", "_k"),
+}
+
+QUICK = ("a parameter as a state behind a phase", "words of C and what takes their place")
+
+
+@pytest.mark.skipif(compiler is None, reason="there is no C compiler")
+@pytest.mark.parametrize(
+    "names",
+    [
+        pytest.param(names, id=case, marks=() if case in QUICK else pytest.mark.slow)
+        for case, names in {**NAMES, **WORDS}.items()
+    ],
+)
+def test_kernels_are_right_whatever_the_user_calls_things(
+    names: tuple[str, ...], tmp_path: Path
+) -> None:
+    """Each kernel in Python and in C gives what its symbolic stages say, at random numbers."""
+    equations = hopping(*names)
+    kernels = orbit_kernels(equations)
+    system = equations.itinerary.system
+    for name, text in emit_library(system, [equations.itinerary], "tests").items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    library, python = compiled(tmp_path / "ball.c"), dict[str, Any]()
+    exec((tmp_path / "ball.py").read_text(encoding="utf-8"), python)
+    random = Random("".join(names))
+    for kernel in kernels:
+        symbols = [s for a in kernel.arguments for s in a.symbols]
+        values = {s: sp.Rational(random.randint(500, 1500), 1000) for s in symbols}
+        wanted = [e for o in kernel.outputs for e in o.expressions]
+        expected = [
+            float(e.replace(Angle, lambda sine, cosine: sp.atan2(sine, cosine) % (2 * sp.pi)))
+            for e in evaluate(kernel.stages, wanted, values, digits=30)
+        ]
+        given = [
+            np.array([float(values[s]) for s in a.symbols]).reshape(a.shape)
+            for a in kernel.arguments
+        ]
+        found = python[f"hop_{kernel.name}"](*(a.tolist() for a in given), lib=FLOATS)
+        arrays = [np.empty(o.shape) for o in kernel.outputs]
+        library[f"ball_hop_{kernel.name}"](
+            *(pointer(a) if a.shape else ctypes.c_double(a) for a in given), *map(pointer, arrays)
+        )
+        for results in (found if len(arrays) > 1 else [found], arrays):
+            flat = np.concatenate([np.ravel(each) for each in results])
+            np.testing.assert_allclose(flat, expected, rtol=1e-12, atol=1e-12, err_msg=kernel.name)
+
+
+def pointer(array: np.ndarray[Any, Any]) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def compiled(source: Path) -> ctypes.CDLL:
+    """A library of a source that gives no warning."""
+    library = source.with_suffix(".so")
+    assert compiler is not None
+    command = [compiler, "-std=c99", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC", source]
+    subprocess.run([*command, "-o", library, "-lm"], check=True)
+    return ctypes.CDLL(str(library))
 
 
 def test_a_symbol_is_what_it_means() -> None:
