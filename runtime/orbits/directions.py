@@ -26,7 +26,7 @@ from nonsmooth.runtime.shooting.newton import LEAST
 if TYPE_CHECKING:
     pass
 
-__all__ = ["SINGULAR", "SOUND", "Directions", "check_reasons", "kernel_directions", "solve_linear"]
+__all__ = ["SINGULAR", "Directions", "check_reasons", "kernel_directions", "solve_linear"]
 
 CONSISTENT = 1e-7  # of the terms of an equation: what no orbit can follow
 

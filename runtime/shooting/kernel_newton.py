@@ -34,7 +34,6 @@ __all__ = [
     "Full",
     "LinearisedEquations",
     "Solved",
-    "condition_number",
     "equations_at",
     "error_bounds",
     "frequency_spread",
@@ -180,7 +179,7 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
 
     with np.errstate(all="ignore"):
         (iterations,), (status,) = (ended.tolist() for ended in iterate(1, advance))
-    if status != INVALID and (condition := condition_number(jacobian)) > MOST_CONDITION:
+    if status != INVALID and (condition := _condition_number(jacobian)) > MOST_CONDITION:
         raise _undetermined(solved_for, condition)
     error = np.inf
     if status == CONVERGED:
@@ -314,7 +313,7 @@ def natural_scales(jacobian: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.
     return rows, np.exp2(-np.rint(np.log2(np.where(most > 0, most, 1.0))))
 
 
-def condition_number(jacobian: np.ndarray) -> float:
+def _condition_number(jacobian: np.ndarray) -> float:
     """Condition number of a Jacobian (n, m) after scaling rows, then columns, to unit size.
 
     It is in the 2-norm, and inf if an entry is not finite.

@@ -36,7 +36,6 @@ __all__ = [
     "Numbers",
     "finite_at",
     "flow_at",
-    "forcing_row_of",
     "guesses",
     "itinerary_shape",
     "numbers_in",
@@ -66,7 +65,7 @@ class ItineraryShape:
         """Row of the boundary, or of the forcing's phase, that ends each phase."""
         ends = zip(self.configurations, self.boundaries, strict=True)
         return tuple(
-            forcing_row_of(self.structure) if b is None else self.structure.boundaries[c][b].row
+            _forcing_row_of(self.structure) if b is None else self.structure.boundaries[c][b].row
             for c, b in ends
         )
 
@@ -130,7 +129,7 @@ def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) 
         raise InputError("the itinerary has no phase")
     configurations = tuple(structure.configuration(c) for c, _ in pairs)
     if [boundary for _, boundary in pairs] == [FORCING_PHASE]:
-        forcing_row_of(structure)
+        _forcing_row_of(structure)
         staying = TransitionShape(frozenset(), (), 0, configurations[0])  # reset 0: the identity
         return ItineraryShape(structure, pairs, configurations, (None,), (staying,))
     sets = [
@@ -155,7 +154,7 @@ def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) 
     return ItineraryShape(structure, pairs, configurations, boundaries, tuple(transitions))
 
 
-def forcing_row_of(structure: Structure) -> int:
+def _forcing_row_of(structure: Structure) -> int:
     """Row that is zero where the forcing's phase begins anew.
 
     Raises `InputError` if the system has no forcing.

@@ -32,8 +32,6 @@ __all__ = [
     "images_of",
     "matrix_of",
     "part_of",
-    "same_maps",
-    "seen_in_images",
     "symmetry_of",
     "whole_itinerary",
     "whole_orbit",
@@ -142,13 +140,13 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
     return Symmetry(matrix, order, tuple(found[c] for c in every), boundaries)
 
 
-def seen_in_images(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
+def _seen_in_images(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
     """An affine map (N, N + 1) of states as it acts on their images under the symmetry."""
     found = matrix @ map_
     return np.concatenate([found[:, :-1] @ matrix.T, found[:, -1:]], axis=1)
 
 
-def same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bool:
+def _same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bool:
     """Whether two maps of one shape are equal, up to an error relative to the first's entries."""
     largest = max(abs(x) for x in first.ravel())
     return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
@@ -190,7 +188,7 @@ class _Images:
         """Images of a configuration's boundaries in another one; None if it is not its image."""
         structure, system, matrix = self.structure, self.system, self.matrix
         own, other = structure.boundaries[c], structure.boundaries[image]
-        field = seen_in_images(matrix, system.fields[c])
+        field = _seen_in_images(matrix, system.fields[c])
         if len(own) != len(other) or not self._equal(field, system.fields[image]):
             return None
         constraints = list(structure.constraints[image])
@@ -230,7 +228,7 @@ class _Images:
         return np.concatenate([self.matrix @ function[:-1], function[-1:]])
 
     def _equal(self, first: np.ndarray, second: np.ndarray) -> bool:
-        return same_maps(first, second, self.error)
+        return _same_maps(first, second, self.error)
 
     def _transitions_follow(self, source: int, chosen: Mapping[int, int]) -> bool:
         """Whether each transition has its image among those of the image, in the same order.
@@ -288,7 +286,7 @@ class _Images:
         if chosen[transition.target] != other.target:
             return False
         resets = self.system.resets[[transition.reset, other.reset]]
-        if not self._equal(seen_in_images(self.matrix, resets[0]), resets[1]):
+        if not self._equal(_seen_in_images(self.matrix, resets[0]), resets[1]):
             return False
         if len(transition.conditions) != len(other.conditions):
             return False
@@ -337,7 +335,7 @@ def whole_shape(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Itine
     for place, transition in enumerate(cycle.transitions):
         image = place - len(part)
         resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
-        if not same_maps(seen_in_images(symmetry.matrix, resets[0]), resets[1]):
+        if not _same_maps(_seen_in_images(symmetry.matrix, resets[0]), resets[1]):
             names = " and ".join(cycle.itinerary[k][1] for k in (place, image))
             raise InputError(f"symmetry: {names}, its image, reset the state in different ways")
     return cycle

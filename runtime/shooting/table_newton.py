@@ -37,7 +37,6 @@ from nonsmooth.runtime.shooting.variational import Shooting
 __all__ = [
     "TableSolution",
     "fitting_start",
-    "least_squares",
     "message_of",
     "sizes",
     "solve_in_python",
@@ -137,7 +136,7 @@ def solve_in_python(
         now = shoot(cycle, numbers, here, state[running], np)
         size_of = sizes(now, here)
         matrix, right = closure_equations(cycle, numbers, now, here, size_of, period[running])
-        step, least[running] = least_squares(matrix, right)
+        step, least[running] = _least_squares(matrix, right)
         step = step * size_of
         change = now.rates[..., size].T + np.einsum("pnk,nk->np", now.rates[..., :size], step)
         total = here.sum(axis=-1, keepdims=True)
@@ -223,7 +222,7 @@ def fitting_start(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) ->
     columns = np.abs(matrix).max(axis=-2)
     columns = np.where(columns > 0, columns, 1)
     right = -missed[0] / np.where(rows > 0, rows, 1)[..., 0]
-    start, _ = least_squares(matrix / columns[..., None, :], right)
+    start, _ = _least_squares(matrix / columns[..., None, :], right)
     return start / columns
 
 
@@ -246,7 +245,7 @@ def _fitting_forced(
             start[:, cosine], start[:, sine] = np.cos(angle), np.sin(angle)
         rest = right - np.einsum("nij,nj->ni", matrix, start)
         scale = np.abs(matrix[..., free]).max(axis=(-2, -1), keepdims=True)
-        found, _ = least_squares(matrix[..., free] / scale, rest / scale[..., 0])
+        found, _ = _least_squares(matrix[..., free] / scale, rest / scale[..., 0])
         start[:, free] = found
         missed = np.einsum("nij,nj->ni", matrix, start) - right
         reached = np.einsum("npj,nj->np", rates[..., 1:], start) + rates[..., 0]
@@ -256,7 +255,7 @@ def _fitting_forced(
     return best
 
 
-def least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Shortest least-squares solutions (n, k), and the smallest singular values (n,).
 
     Matrices are (n, m, k), right-hand sides (n, m). Singular values are relative to the largest.
