@@ -17,6 +17,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.doubling.beside_flip import flip_with_direction
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
+from tests.certified import accepted
 from tests.explore import test_continuation_forced as impacts
 
 pytestmark = pytest.mark.compiled  # much slower without it
@@ -179,9 +180,8 @@ def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     assert shares == sorted(shares)
     assert part.ended == "unfinished"
     assert 0 < len(part.doubled.branch.tiles) < 3
-    part.save(tmp_path / "part.json")
-    assert ns.check_certificate(tmp_path / "part.json").claims == {"doubling": "proved"}
-    whole: Any = ns.certify_doubling(branch, tiles=3, resume=ns.load(tmp_path / "part.json"))
+    assert accepted(part, tmp_path).claims == {"doubling": "proved"}
+    whole: Any = ns.certify_doubling(branch, tiles=3, resume=ns.load(tmp_path / "found.json"))
     assert (whole.ended, whole.end) == ("complete", "")
     assert whole.kind == found.kind
     assert len(whole.doubled.branch.tiles) > len(part.doubled.branch.tiles)
@@ -238,8 +238,7 @@ def test_each_of_two_doublings_of_impacts_is_asked_for_by_itself(tmp_path: Path)
             2 * impacted,
         ]
         flips.append(float(found.flip.enclosures["sigma"]))
-        found.save(tmp_path / "struck.json")
-        assert ns.check_certificate(tmp_path / "struck.json").claims == {"doubling": "proved"}
+        assert accepted(found, tmp_path).claims == {"doubling": "proved"}
         event = next(event for event in branch.events if event.kind == "flip")
         branch = ns.continue_orbit(branch.switch(event), "sigma", (flips[0] + 1e-4, -0.03))
     assert flips[0] == pytest.approx(impacts.closed_forms()[1], abs=1e-12)
