@@ -5,7 +5,11 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
+from pathlib import Path
+from typing import Any
 
 import sympy as sp
 
@@ -24,10 +28,12 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_branch", "prove_doubling",
-           "prove_graph", "rooted", "struck", "struck_together", "unhashed"]  # fmt: skip
+__all__ = ["FORCED", "accepted", "certified_over", "edited", "forced", "kicked", "loop",
+           "prove_basin", "prove_branch", "prove_doubling", "prove_graph", "rooted", "signed",
+           "struck", "struck_together", "unhashed"]  # fmt: skip
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -174,6 +180,36 @@ def prove_graph() -> ns.GraphCertificate:
     """Of speeds of the kicked mass, which tend to one."""
     data = {"k": 1, "r": "1/2", "a": 10}
     return ns.certify_graph(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
+
+
+def certified_over(
+    orbit: Orbit, parameter: str, low: object, high: object, **asked: Any
+) -> ns.CertifiedBranch:
+    """What is proved of an orbit's branch between two rational values of a parameter."""
+    ends = str(low), str(high)
+    lower, upper = (float(Fraction(end)) for end in ends)
+    branch = ns.continue_orbit(orbit, parameter, (lower, upper))
+    return ns.certify_branch(branch, interval=ends, **asked)
+
+
+def accepted(found: Any, folder: Path) -> ns.Check:
+    """The check of the file of what was found: it holds."""
+    found.save(folder / "found.json")
+    check = ns.check_certificate(folder / "found.json")
+    assert check.difference is None
+    return check
+
+
+def signed(content: dict[str, Any]) -> dict[str, Any]:
+    """A file's content with the checksum made right."""
+    return {**content, "sha256": checksum_of(content)}
+
+
+def edited(path: Path, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
+    """A file's content, changed, with the checksum made right."""
+    content = json.loads(path.read_text())
+    change(content)
+    return signed(content)
 
 
 def unhashed(told: object) -> str:

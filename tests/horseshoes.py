@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 from flint import fmpq
 
@@ -13,8 +14,8 @@ from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.sections import MapSection, forcing_section, transition_section
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
 
 INVERTED = Path(__file__).with_name("inverted_oscillator.py")
 INVERTED_DATA = {"r": "0.7", "a": "2", "w": "4"}
@@ -42,7 +43,7 @@ _FOLDED_SETS = (
 )
 
 
-def folded_section(system: EnclosedSystem) -> MapSection:
+def folded_section(system: Any) -> Any:
     """Where it is kicked."""
     source = system.structure.configuration("back")
     boundary = system.structure.boundary(source, "rises")
@@ -61,7 +62,7 @@ def folded_horseshoe(*, exponents: bool = False) -> ChaosCertificate:
 def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
     """Two sets on a section of two coordinates: A covers A and B, which covers A."""
 
-    def section(system: EnclosedSystem) -> MapSection:
+    def section(system: Any) -> Any:
         return forcing_section(system, 0, (fmpq(-1), fmpq(0)))
 
     guess = Horseshoe(1, _INVERTED_SETS, ((0, 0), (0, 1), (1, 0)), 0.0)
@@ -71,7 +72,7 @@ def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
 def proved(
     kernels: SystemKernels,
     data: Mapping[str, str],
-    section: Callable[[EnclosedSystem], MapSection],
+    section: Callable[[Any], Any],
     guess: Horseshoe,
     *,
     exponents: bool = False,

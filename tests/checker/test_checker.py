@@ -30,7 +30,7 @@ from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.stability import _inside, _neutral, characteristic
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import forced, loop, unhashed
+from tests.certified import forced, loop, signed, unhashed
 
 STICK = "dry-friction/global-stick"
 SUBJECTS: dict[str, Callable[[], Any]] = {
@@ -142,7 +142,7 @@ def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
     bound = f"{4 * len(known) * max(1, largest)}"
     for told in ({"other_multipliers": ""}, {"multipliers": [], "other_multipliers": bound}):
         weaker = {**content, **told}
-        check({**weaker, "sha256": checksum_of(weaker)})
+        check(signed(weaker))
 
 
 @of("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
@@ -667,6 +667,6 @@ def test_no_power_of_any_parameter_is_too_high(
 ) -> None:
     wall = content["declaration"]["configurations"]["right"]["boundaries"]["wall"]
     wall[-1] = {"above": [["-1", [0, 1, 2]]], "below": [["1", [0, 1, 1]]]}  # -a, in other words
-    check({**content, "sha256": checksum_of(content)})
+    check(signed(content))
     wall[-1][part] = [["1", exponents]]
     refused(content, "a power too high")

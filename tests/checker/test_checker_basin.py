@@ -11,9 +11,8 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.basin import _motions
 from nonsmooth.runtime.checker.grids import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.checking.compare_declarations import compare
-from tests.certified import prove_basin
+from tests.certified import prove_basin, signed
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 from tests.shared import shared_file
@@ -54,7 +53,7 @@ def content(path):
 
 def refused(content, tmp_path, told):
     path = tmp_path / "false.json"
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     try:
         difference = ns.check_certificate(path).difference
     except ns.InputError as problem:
@@ -106,7 +105,7 @@ def test_several_processes_prove_a_file_again(near, belt, tmp_path):
     false = tmp_path / "false.json"
     verdicts = runs([2] * len(flat(belt["verdicts"])))
     edited = {**belt, "verdicts": verdicts}
-    false.write_text(json.dumps({**edited, "sha256": checksum_of(edited)}))
+    false.write_text(json.dumps(signed(edited)))
     assert "elsewhere" in ns.check_certificate(false, workers=2).difference
 
 
@@ -230,7 +229,7 @@ def test_boxes_and_tiles_lead_to_boxes_of_smaller_ranks(tmp_path, change, told):
         refused(content, tmp_path, told)
         return
     path = tmp_path / "same.json"
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     assert ns.check_certificate(path).difference is None
 
 

@@ -29,7 +29,7 @@ from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
-from tests.certified import loop
+from tests.certified import loop, signed
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
@@ -367,7 +367,7 @@ def _other(part: list[Fraction], whole: list[Fraction]) -> list[Fraction]:
 
 def saved(content: dict[str, Any], path: Path) -> Path:
     """With the checksum made right again."""
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     return path
 
 

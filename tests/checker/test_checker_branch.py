@@ -1,7 +1,6 @@
 """The check of a branch: it proves what is so, and refuses a file that was edited."""
 
 import copy
-import hashlib
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -16,7 +15,7 @@ from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.branch import checked_tiles
 from nonsmooth.runtime.core.taylor_models import range_of
-from tests.certified import prove_branch
+from tests.certified import certified_over, prove_branch, signed
 from tests.shared import shared_file
 
 Content = dict[str, Any]
@@ -40,19 +39,12 @@ def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
         elements=[SoftStop("x", at="-1/50", stiffness="71/25", damping="2/25", name="pad")],
     )  # fmt: skip
     orbit = ns.find_orbits(system, {"Omega": "0.7"}, 2, transitions=100).orbits[0].orbit
-    branch = ns.continue_orbit(orbit, "Omega", (0.7, 0.7185))
-    found = ns.certify_branch(branch, interval=("0.7", "0.7185"), tiles=1)
+    found = certified_over(orbit, "Omega", "0.7", "0.7185", tiles=1)
     assert [tile.before for tile in found.tiles] == ["stable"]
     path = tmp_path_factory.mktemp("preloaded") / "branch.json"
     found.save(path)
     content: Content = json.loads(path.read_text())
     return content
-
-
-def signed(content: Content) -> Content:
-    covered = {key: value for key, value in content.items() if key != "sha256"}
-    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-    return {**covered, "sha256": digest}
 
 
 def with_event(content: Content, kind: str) -> Any:

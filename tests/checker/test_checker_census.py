@@ -21,7 +21,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.files.censuses import CensusEntries
 from nonsmooth.runtime.present.files.certificates import certificate_of
 from nonsmooth.runtime.proof.counting.census import Counted, Open
-from tests.certified import LOOP, kicked, unhashed
+from tests.certified import LOOP, kicked, signed, unhashed
 
 _HEAD = ("format", "version", "package", "sha256")
 
@@ -47,7 +47,7 @@ def checked(content: dict[str, Any], folder: Path) -> ns.Check:
         if orbit["certificate"] is not None:
             orbit["certificate"]["sha256"] = checksum_of(orbit["certificate"])
     path = folder / "changed.json"
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     return ns.check_certificate(path)
 
 

@@ -1,7 +1,6 @@
 """The check of a doubling: it proves what is so, and refuses a file that was edited."""
 
 import copy
-import hashlib
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +10,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_doubling
-from tests.certified import prove_doubling
+from tests.certified import prove_doubling, signed
 from tests.shared import shared_file
 
 pytestmark = pytest.mark.compiled  # much slower without it
@@ -24,12 +23,6 @@ def content() -> Content:
     assert ns.check_certificate(path).claims == {"doubling": "proved"}
     found: Content = json.loads(path.read_text())
     return found
-
-
-def signed(content: Content) -> Content:
-    covered = {key: value for key, value in content.items() if key != "sha256"}
-    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-    return {**covered, "sha256": digest}
 
 
 def other_side(content: Content) -> None:

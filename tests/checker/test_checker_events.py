@@ -40,7 +40,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.event_certificates import load_event_certificates, save_events
-from tests.certified import LOOP, loop, unhashed
+from tests.certified import LOOP, loop, signed, unhashed
 from tests.explore import test_continuation_forced as impacts
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
@@ -366,7 +366,7 @@ def test_pairs_on_the_circle_are_told_from_others(roots: list[complex], told: bo
 
 def saved(content: dict[str, Any], path: Path) -> Path:
     """With the checksum made right again."""
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     return path
 
 

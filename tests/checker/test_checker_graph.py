@@ -8,9 +8,10 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker.many_sets import ManyMotions
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
+from tests.certified import accepted, signed
 from tests.friction_sets import DATA
+from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
 
 
@@ -35,7 +36,7 @@ def content(path):
 
 def refused(content, tmp_path, told):
     path = tmp_path / "false.json"
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     try:
         difference = ns.check_certificate(path).difference
     except ns.InputError as problem:
@@ -100,8 +101,8 @@ def rewritten(content, change):
 
     content = json.loads(json.dumps(content))
     change(content)
-    signed = {**content, "sha256": checksum_of(content)}
-    return {**content, **encode(graph_entries(graph_of(GRAPH.check_entries(signed))))}
+    found = graph_of(GRAPH.check_entries(signed(content)))
+    return {**content, **encode(graph_entries(found))}
 
 
 def without_edges(content, dropped):
@@ -116,7 +117,7 @@ def without_edges(content, dropped):
 
 def test_the_rewritten_file_of_the_same_graph_passes(content, tmp_path):
     same = rewritten(content, lambda content: None)
-    assert {**same, "sha256": checksum_of(same)} == content
+    assert signed(same) == content
 
 
 def test_a_component_is_not_split(found, content, tmp_path):
@@ -230,15 +231,12 @@ def test_other_parameters_and_declarations_are_refused(tmp_path):
 @pytest.mark.parametrize("region", [(11.23, 11.25), (5.51, 5.53)])
 def test_the_check_follows_sets_at_corners(region, tmp_path):
     """One mass breaks away, or reaches the belt, just as the other one breaks away."""
-    data = {"chi": "0.34", "eta": "2.88", "V": "1.23"}
-    data |= {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
     found = ns.certify_graph(
-        "dry-friction", data, [1.93, 7.18, 1.18, 1.18], region={"x2": region}, boxes=4
+        "dry-friction", FRICTION_DATA, [1.93, 7.18, 1.18, 1.18], region={"x2": region}, boxes=4
     )
     assert not found.graph.unknown.any()
     assert found.graph.outside.any()
-    found.save(tmp_path / "corner.json")
-    assert ns.check_certificate(tmp_path / "corner.json").difference is None
+    accepted(found, tmp_path)
 
 
 def test_values_outside_of_their_domains_are_refused_before_anything_is_followed(

@@ -25,8 +25,16 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.cli.display_checks import show_check
-from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import LOOP, forced, kicked, loop, prove_branch, rooted, struck_together
+from tests.certified import (
+    LOOP,
+    forced,
+    kicked,
+    loop,
+    prove_branch,
+    rooted,
+    signed,
+    struck_together,
+)
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -250,7 +258,7 @@ def renewed(content: Any) -> Any:
     """With the right checksums."""
     if isinstance(content, dict):
         content = {name: renewed(entry) for name, entry in content.items()}
-        return {**content, "sha256": checksum_of(content)} if "sha256" in content else content
+        return signed(content) if "sha256" in content else content
     return [renewed(entry) for entry in content] if isinstance(content, list) else content
 
 

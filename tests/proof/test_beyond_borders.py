@@ -1,7 +1,6 @@
 """What begins where a branch meets a border: proved, checked again, and seen by other means."""
 
 import copy
-import hashlib
 import json
 from collections.abc import Callable
 from dataclasses import replace
@@ -37,11 +36,10 @@ from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.branch import beyond_border
-from nonsmooth.runtime.proof.branch.certified_branch import OrbitBeyond
-from nonsmooth.runtime.proof.branch.crossing import SHARP
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.same_motion import is_same_motion
 from nonsmooth.runtime.proof.branch.tube import BranchTube
+from tests.certified import accepted, certified_over, edited
 from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
 
 PAD = oscillator(
@@ -56,8 +54,7 @@ GRAZING = 0.665294576295129867
 def symmetric(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
     """The paper's orbit: at its grazing a mass begins to stick for a moment."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "0.668"})
-    branch = ns.continue_orbit(orbit, "V", (0.66, 0.67))
-    found = ns.certify_branch(branch, interval=("0.66", "0.67"), beyond=True)
+    found = certified_over(orbit, "V", "0.66", "0.67", beyond=True)
     path = tmp_path_factory.mktemp("symmetric") / "branch.json"
     found.save(path)
     return found, path
@@ -69,14 +66,13 @@ def relay(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Pa
     system, value, low, high = SYSTEMS["simultaneous"]
     itinerary = [("on", "warm"), ("off", "cold")]
     orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
-    branch = ns.continue_orbit(orbit, "w", (low, high))
-    found = ns.certify_branch(branch, interval=(str(low), str(high)), beyond=True)
+    found = certified_over(orbit, "w", low, high, beyond=True)
     path = tmp_path_factory.mktemp("relay") / "branch.json"
     found.save(path)
     return found, path
 
 
-def only(found: CertifiedBranch) -> OrbitBeyond:
+def only(found: CertifiedBranch) -> Any:
     """What begins at its one border."""
     (beyond,) = (beyond for event in found.events for beyond in event.beyond)
     return beyond
@@ -177,13 +173,11 @@ def test_itineraries_follow_each_other_or_end_together(
 ) -> None:
     system = corner(push)
     orbit = ns.solve(system, {"w": "0.522"}, [1, 1], itinerary=[("on", "warm"), ("off", "cold")])
-    branch = ns.continue_orbit(orbit, "w", (0.518, 0.524))
-    found = ns.certify_branch(branch, interval=("0.518", "0.524"), beyond=True)
+    found = certified_over(orbit, "w", "0.518", "0.524", beyond=True)
     beyond = only(found)
     assert (beyond.side, beyond.own) == (side, "above")
     assert (beyond.verdict, beyond.scenario) == (verdict, scenario)
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    accepted(found, tmp_path)
     # on that side it is an orbit that is proved on its own, of a short new phase
     at = float(found.events[0].enclosures["w"])
     value = as_value(at + (beyond.reach - at) / 2)
@@ -200,8 +194,7 @@ def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
     system, value, low, high = SYSTEMS[kind]
     itinerary = [("on", "warm"), ("off", "cold")]
     orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
-    branch = ns.continue_orbit(orbit, "w", (low, high))
-    found = ns.certify_branch(branch, interval=(str(low), str(high)), beyond=True)
+    found = certified_over(orbit, "w", low, high, beyond=True)
     assert found.complete
     assert [event.beyond for event in found.events] == [()]
 
@@ -210,8 +203,7 @@ def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
 def pad(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
     """A motion that reaches nothing, until it touches a soft stop."""
     orbit = ns.find_orbits(PAD, {"Omega": "0.79"}, 2, transitions=300).orbits[0].orbit
-    branch = ns.continue_orbit(orbit, "Omega", (0.79, 0.8))
-    found = ns.certify_branch(branch, interval=("0.79", "0.8"), beyond=True)
+    found = certified_over(orbit, "Omega", "0.79", "0.8", beyond=True)
     path = tmp_path_factory.mktemp("pad") / "branch.json"
     found.save(path)
     return found, path
@@ -245,23 +237,21 @@ def test_a_contact_begins_where_a_soft_stop_is_touched(pad: Any) -> None:
 @pytest.mark.slow
 def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path: Path) -> None:
     orbit = ns.find_orbits(PAD, {"Omega": "0.8"}, 2, transitions=300).orbits[0].orbit
-    branch = ns.continue_orbit(orbit, "Omega", (0.79, 0.8))
-    found = ns.certify_branch(branch, interval=("0.79", "0.8"), beyond=True)
+    found = certified_over(orbit, "Omega", "0.79", "0.8", beyond=True)
     beyond = only(found)
     assert beyond.itinerary == (("free", "forcing-phase"),)
     assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "stable")
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    accepted(found, tmp_path)
 
 
 def forged(path: Path, change: Callable[[dict[str, Any], dict[str, Any]], None]) -> dict[str, Any]:
     """A file whose claims about what is beyond were edited, with its checksum."""
-    content: dict[str, Any] = json.loads(path.read_text())
-    del content["sha256"]
-    event = next(t["event"] for t in content["tiles"] if (t["event"] or {}).get("beyond"))
-    change(event, event["beyond"][0])
-    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-    return {**content, "sha256": digest}
+
+    def both(content: dict[str, Any]) -> None:
+        event = next(t["event"] for t in content["tiles"] if (t["event"] or {}).get("beyond"))
+        change(event, event["beyond"][0])
+
+    return edited(path, both)
 
 
 def _flipped(beyond: dict[str, Any], name: str) -> None:
@@ -373,7 +363,7 @@ def test_orbits_beside_the_event_are_not_its_motion(symmetric: Any) -> None:
         tube = BranchTube(place, tile.lower, tile.upper, tile.centre, tile.radii)
         mets.append(beyond_border._met(by, tile, tube))
     own, other = mets
-    with flint_precision(SHARP):
+    with flint_precision(192):
         assert is_same_motion(other, own)
         moved = replace(other, point=[x + 1e-3 for x in other.point])
         assert not is_same_motion(moved, own)

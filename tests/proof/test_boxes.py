@@ -24,7 +24,7 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from tests.certified import loop
+from tests.certified import accepted, loop
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -435,8 +435,7 @@ def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
     for text, enclosure in alone.enclosures.items():
         assert tile.enclosures[text].lower < enclosure.lower
         assert enclosure.upper < tile.enclosures[text].upper
-    found.save(tmp_path / "map.json")
-    assert ns.check_certificate(tmp_path / "map.json").difference is None
+    accepted(found, tmp_path)
 
 
 @pytest.mark.parametrize("line", random.Random(7).sample(range(150), 6))

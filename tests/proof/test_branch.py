@@ -1,7 +1,5 @@
 """Certified branches: what is proved, against the integrator, the events' certificates, attacks."""
 
-import hashlib
-import json
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -25,19 +23,20 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch import passage as passage_module
-from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, VANISHED, BranchTile
+from nonsmooth.runtime.proof.branch.certified_branch import BranchTile
 from nonsmooth.runtime.proof.branch.certify_branch import _begin
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
-from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
+from nonsmooth.runtime.proof.branch.look import look
 from nonsmooth.runtime.proof.branch.march import _equations_for
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
 from nonsmooth.runtime.proof.branch.stating import _event, stated_branch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
-from nonsmooth.runtime.proof.orbit_to_prove import subject_near
-from tests.certified import prove_branch
+from tests.certified import accepted, edited, prove_branch
 from tests.explore import test_continuation_forced as impacts
 from tests.shared import shared_file
+
+FINISHED, VANISHED = "end of the interval", "a phase vanishes"
 
 
 @pytest.fixture(scope="module")
@@ -104,10 +103,9 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
         orbit = ns.solve("dry-friction/symmetric", {"V": value})
         place = 2 * (value - float(tile.lower)) / float(tile.upper - tile.lower) - 1
         middles = [np.polynomial.polynomial.polyval(place, row) for row in tile.centre]
-        subject = subject_near(orbit)
-        numbers = [*subject.start, *subject.dwell]
-        for x, middle, radius in zip(numbers, middles, tile.radii, strict=True):
-            assert abs(float(x) - middle) < radius + 1e-9
+        numbers = ns.certify(orbit).enclosures
+        for name, middle, radius in zip(found.unknown_names, middles, tile.radii, strict=True):
+            assert abs(float(numbers[name]) - middle) < radius + 1e-9
         verdict = tile.before
         if tile.event is not None:
             verdict = tile.before if value < float(tile.event.lower) else tile.after
@@ -210,7 +208,7 @@ def test_a_tile_with_two_events_is_undecided() -> None:
         curve, last, (Fraction("0.65"), Fraction("1.1")), curve.others(last, begin), None
     )
     if not isinstance(piece, str):
-        assert look(curve, piece).below == UNDECIDED
+        assert look(curve, piece).below == "undecided"
 
 
 def test_another_orbit_is_not_taken_for_the_one_that_is_known() -> None:
@@ -255,7 +253,7 @@ def forged(
         event=_event(curve, event),
     )
     empty = stated_branch(known, box, chosen, curve)
-    return replace(empty, tiles=(tile,), ends=(FINISHED, FINISHED))
+    return replace(empty, tiles=(tile,), ends=(FINISHED,) * 2)
 
 
 @pytest.mark.slow
@@ -336,8 +334,7 @@ def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
     branch = ns.continue_orbit(impacts.orbit(-0.05), "c", (-0.2, 0.1), step=0.02)
     found = ns.certify_branch(branch, interval=("-0.2", "0.1"))
     assert [part.verdict for part in found.intervals] == ["unstable"]
-    found.save(tmp_path / "plain.json")
-    assert ns.check_certificate(tmp_path / "plain.json").claims == {"branch": "proved"}
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
 @pytest.mark.slow
@@ -350,8 +347,7 @@ def test_a_torus_is_an_event(tmp_path: Path) -> None:
     with mpmath.workprec(200):
         closed = 2 * mpmath.log(mpmath.mpf(8) / 10) / (2 * mpmath.pi / (mpmath.mpf(28) / 10))
         assert event.enclosures["c"].ball.contains(exact_ball(closed))
-    found.save(tmp_path / "torus.json")
-    assert ns.check_certificate(tmp_path / "torus.json").claims == {"branch": "proved"}
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
 def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
@@ -415,8 +411,7 @@ def test_a_tile_that_the_check_refuses_is_divided(
     assert [event.kind for event in found.events] == ["flip"]
     assert refused
     assert all(tile.upper - tile.lower < Fraction(1, 250) for tile in found.tiles)
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    accepted(found, tmp_path)
 
 
 @pytest.mark.slow
@@ -435,7 +430,7 @@ def test_what_the_check_does_not_join_is_not_stated(
 
 def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:
     tiles = list(found.tiles)
-    tiles[3] = replace(tiles[3], before=UNDECIDED, after=UNDECIDED, reason="planted")
+    tiles[3] = replace(tiles[3], before="undecided", after="undecided", reason="planted")
     worse = replace(found, tiles=tuple(tiles))
     assert not worse.complete
     (part,) = worse.undecided
@@ -586,14 +581,6 @@ def test_an_edited_end_is_refused(grazing: Path, attack: Any) -> None:
 def test_an_end_that_claims_nothing_is_accepted(grazing: Path) -> None:
     """It is refused above for what is hidden in it."""
     check_branch(edited(grazing, first_tile))
-
-
-def edited(path: Path, change: Any) -> dict[str, Any]:
-    content = json.loads(path.read_text())
-    del content["sha256"]
-    change(content)
-    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-    return {**content, "sha256": digest}
 
 
 def test_of_many_phases_none_is_short_for_being_one_of_many() -> None:

@@ -1,7 +1,5 @@
 """Borders of branches: entry, tangent, simultaneous and condition events, proved and checked."""
 
-import hashlib
-import json
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +19,7 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.core.arithmetic import exact_ball
+from tests.certified import accepted, certified_over, edited
 
 A, B = sp.symbols("a b", real=True)
 THRESHOLD = Parameter("w", "a threshold, nondimensional", lower=-sp.oo)
@@ -114,8 +113,7 @@ def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
     system, value, low, high = SYSTEMS[kind]
     itinerary = [("on", "warm"), ("off", "cold")]
     orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
-    branch = ns.continue_orbit(orbit, "w", (low, high))
-    found = ns.certify_branch(branch, interval=(str(low), str(high)))
+    found = certified_over(orbit, "w", low, high)
     assert found.complete, found.statement
     (event,) = found.events
     assert (event.kind, event.also) == (kind.split(",")[0], ())
@@ -126,27 +124,24 @@ def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
     with mpmath.workprec(200):
         closed = mpmath.mpf(1) / 10 if kind == "tangent" else peak()
         assert event.enclosures["w"].ball.contains(exact_ball(closed))
-    found.save(tmp_path / "border.json")
-    assert ns.check_certificate(tmp_path / "border.json").claims == {"branch": "proved"}
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
 def certified(system: System, path: Path) -> Any:
-    itinerary = [("on", "warm"), ("off", "cold")]
-    orbit = ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=itinerary)
-    branch = ns.continue_orbit(orbit, "w", (0.45, 0.65))
-    found = ns.certify_branch(branch, interval=("0.45", "0.65"))
+    orbit = ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=[("on", "warm"), ("off", "cold")])
+    found = certified_over(orbit, "w", "0.45", "0.65")
     found.save(path)
     return found
 
 
-def edited(path: Path, **changes: Any) -> dict[str, Any]:
+def with_event(path: Path, **changes: Any) -> dict[str, Any]:
     """A file's content with another event."""
-    content = json.loads(path.read_text())
-    (tile,) = (tile for tile in content["tiles"] if tile["event"])
-    tile["event"].update(changes)
-    del content["sha256"]
-    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-    return {**content, "sha256": digest}
+
+    def change(content: dict[str, Any]) -> None:
+        (tile,) = (tile for tile in content["tiles"] if tile["event"])
+        tile["event"].update(changes)
+
+    return edited(path, change)
 
 
 @pytest.mark.slow
@@ -163,18 +158,18 @@ def test_a_condition_without_effect_is_no_event(tmp_path: Path) -> None:
     assert certified(relay(before=(Transition(**COOLED, conditions=both),)), path).complete
     for boundary in ("1.1", "2.1", "1.3", "0.2", "1.2.1", "-1.2", ""):
         with pytest.raises(Failure):
-            check_branch(edited(path, boundary=boundary))
+            check_branch(with_event(path, boundary=boundary))
     with pytest.raises(Failure):
-        check_branch(edited(path, phase=2))
+        check_branch(with_event(path, phase=2))
     with pytest.raises(Failure):
-        check_branch(edited(path, also=[["condition", 1, "1.1", "end"]]))
-    content = edited(path)
-    first = content["declaration"]["transitions"][0]["conditions"][0]
-    first[2] = not first[2]
-    del content["sha256"]
-    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+        check_branch(with_event(path, also=[["condition", 1, "1.1", "end"]]))
+
+    def turned(content: dict[str, Any]) -> None:
+        first = content["declaration"]["transitions"][0]["conditions"][0]
+        first[2] = not first[2]
+
     with pytest.raises(Failure):
-        check_branch({**content, "sha256": digest})
+        check_branch(edited(path, turned))
 
 
 LENGTH = Parameter("p", "where a phase ends, nondimensional", lower=-sp.oo)
@@ -205,8 +200,7 @@ def shrinking(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     itinerary = [("on", "full"), ("off", "cold")]
     orbit = ns.solve(system, {"p": "0.5"}, [0.5, 0.7], itinerary=itinerary)
-    branch = ns.continue_orbit(orbit, "p", (-0.1, 0.9))
-    found = ns.certify_branch(branch, interval=("-1/10", "9/10"))
+    found = certified_over(orbit, "p", "-1/10", "9/10")
     assert found.complete
     assert [part.verdict for part in found.intervals] == [
         "not admissible", "stable", "not admissible",
@@ -223,14 +217,6 @@ def test_numbers_that_are_zero_are_proved_again(shrinking: Path) -> None:
     assert ns.check_certificate(shrinking).claims == {"branch": "proved"}
 
 
-def forgery(path: Path, change: Any) -> dict[str, Any]:
-    content: dict[str, Any] = json.loads(path.read_text())
-    del content["sha256"]
-    change(content)
-    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-    return {**content, "sha256": digest}
-
-
 def test_a_phase_that_may_end_before_passes_nothing(shrinking: Path) -> None:
     """One tile over all: where the phase lasts less than 1/100 the orbit is a motion."""
 
@@ -243,7 +229,7 @@ def test_a_phase_that_may_end_before_passes_nothing(shrinking: Path) -> None:
         content["tiles"], content["start"] = [tile], 0
 
     with pytest.raises(Failure, match="admissibility is undecided"):
-        check_branch(forgery(shrinking, whole))
+        check_branch(edited(shrinking, whole))
 
 
 def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns(shrinking: Path) -> None:
@@ -254,4 +240,4 @@ def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns(shrinking: 
         content["ends"][0] = "a phase vanishes"
 
     with pytest.raises(Failure, match="it goes on"):
-        check_branch(forgery(shrinking, cut))
+        check_branch(edited(shrinking, cut))

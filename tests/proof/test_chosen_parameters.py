@@ -6,7 +6,6 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.model.completion import chosen_value
-from nonsmooth.runtime.proof.orbit_to_prove import subject_of
 
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
 SYSTEM = ("chi", "eta", "V", "us1", "ur1", "us2", "ur2")
@@ -20,25 +19,23 @@ def test_solve_chart_continue_and_certify_agree() -> None:
         }
         given = ({}, {"us1": 2}, {"ur2": "1.5"})[k % 3]
         orbit = ns.solve(STICK, {**values, **given})
-        subject = subject_of(orbit)
+        whole = ns.certify(orbit)
         branch = ns.continue_orbit(orbit, "V", (values["V"] - 0.01, values["V"] + 0.01), step=0.5)
         place = int(np.argmin(abs(branch.parameter_values - values["V"])))
         composed, _ = composed_family(branch, place)
         many = ns.solve_many(STICK, **values)
         bounds = {n: float(b) for n, b in (many.bounds or {}).items()}
-        assert subject.chosen
-        for name in subject.chosen:
-            assert composed.parameters[name] == subject.values[name]
+        assert whole.chosen
+        for name in whole.chosen:
+            assert composed.parameters[name] == whole.parameters[name]
             if name in bounds:
-                assert subject.values[name] == chosen_value(bounds[name])
+                assert whole.parameters[name] == chosen_value(bounds[name])
         told = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
         for name in set(told) & set(bounds):
             assert told[name] == pytest.approx(bounds[name], abs=1e-9)
         for name in SYSTEM:
             if name != "V":  # the branch's own point
-                assert composed.parameters[name].exact == subject.values[name].exact
-        whole = ns.certify(orbit)
-        assert whole.chosen == subject.chosen
+                assert composed.parameters[name].exact == whole.parameters[name].exact
         assert whole.claims["admissibility"] == "proved"
 
 
@@ -47,7 +44,7 @@ def test_what_plays_no_part_is_kept_where_it_is_given() -> None:
     point = orbit.problem.physical(orbit)
     assert point.chosen == ("us2",)
     assert (point.values["us1"].text, point.values["ur1"].text) == ("0.0127", "0.0255")
-    assert subject_of(orbit).values == point.values
+    assert ns.certify(orbit).parameters == point.values
 
 
 def test_a_batch_takes_physical_parameters_as_a_point_does() -> None:

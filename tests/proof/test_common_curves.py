@@ -21,10 +21,10 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.parameters import values_of
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import checked_box, region_of
 from nonsmooth.runtime.proof.branch.passage import CyclePassage
+from tests.certified import signed
 
 STICK = "dry-friction/global-stick"
 BOX = {"V": ("0.95", "1.05"), "us2": ("0.7", "0.8")}
@@ -185,7 +185,7 @@ def test_false_files_are_refused(name: str) -> None:
     edited = json.loads(content())
     change(next(tile["event"] for tile in edited["tiles"] if tile["event"]))
     with pytest.raises((Failure, Malformed), match=told):
-        check_tiles({**edited, "sha256": checksum_of(edited)})
+        check_tiles(signed(edited))
 
 
 @pytest.mark.slow

@@ -9,6 +9,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.model.kernels import load_system
+from tests.certified import accepted
 from tests.horseshoes import INVERTED, INVERTED_DATA, inverted_horseshoe
 
 pytestmark = pytest.mark.slow  # on a section of one coordinate they are looked at in test_chaos
@@ -46,10 +47,9 @@ def test_what_is_proved_is_proved_again(chaos, tmp_path):
     assert float(chaos.exponent) > 1.5
     rate = math.log(float(Fraction(chaos.cones.expansion))) / 2
     assert rate - 1e-5 < float(chaos.exponent) <= rate
-    chaos.save(tmp_path / "cones.json")
-    assert ns.check_certificate(tmp_path / "cones.json").difference is None
-    stated = json.loads((tmp_path / "cones.json").read_text())["cones"]
-    assert ns.load(tmp_path / "cones.json").to_json()["cones"] == stated
+    accepted(chaos, tmp_path)
+    stated = json.loads((tmp_path / "found.json").read_text())["cones"]
+    assert ns.load(tmp_path / "found.json").to_json()["cones"] == stated
 
 
 def test_differences_of_motions_are_as_the_cones_say(chaos, mapped):

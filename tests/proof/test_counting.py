@@ -31,7 +31,6 @@ from nonsmooth.runtime.proof.counting import branch_and_prune
 from nonsmooth.runtime.proof.counting.branch_and_prune import Root, search
 from nonsmooth.runtime.proof.counting.contraction import (
     Linear,
-    Sides,
     balls_of,
     contract,
     middles_of,
@@ -65,7 +64,7 @@ class Toy:
     def __init__(self, domain: Any, values: Any, slopes: Any) -> None:
         self.domain, self.values, self.slopes = domain, values, slopes
 
-    def linear(self, sides: Sides) -> Linear:
+    def linear(self, sides: Any) -> Linear:
         """Values in the middle, derivatives over the box."""
         centre = arb_mat([[x] for x in self.values(*middles_of(sides))])
         rows = self.slopes(*balls_of(sides))
@@ -78,7 +77,7 @@ class Pole:
 
     domain = ((0.5, 20.0),)
 
-    def linear(self, sides: Sides) -> Linear:
+    def linear(self, sides: Any) -> Linear:
         """Rows [1, -u] and [sin u, -1] on (q, 1)."""
         (u,), (m,) = balls_of(sides), middles_of(sides)
         centre = arb_mat([[arb(1), -m], [m.sin(), arb(-1)]])

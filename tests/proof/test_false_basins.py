@@ -20,7 +20,7 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.core.result_files import checksum_of
+from tests.certified import signed
 
 X, Y = sp.symbols("x y", real=True)
 
@@ -72,7 +72,7 @@ def with_rank(found, place, rank, path):
     ranks = found.ranks.tolist()
     ranks[number] = rank
     content["ranks"] = [[value, 1] for value in ranks]
-    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    path.write_text(json.dumps(signed(content)))
     return ns.check_certificate(path).difference
 
 

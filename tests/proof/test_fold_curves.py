@@ -22,12 +22,12 @@ import nonsmooth as ns
 from nonsmooth import Orbit
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.boxes.regions import map_json
 from nonsmooth.runtime.proof.boxes.tile_edges import beyond_folds
 from nonsmooth.runtime.proof.boxes.tile_event import Band
 from nonsmooth.runtime.proof.boxes.tile_fold import fold_tube
+from tests.certified import signed
 
 BEYOND = "beyond a fold"
 IMPACT = (("free", "wall-reaches-stop"),)
@@ -289,7 +289,7 @@ def test_true_maps_pass_and_a_wider_band_is_true() -> None:
     check_tiles(found)
     wider = copy.deepcopy(found)
     event_in(wider)["radius"] *= 2
-    check_tiles({**wider, "sha256": checksum_of(wider)})
+    check_tiles(signed(wider))
 
 
 def event_in(found: dict[str, Any]) -> dict[str, Any]:
@@ -361,7 +361,7 @@ def test_false_folds_are_refused(name: str) -> None:
     found = json.loads(content())
     change(event_in(found))
     with pytest.raises((Failure, Malformed), match=told):
-        check_tiles({**found, "sha256": checksum_of(found)})
+        check_tiles(signed(found))
 
 
 @pytest.mark.slow
@@ -369,7 +369,7 @@ def test_the_other_orbit_is_not_that_of_the_tiles_beside_it() -> None:
     found = json.loads(content(small=False))
     both_exchanged(event_in(found))
     with pytest.raises(Failure, match="not that of a tile beside it"):
-        check_tiles({**found, "sha256": checksum_of(found)})
+        check_tiles(signed(found))
 
 
 def test_a_region_beyond_is_not_stated_wider() -> None:
@@ -379,8 +379,8 @@ def test_a_region_beyond_is_not_stated_wider() -> None:
     share = 0.5 ** sum(level for _, level in tile["place"])
     tile |= {"event": None, "guess": []}
     with pytest.raises(Failure, match="shares"):
-        check_tiles({**found, "sha256": checksum_of(found)})
+        check_tiles(signed(found))
     found["shares"]["divided"] -= share
     found["shares"]["undecided"] += share
     with pytest.raises(Failure, match="shares"):
-        check_tiles({**found, "sha256": checksum_of(found)})
+        check_tiles(signed(found))

@@ -17,6 +17,7 @@ from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from tests.certified import kicked
 from tests.friction_sets import DATA, SCALES, arrival, section_of
+from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
 
 IMPACTS = {"r": "0.65", "sigma": "0", "w": "2.3"}
@@ -197,25 +198,14 @@ def test_a_picture_shows_the_components(friction, impacts):
         assert any(text.startswith("trapping region") for text in told)
 
 
-CHAOTIC = {
-    "chi": "0.34",
-    "eta": "2.88",
-    "V": "1.23",
-    "us1": "0.75",
-    "us2": "1.19",
-    "ur1": "2.04",
-    "ur2": "1.83",
-}
-
-
 @pytest.fixture(scope="module")
 def chaotic():
-    return ns.certify_graph("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18], levels=1)
+    return ns.certify_graph("dry-friction", FRICTION_DATA, [1.93, 7.18, 1.18, 1.18], levels=1)
 
 
 @pytest.mark.slow
 def test_a_chaotic_set_lies_in_an_attracting_component(chaotic):
-    motion = ns.simulate("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18], transitions=4000)
+    motion = ns.simulate("dry-friction", FRICTION_DATA, [1.93, 7.18, 1.18, 1.18], transitions=4000)
     names = motion.configurations
     places = [
         k for k in range(400, len(names)) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick")
@@ -234,13 +224,13 @@ def test_a_chaotic_set_lies_in_an_attracting_component(chaotic):
 
 @pytest.mark.slow
 def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
-    corner = (float(CHAOTIC["ur2"]) / 0.34 + float(CHAOTIC["ur1"])) / 0.66
+    corner = (float(FRICTION_DATA["ur2"]) / 0.34 + float(FRICTION_DATA["ur1"])) / 0.66
     box = chaotic.box_of([corner])
     assert not chaotic.graph.unknown[box]
     low, high = chaotic.graph.grid.bounds(chaotic.targets(box))
     for x2 in corner - np.array([1e-3, 1e-6, 1e-9]):
-        start = [0.34 * x2 + float(CHAOTIC["ur1"]), x2, 1.23, 1.23]
-        motion = ns.simulate("dry-friction", CHAOTIC, start, "slip-stick", transitions=12)
+        start = [0.34 * x2 + float(FRICTION_DATA["ur1"]), x2, 1.23, 1.23]
+        motion = ns.simulate("dry-friction", FRICTION_DATA, start, "slip-stick", transitions=12)
         names = motion.configurations
         k = next(k for k in range(1, 12) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"))
         there = motion.states[k, 1]

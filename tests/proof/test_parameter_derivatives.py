@@ -30,16 +30,15 @@ from nonsmooth.runtime.core.jets import Jet
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.proof import parameter_derivatives
-from nonsmooth.runtime.proof.certificate import Stated
-from tests.certified import LOOP, loop, rooted, struck_together
+from tests.certified import LOOP, accepted, loop, rooted, struck_together
+from tests.places import GALLERY
 
 STICK = "dry-friction/global-stick"
 BUILT_IN = (STICK, "dry-friction/symmetric", "rigid-stop/one-impact", "elastic-stop/one-contact")
 DIGITS = 45
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
 
 
-def about(enclosure: Stated, number: Any) -> bool:
+def about(enclosure: Any, number: Any) -> bool:
     """Whether it contains a number of so many digits, with the error that this has."""
     with flint_precision(400):
         error = exact_ball(10.0 ** (5 - DIGITS)) * (1 + abs(exact_ball(number)))
@@ -78,9 +77,8 @@ def test_orbits_of_the_paper(name: str, tmp_path: Path) -> None:
     assert not found.no_derivatives
     assert found.derivatives.keys() >= found.enclosures.keys()
     agrees(found, orbit)
-    found.save(tmp_path / "proof.json")
-    assert ns.check_certificate(tmp_path / "proof.json").difference is None
-    again = ns.load(tmp_path / "proof.json")
+    accepted(found, tmp_path)
+    again = ns.load(tmp_path / "found.json")
     assert again.to_json() == found.to_json()
 
 
@@ -142,8 +140,7 @@ def test_declared_orbits_of_the_gallery(name: str, tmp_path: Path) -> None:
     found = ns.certify(orbit, derivatives=True)
     assert found.directions.keys() == orbit.given.keys()
     agrees(found, orbit)
-    found.save(tmp_path / "proof.json")
-    assert ns.check_certificate(tmp_path / "proof.json").difference is None
+    accepted(found, tmp_path)
 
 
 def test_closed_forms() -> None:
@@ -224,8 +221,7 @@ def test_random_forced_systems(declared: Any, tmp_path: Path) -> None:
         if found is None or not found.derivatives:
             continue
         agrees(found, orbit)
-        found.save(tmp_path / "proof.json")
-        assert ns.check_certificate(tmp_path / "proof.json").difference is None
+        accepted(found, tmp_path)
         seen += 1
         if seen == 3:
             break

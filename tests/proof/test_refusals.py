@@ -15,7 +15,6 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import refusals as of_branches
-from nonsmooth.runtime.proof.branch.certified_branch import FINISHED
 from nonsmooth.runtime.proof.chaos import certify_chaos
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.coverings import Coverings
@@ -23,9 +22,11 @@ from nonsmooth.runtime.proof.counting import certify_all
 from nonsmooth.runtime.proof.doubling import certify_doubling
 from nonsmooth.runtime.proof.events import certify_event
 from nonsmooth.runtime.proof.refusals import refusal
+from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
 
 ORBIT, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
+FINISHED = "end of the interval"
 PLANTED = "the checker refuses it: planted"
 
 pytestmark = pytest.mark.usefixtures("_restored")
@@ -49,15 +50,6 @@ def refusing(
         return found
 
     return planted
-
-
-def passes(found: Any, folder: Path) -> ns.Check:
-    """The check of the file of what was found."""
-    path = folder / "found.json"
-    found.save(path)
-    check = ns.check_certificate(path)
-    assert check.difference is None
-    return check
 
 
 @cache
@@ -100,7 +92,7 @@ def test_a_claim_of_an_orbit(claim: str, tmp_path: Path, monkeypatch: pytest.Mon
         assert left == ({*found.claims} if claim == "existence" else {claim})
         assert found.reasons[claim] == PLANTED
         assert bool(found.derivatives) == (claim == "admissibility")
-    assert passes(found, tmp_path).claims == found.claims
+    assert accepted(found, tmp_path).claims == found.claims
 
 
 @pytest.mark.parametrize("number", ["1/0", "none"])
@@ -123,7 +115,7 @@ def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         planted.setattr(certify_event, "check_events", claimed)
         found = ns.certify_event(branch(), event)
     assert (found.claim, found.reason) == ("undecided", PLANTED)
-    assert passes(found, tmp_path).claims == {"events": "undecided"}
+    assert accepted(found, tmp_path).claims == {"events": "undecided"}
 
 
 @pytest.mark.slow
@@ -139,7 +131,7 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert found.claims["existence"] == "undecided"
     reasons = [t.reasons["existence"] for t in found.tiles if t.verdict == "undecided"]
     assert {*reasons} <= {PLANTED, "not looked at yet"}
-    assert passes(found, tmp_path).claims == found.claims
+    assert accepted(found, tmp_path).claims == found.claims
 
 
 def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -151,7 +143,7 @@ def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
         found = ns.certify_box(orbit(), box)
     assert sorted(tile.verdict for tile in found.tiles) == ["proved", "undecided"]
     assert found.reasons["existence"].endswith(PLANTED)
-    assert passes(found, tmp_path).claims == found.claims
+    assert accepted(found, tmp_path).claims == found.claims
 
 
 def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -160,7 +152,7 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyP
         planted.setattr(of_tiles, "check_whole", told)
         found = ns.certify_box(orbit(), {"V": ("0.999", "1.001")})
     assert found.reasons["existence"].endswith(PLANTED)
-    assert passes(found, tmp_path).claims == found.claims
+    assert accepted(found, tmp_path).claims == found.claims
 
 
 @pytest.mark.slow
@@ -179,7 +171,7 @@ def test_an_end_of_a_branch(
         found = ns.certify_branch(branch(), interval=(lower, upper))
     assert found.ends == tuple(PLANTED if k in refused else FINISHED for k in (0, 1))
     assert not found.complete
-    assert passes(found, tmp_path).claims == {"branch": "undecided"}
+    assert accepted(found, tmp_path).claims == {"branch": "undecided"}
 
 
 @pytest.mark.slow
@@ -198,7 +190,7 @@ def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     else:
         assert (found.ended, found.end) == ("not proved", PLANTED)
         assert found.doubled is None
-    assert passes(found, tmp_path).claims == {"doubling": "undecided"}
+    assert accepted(found, tmp_path).claims == {"doubling": "undecided"}
 
 
 def test_chaos(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -227,7 +219,7 @@ def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         found = ns.certify_all(ORBIT, box={"tau": 3, "tau1": 3})
     (counted,) = found.orbits
     assert (counted.certificate, counted.reason) == (None, PLANTED)
-    assert passes(found, tmp_path).claims == {"listed": "undecided", "no others": "undecided"}
+    assert accepted(found, tmp_path).claims == {"listed": "undecided", "no others": "undecided"}
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, KeyError, TypeError, AttributeError])

@@ -18,14 +18,13 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_of
 from nonsmooth.runtime.proof.boxes.regions import map_json
 from nonsmooth.runtime.proof.boxes.tile_edges import edges_of
 from nonsmooth.runtime.proof.boxes.tile_event import Band, _away
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from tests.certified import loop
+from tests.certified import loop, signed
 
 SYMMETRIC = "dry-friction/symmetric"
 # the kicked mass reaches 1/(1 - r), where the wall stands, and has the multiplier r
@@ -216,7 +215,7 @@ def content_of(found: ns.BoxCertificate, path: Path) -> dict[str, Any]:
 def refused(content: dict[str, Any], told: str) -> None:
     """The check fails, with the checksum made right again."""
     with pytest.raises((Failure, Malformed), match=told):
-        check_tiles({**content, "sha256": checksum_of(content)})
+        check_tiles(signed(content))
 
 
 def divided(content: dict[str, Any], kind: str) -> dict[str, Any]:
@@ -301,7 +300,7 @@ def test_true_curves_pass_and_a_wider_band_is_true() -> None:
         check_tiles(content)
         wider = copy.deepcopy(content)
         divided(wider, kind)["radius"] *= 3
-        check_tiles({**wider, "sha256": checksum_of(wider)})
+        check_tiles(signed(wider))
 
 
 def test_a_curve_that_is_left_out_is_refused() -> None:
@@ -324,7 +323,7 @@ def test_a_curve_beside_its_tile_is_none_of_the_box(tmp_path: Path) -> None:
     tile["reasons"] = {"stability": "so"}
     told = box_of(BOX.check_entries(content))
     content |= {n: told.to_json()[n] for n in ("claims", "reasons", "shares", "enclosures")}
-    check_tiles({**content, "sha256": checksum_of(content)})
+    check_tiles(signed(content))
     assert [region.verdict for region in told.regions] == ["stable"]
     assert told.curves == ()
 

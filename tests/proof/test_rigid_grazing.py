@@ -21,6 +21,7 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.branch.passage import CyclePassage
+from tests.certified import accepted, certified_over
 from tests.proof.test_beyond_borders import forged, only
 
 GAP = Parameter("sigma", "position of the stop", lower=-sp.oo)
@@ -69,8 +70,7 @@ def without_impact(w: str, r: str) -> CertifiedBranch:
     low, high = f"{amplitude * 0.95:.4g}", f"{amplitude * 1.05:.4g}"
     given = {"w": w, "r": r, "sigma": high}
     orbit = ns.solve(STRIKER, given, [2 * np.pi / float(w)], itinerary=[FREE])
-    branch = ns.continue_orbit(orbit, "sigma", (float(low), float(high)))
-    return ns.certify_branch(branch, interval=(low, high), beyond=True)
+    return certified_over(orbit, "sigma", low, high, beyond=True)
 
 
 def along(beyond: Any, e: float) -> dict[str, float]:
@@ -130,8 +130,7 @@ def test_an_impact_begins_with_the_speed_zero(
     assert ns.certify(orbit).claims == {
         "existence": "proved", "admissibility": "proved", "stability": "refuted",
     }  # fmt: skip
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").claims == {"branch": "proved"}
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
 @pytest.mark.slow
@@ -140,8 +139,7 @@ def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path: Path) -> N
     closed = Closed("2.4", "0.8")
     given = {"w": "2.4", "r": "0.8", "sigma": "0.2"}
     orbit = ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])
-    branch = ns.continue_orbit(orbit, "sigma", (0.19, 0.22))
-    found = ns.certify_branch(branch, interval=("0.19", "0.22"), beyond=True)
+    found = certified_over(orbit, "sigma", "0.19", "0.22", beyond=True)
     assert found.complete
     assert [part.verdict for part in found.intervals] == ["unstable", "not admissible"]
     (event,), beyond = found.events, only(found)
@@ -152,16 +150,14 @@ def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path: Path) -> N
     assert beyond.itinerary == (FREE,)
     assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
     assert "there free (forcing-phase) begins, stable, above it" in found.statement
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    accepted(found, tmp_path)
 
 
 def impacts(count: int, sigma: str, low: str, high: str) -> CertifiedBranch:
     """A branch of so many impacts in one slow period of the forcing."""
     found = ns.find_orbits(STRIKER, {"w": "0.7", "r": "0.6", "sigma": sigma}, 12, transitions=300)
     orbit = next(o.orbit for o in found.orbits if len(o.orbit.itinerary) == count)
-    branch = ns.continue_orbit(orbit, "sigma", (float(low), float(high)))
-    return ns.certify_branch(branch, interval=(low, high), beyond=True)
+    return certified_over(orbit, "sigma", low, high, beyond=True)
 
 
 @pytest.mark.slow
@@ -177,8 +173,7 @@ def test_a_third_impact_and_a_fourth(tmp_path: Path) -> None:
         assert beyond.scenario == "nonsmooth fold"
         event = next(event for event in found.events if event.beyond)
         events.append(event.enclosures["sigma"].ball)
-        found.save(tmp_path / f"{count}.json")
-        assert ns.check_certificate(tmp_path / f"{count}.json").difference is None
+        accepted(found, tmp_path)
     assert events[0].overlaps(events[1])
     assert max(float(x.rad()) for x in events) < 1e-32
 
@@ -196,13 +191,11 @@ def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
         parameters=[GAP],
     )  # fmt: skip
     orbit = ns.find_orbits(belt, {"sigma": "0.42"}, 4, transitions=300).orbits[0].orbit
-    branch = ns.continue_orbit(orbit, "sigma", (0.415, 0.42))
-    found = ns.certify_branch(branch, interval=("0.415", "0.42"), beyond=True)
+    found = certified_over(orbit, "sigma", "0.415", "0.42", beyond=True)
     beyond = only(found)
     assert [c for c, _ in beyond.itinerary].count("slip-free") == 2
     assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "unstable")
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    accepted(found, tmp_path)
 
 
 @pytest.mark.slow
@@ -212,8 +205,7 @@ def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
     """One impact in two periods, as slow as may be: the motion touches the stop each period."""
     given = {"w": "4.4", "r": "0.8", "sigma": "0.053"}
     orbit = ns.solve(STRIKER, given, [4 * np.pi / 4.4], itinerary=[IMPACT])
-    branch = ns.continue_orbit(orbit, "sigma", (0.0525, 0.056))
-    found = ns.certify_branch(branch, interval=("0.0525", "0.056"), beyond=True)
+    found = certified_over(orbit, "sigma", "0.0525", "0.056", beyond=True)
     assert found.complete
     (event,) = found.events
     assert event.beyond == ()
@@ -221,8 +213,7 @@ def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
     with ctx.workprec(160):
         touches = exact_ball(Closed("4.4", "0.8").amplitude)
         assert event.enclosures["sigma"].ball.contains(touches)
-    found.save(tmp_path / "branch.json")
-    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    accepted(found, tmp_path)
 
 
 def test_the_map_times_the_speed_is_that_product() -> None:

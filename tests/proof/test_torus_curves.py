@@ -19,8 +19,8 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.stability import _inside, _throughout
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.taylor_models import space_of
+from tests.certified import signed
 from tests.explore import test_continuation_forced as impacts
 
 GIVEN = {"mu": "0.67", "ka": "1.44", "z": "0.003", "r": "0.67", "d": "0.27", "w": "2.212"}
@@ -143,7 +143,7 @@ def test_the_file_passes_and_false_ones_do_not() -> None:
         edited = json.loads(content())
         change(next(tile["event"] for tile in edited["tiles"] if tile["event"]))
         with pytest.raises(Failure):
-            check_tiles({**edited, "sha256": checksum_of(edited)})
+            check_tiles(signed(edited))
 
 
 def test_stability_is_that_of_the_middle_where_no_multiplier_passes() -> None:
