@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
 
 import sympy as sp
 
@@ -22,7 +21,6 @@ __all__ = [
     "Paragraph",
     "Table",
     "marked",
-    "notes_beside",
     "text_width",
     "width",
 ]
@@ -38,8 +36,6 @@ _TRANSPARENT = {r"\left", r"\right", r"\biggl", r"\biggr", r"\mathrm", r"\mathsf
 _TRANSPARENT |= {r"\operatorname", r"\bar", r"\hat", r"\displaystyle"}
 
 _MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
-# em that a number and the gaps of a note beside a formula take
-_AROUND_NOTE = 7.0
 
 
 @dataclass(frozen=True)
@@ -117,13 +113,6 @@ class Formula:
         return f"{self.note[:1].upper()}{self.note[1:]}:" if self.note else ""
 
 
-def notes_beside(formulas: Sequence[Formula]) -> bool:
-    """Whether the notes of aligned formulas have room beside them."""
-    widest = [width(left) + width(right) for f in formulas for left, right in f.rows]
-    notes = [text_width(f.note) for f in formulas if f.note]
-    return max(widest, default=0.0) + max(notes, default=0.0) + _AROUND_NOTE <= LINE_WIDTH
-
-
 @dataclass(frozen=True)
 class Table:
     """Rows of text below a header; the column `wrapped` takes the remaining width."""
@@ -150,17 +139,6 @@ class Document:
 
     title: str
     blocks: tuple[Block, ...]
-
-    @property
-    def groups(self) -> tuple[tuple[Block, ...], ...]:
-        """The blocks in groups: consecutive numbered formulas together, every other block alone."""
-        found: list[tuple[Block, ...]] = []
-        for numbered, run in groupby(
-            self.blocks, lambda b: isinstance(b, Formula) and b.label is not None
-        ):
-            blocks = tuple(run)
-            found += [blocks] if numbered else [(block,) for block in blocks]
-        return tuple(found)
 
     @property
     def formulas(self) -> tuple[Formula, ...]:

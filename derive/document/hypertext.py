@@ -17,7 +17,6 @@ from nonsmooth.derive.document.blocks import (
     Paragraph,
     Table,
     marked,
-    notes_beside,
 )
 
 __all__ = ["equation_html", "mathml", "to_html", "to_markdown"]
@@ -33,9 +32,6 @@ h3 { font-size: 1.05rem; margin-top: 1.6rem; }
 .formula { display: flex; align-items: center; gap: 1.5rem; }
 .formula math { margin: 0 auto; }
 .formula .number { white-space: nowrap; }
-.noted { display: grid; grid-template-columns: 45% 1fr auto; }
-.noted > math { justify-self: start; margin: 0 0 0 20%; }
-@media (max-width: 44rem) { .noted { display: flex; flex-wrap: wrap; } }
 math { font-size: 1.05em; }
 mtd { padding: 0.25em 0.35em; }
 .rows > mtr > mtd:first-child { text-align: right; text-align: -webkit-right; padding-right: 0; }
@@ -83,7 +79,7 @@ def to_html(document: Document) -> str:
             'HTML needs the latex2mathml package: pip install "nonsmooth[html]"'
         ) from error
     page = _Page(convert)
-    body = "\n".join(page.group(group) for group in document.groups)
+    body = "\n".join(page.block(block) for block in document.blocks)
     title = escape(document.title)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -99,35 +95,25 @@ class _Page:
     def __init__(self, convert: Callable[[str], str]) -> None:
         self.convert = convert
 
-    def group(self, group: Sequence[Block]) -> str:
-        """HTML of one block, or of consecutive numbered formulas."""
-        beside = notes_beside([b for b in group if isinstance(b, Formula)])
-        return "\n".join(self.block(b, beside=beside) for b in group)
-
-    def block(self, block: Block, *, beside: bool) -> str:
-        """HTML of one block; the note of a formula stands `beside` it, or else above."""
+    def block(self, block: Block) -> str:
+        """HTML of one block; the note of a formula stands above it."""
         if isinstance(block, Heading):
             return f"<h{block.level + 1}>{self.text(block.numbered)}</h{block.level + 1}>"
         if isinstance(block, Paragraph):
             return f"<p>{self.text(block.text)}</p>"
-        return self.formula(block, beside) if isinstance(block, Formula) else self.table(block)
+        return self.formula(block) if isinstance(block, Formula) else self.table(block)
 
-    def formula(self, formula: Formula, beside: bool) -> str:
+    def formula(self, formula: Formula) -> str:
         """HTML of a formula's rows, aligned at their signs, in a box that scrolls by itself."""
         cells = "".join(
             f"<mtr><mtd>{self.math(left)}</mtd><mtd>{self.math(right)}</mtd></mtr>"
             for left, right in formula.rows
         )
-        above = note = ""
-        if formula.note and beside:
-            note = f'<span class="note">{self.text(formula.note)}</span>'
-        elif formula.note:
-            above = f"<p>{self.text(formula.lead)}</p>\n"
+        above = f"<p>{self.text(formula.lead)}</p>\n" if formula.note else ""
         label = f'<span class="number">({escape(formula.label)})</span>' if formula.label else ""
-        kind = "formula noted" if note else "formula"
         return (
-            f'{above}<div class="{kind}"><math display="block" displaystyle="true">'
-            f'<mtable class="rows" displaystyle="true">{cells}</mtable></math>{note}{label}</div>'
+            f'{above}<div class="formula"><math display="block" displaystyle="true">'
+            f'<mtable class="rows" displaystyle="true">{cells}</mtable></math>{label}</div>'
         )
 
     def table(self, table: Table) -> str:

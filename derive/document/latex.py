@@ -7,8 +7,6 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from nonsmooth.derive.document.blocks import (
@@ -19,7 +17,6 @@ from nonsmooth.derive.document.blocks import (
     Paragraph,
     Table,
     marked,
-    notes_beside,
     text_width,
 )
 
@@ -84,11 +81,12 @@ def to_latex(document: Document) -> str:
     first = next((b.number for b in document.blocks if isinstance(b, Heading)), None) or 1
     if first > 1:  # a part of the whole
         parts.append(rf"\setcounter{{section}}{{{first - 1}}}")
-    groups = document.groups
-    first_blocks = (None, *(group[0] for group in groups), None)
-    for before, group, after in zip(first_blocks, groups, first_blocks[2:], strict=False):
-        heading = group[0] if isinstance(group[0], Heading) else None
-        parts.append(_heading(heading, before, after) if heading else _group(group))
+    around = (None, *document.blocks, None)
+    for before, block, after in zip(around, document.blocks, around[2:], strict=False):
+        if isinstance(block, Heading):
+            parts.append(_heading(block, before, after))
+        else:
+            parts.append(_block(block))
     parts.append(r"\end{document}")
     return "\n".join(parts) + "\n"
 
@@ -102,29 +100,16 @@ def _heading(heading: Heading, before: Block | None, after: Block | None) -> str
     return f"\n\\needroom{{{room}\\baselineskip}}\n{title}\n"
 
 
-def _group(group: Sequence[Block]) -> str:
-    block = group[0]
-    if isinstance(block, Paragraph):
-        return f"\n{_text(block.text)}"
-    if isinstance(block, Table):
-        return _table(block)
-    formulas = [b for b in group if isinstance(b, Formula)]
-    if notes_beside(formulas):
-        # equations in a row are aligned with each other
-        return _aligned(formulas)
-    return "\n".join(
-        (f"\n{_text(f.lead)}\n" if f.note else "") + _aligned([replace(f, note=None)])
-        for f in formulas
-    )
+def _block(block: Paragraph | Formula | Table) -> str:
+    """LaTeX of a block that is no heading; the note of a formula stands above it."""
+    if isinstance(block, Formula):
+        return (f"\n{_text(block.lead)}\n" if block.note else "") + _aligned(block)
+    return _table(block) if isinstance(block, Table) else f"\n{_text(block.text)}"
 
 
-def _aligned(formulas: Sequence[Formula]) -> str:
-    found: list[str] = []
-    for formula in formulas:
-        broken = [f"{left} &{right}" for left, right in formula.rows]
-        broken[-1] += rf" && \text{{{_text(formula.note)}}}" if formula.note else ""
-        broken[-1] += rf" \tag{{{formula.label}}}" if formula.label else ""
-        found += broken
+def _aligned(formula: Formula) -> str:
+    found = [f"{left} &{right}" for left, right in formula.rows]
+    found[-1] += rf" \tag{{{formula.label}}}" if formula.label else ""
     body, together = found[0], 1
     for place, row in enumerate(found[1:], start=1):
         # a page may break where a relation begins, or inside one that is as long as half a page,

@@ -19,7 +19,7 @@ __all__ = ["inline", "on_pages", "texts_of"]
 _INLINE = re.compile(r"\$([^$]+)\$")
 _MATRIX = re.compile(r"\\begin\{matrix\}.*?\\end\{matrix\}", re.DOTALL)
 _BREAK = re.compile(r" \\\\\*?\n")
-_ENDS = re.compile(r"\s*(?:&& \\text\{.*\}\s*)?(?:\\tag\{[\d.]+\})?\s*$", re.DOTALL)
+_ENDS = re.compile(r"\s*(?:\\tag\{[\d.]+\})?\s*$", re.DOTALL)
 
 
 def inline(text: str) -> list[str]:
@@ -62,7 +62,6 @@ def _latex(document: Document) -> Counter[Row]:
     found: Counter[Row] = Counter()
     displays = re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", text, re.DOTALL)
     for body in displays:
-        found.update(map(read_latex, inline(" ".join(re.findall(r"&& \\text\{.*", body)))))
         found.update(_sides(body))
     text = re.sub(r"\\begin\{align\*\}\n.*?\n\\end\{align\*\}", "", text, flags=re.DOTALL)
     found.update(map(read_latex, inline(text.partition(r"\begin{document}")[2])))

@@ -16,7 +16,7 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["Notation"]
+__all__ = ["Notation", "with_signs"]
 
 # a symbol with indices, to which a power may be put
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
@@ -159,17 +159,9 @@ class Notation(Symbols, LatexPrinter):
         """Whether a symbol stands for a sine."""
         return isinstance(self.functions.get(symbol), sp.sin) or meaning_of(symbol) == "sine"
 
-    def with_signs(self, terms: Iterable[sp.Expr]) -> list[tuple[sp.Expr, str]]:
-        """Terms of a sum in the given order, each with the LaTeX of it and its sign."""
-        written = [(term, *self.term(term)) for term in terms]
-        return [
-            (term, f"- {text}" if sign < 0 else f"+ {text}" if place else text)
-            for place, (term, sign, text) in enumerate(written)
-        ]
-
     def sum(self, expression: sp.Expr) -> str:
         """LaTeX of a sum in the order of reading."""
-        return " ".join(text for _, text in self.with_signs(self.ordered(expression)))
+        return " ".join(with_signs(map(self.term, self.ordered(expression))))
 
     def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
         """LaTeX of a sum, cut in front of every sign at which a line may break."""
@@ -177,8 +169,8 @@ class Notation(Symbols, LatexPrinter):
 
     def signed(self, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
         """LaTeX of the terms of a sum in the given order, each with its sign; wide ones are cut."""
-        found: list[str] = []
-        for term, text in self.with_signs(terms):
+        terms, found = list(terms), list[str]()
+        for term, text in zip(terms, with_signs(map(self.term, terms)), strict=True):
             found += self.cut(term, text, leading=not found)
         return tuple(found)
 
@@ -230,10 +222,6 @@ class Notation(Symbols, LatexPrinter):
         sign = -1 if number.is_negative else 1
         factors = list(sp.Mul.make_args(rest))
         roots = [f for f in factors if f.is_Pow and abs(f.exp) == sp.Rational(1, 2)]
-        scale = sp.Integer(1)
-        closed = [f for f in roots if f.base.is_number]
-        if number.is_Rational and closed and len(closed) < len(roots):
-            scale, number = number**2, sp.Integer(sign)
         above, below = [abs(number).p, abs(number).q] if number.is_Rational else [abs(number), 1]
         above, below = [sp.sympify(above)], [sp.sympify(below)]
         for factor in (f for f in factors if f not in roots):
@@ -241,16 +229,12 @@ class Notation(Symbols, LatexPrinter):
             if base.is_Add and exponent.is_Integer and exponent % 2 and self.looks_negative(base):
                 base, sign = -base, -sign
             if exponent.is_Rational and exponent < 0:
-                if exponent.is_Integer and exponent % 2 and self.looks_turned(base):
-                    base, sign = -base, -sign
                 below.append(base**-exponent)
             else:
                 above.append(base**exponent)
         if roots:
             radicand = sp.Mul(*(f.base ** (2 * f.exp) for f in roots))
             radicand = radicand if len(roots) == 1 else sp.together(radicand)
-            if scale != 1:
-                radicand = sp.Mul(scale, radicand, evaluate=not radicand.is_Add)
             above.append(sp.Pow(radicand, sp.Rational(1, 2), evaluate=False))
         if sign < 0:
             turned = next((i for i, f in enumerate(above) if self.turnable(f)), None)
@@ -279,15 +263,6 @@ class Notation(Symbols, LatexPrinter):
             return bool(number.is_negative)
         return all(self.term(a)[0] < 0 for a in expression.args)
 
-    def looks_turned(self, expression: sp.Expr) -> bool:
-        """Whether a denominator subtracts parameters from states, and reads better turned."""
-        if not expression.is_Add or expression.as_coeff_Add()[0] != 0:
-            return False
-        constants = set(self.constants)
-        fixed = [a for a in expression.args if a.free_symbols <= constants]
-        moving = len(fixed) < len(expression.args)
-        return bool(fixed) and moving and all(a.as_coeff_Mul()[0] < 0 for a in fixed)
-
     def turnable(self, factor: sp.Expr) -> bool:
         """Whether a sum can take up a minus sign in front of it."""
         if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
@@ -315,8 +290,7 @@ class Notation(Symbols, LatexPrinter):
             return 0, str(factor)
         if base.is_Add:
             moving = any(map(self.is_function, base.free_symbols))
-            entries = base.free_symbols & set(self.projectors)
-            return 3, f"{2 if moving else 0 if entries else 1} {factor}"
+            return 3, f"{int(moving)} {factor}"
         if isinstance(base, sp.cos | sp.sin) or self.is_function(base):
             # without brackets of its own it ends a product
             bracketed = isinstance(self.functions.get(base), ExponentialDifference)
@@ -329,6 +303,14 @@ class Notation(Symbols, LatexPrinter):
         if base in self.constants:
             return 1, str(factor)
         return 2, str(factor)
+
+
+def with_signs(terms: Iterable[tuple[int, str]]) -> tuple[str, ...]:
+    """Pieces of a sum of terms, each given by its sign and its LaTeX without it."""
+    return tuple(
+        f"- {text}" if sign < 0 else f"+ {text}" if place else text
+        for place, (sign, text) in enumerate(terms)
+    )
 
 
 def _is_root_of_fraction(factor: sp.Expr) -> bool:

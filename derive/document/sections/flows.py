@@ -10,7 +10,7 @@ from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.document.blocks import Block, Line, Paragraph
-from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.notation.printer import Notation, with_signs
 from nonsmooth.derive.document.notation.symbols import is_response
 from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.document.sections.responses import response_flows
@@ -18,7 +18,6 @@ from nonsmooth.derive.document.sections.template import (
     by_entries,
     compose,
     relation,
-    with_signs,
 )
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 

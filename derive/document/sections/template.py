@@ -45,7 +45,6 @@ __all__ = [
     "sentence",
     "summed",
     "transposed",
-    "with_signs",
     "zeros",
 ]
 
@@ -250,14 +249,6 @@ def by_entries(naming: Naming, name: str, matrix: sp.Matrix) -> list[Line]:
         for column in ["" if matrix.cols == 1 else f"{comma}{j + 1}"]
         if matrix[i, j] != 0
     ]
-
-
-def with_signs(terms: Iterable[tuple[int, str]]) -> tuple[str, ...]:
-    """Pieces of a sum of terms, each given by its sign and its LaTeX without it."""
-    return tuple(
-        f"- {text}" if sign < 0 else f"+ {text}" if place else text
-        for place, (sign, text) in enumerate(terms)
-    )
 
 
 def summed(notation: Notation, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
