@@ -18,6 +18,7 @@ from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.intervals import admissible_intervals
 from nonsmooth.runtime.orbits.admissible import boundary_curves
 from tests.certified import loop
+from tests.core.test_result_files import composed as timed
 
 STICK = "dry-friction/global-stick"
 DATA = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -123,15 +124,7 @@ def test_flip_of_a_conservative_orbit() -> None:
 
 
 def test_period_as_the_parameter() -> None:
-    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    orbit = nonsmooth.solve(
-        "rigid-stop",
-        data,
-        [6.28],
-        itinerary=[("free", "first-reaches-stop")],
-        given={"period": "2*pi"},
-    )
-    branch = nonsmooth.continue_orbit(orbit, "period", (5.1, 6.5))
+    branch = nonsmooth.continue_orbit(timed(), "period", (5.1, 6.5))
     derived = nonsmooth.continue_orbit(nonsmooth.solve("rigid-stop/one-impact"), "T", (5.1, 6.5))
     assert [e.kind for e in branch.events] == [e.kind for e in derived.events]
     assert [e.kind for e in branch.events].count("flip") == 2

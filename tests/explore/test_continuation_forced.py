@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -53,16 +54,16 @@ def branch() -> nonsmooth.Branch:
     return nonsmooth.continue_orbit(orbit(), "sigma", (-2.0, 0.14), step=0.02)
 
 
-def closed_forms() -> tuple[float, float]:
+def closed_forms(w: Any = W) -> Any:
     """Stops at which the orbits of one impact in a period of the forcing fold and flip."""
-    period = 2 * math.pi / W
-    cotangent, gain = 1 / math.tan(period / 2), 1 / (1 - W * W)
-    fold = gain * math.sqrt(1 + (W * cotangent * (1 + R) / (1 - R)) ** 2)
+    period = 2 * math.pi / w
+    cotangent, gain = 1 / np.tan(period / 2), 1 / (1 - w * w)
+    fold = gain * np.sqrt(1 + (w * cotangent * (1 + R) / (1 - R)) ** 2)
     ratio = (
-        (1 - W * W) * (1 + R) * cotangent / 2
-        + (1 + R * R - 2 * R * math.cos(period)) / ((1 + R) * math.sin(period))
-    ) / W**2
-    speed = abs(gain) / math.hypot(ratio + (1 + R) * cotangent / 2, (1 - R) / (2 * W))
+        (1 - w * w) * (1 + R) * cotangent / 2
+        + (1 + R * R - 2 * R * np.cos(period)) / ((1 + R) * np.sin(period))
+    ) / w**2
+    speed = np.abs(gain) / np.hypot(ratio + (1 + R) * cotangent / 2, (1 - R) / (2 * w))
     return fold, ratio * speed
 
 

@@ -8,35 +8,20 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from tests.explore.test_continuation_forced import R, branch, orbit
-
-
-def closed_fold(w: np.ndarray) -> np.ndarray:
-    cotangent = 1 / np.tan(math.pi / w)
-    return np.sqrt(1 + (w * cotangent * (1 + R) / (1 - R)) ** 2) / (1 - w * w)
-
-
-def closed_flip(w: np.ndarray) -> np.ndarray:
-    period = 2 * math.pi / w
-    cotangent, gain = 1 / np.tan(period / 2), 1 / (1 - w * w)
-    ratio = (
-        (1 - w * w) * (1 + R) * cotangent / 2
-        + (1 + R * R - 2 * R * np.cos(period)) / ((1 + R) * np.sin(period))
-    ) / w**2
-    speed = np.abs(gain) / np.hypot(ratio + (1 + R) * cotangent / 2, (1 - R) / (2 * w))
-    return np.asarray(ratio * speed)
+from tests.core.test_result_files import composed
+from tests.explore.test_continuation_forced import branch, closed_forms, orbit
 
 
 @pytest.mark.slow
 def test_fold_and_flip_curves_in_closed_form() -> None:
-    for kind, closed in (("fold", closed_fold), ("flip", closed_flip)):
+    for place, kind in enumerate(("fold", "flip")):
         event = [e for e in branch().events if e.kind == kind][-1]
         locus = nonsmooth.continue_event(branch(), event, "w", (2.6, 3.0), step=0.1)
         assert locus.parameters == ("sigma", "w")
         assert locus.ends == ("end of the interval", "end of the interval")
         sigma, w = locus.values.T
         assert len(w) > 5
-        np.testing.assert_allclose(sigma, closed(w), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(sigma, closed_forms(w)[place], rtol=0, atol=1e-9)
 
 
 def test_torus_curve_in_closed_form() -> None:
@@ -77,14 +62,6 @@ def test_wrong_input() -> None:
         nonsmooth.continue_event(branch(), event, "sigma", (-1, 1))
     with pytest.raises(nonsmooth.InputError, match="is not in 3 to 4"):
         nonsmooth.continue_event(branch(), event, "w", (3, 4))
-    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    one = nonsmooth.solve(
-        "rigid-stop",
-        data,
-        [6.28],
-        itinerary=[("free", "first-reaches-stop")],
-        given={"period": "2*pi"},
-    )
-    family = nonsmooth.continue_orbit(one, "period", (5.1, 6.5))
+    family = nonsmooth.continue_orbit(composed(), "period", (5.1, 6.5))
     with pytest.raises(nonsmooth.InputError, match="one of a family"):
         nonsmooth.continue_event(family, family.events[0], "k2", (4, 6))

@@ -8,6 +8,7 @@ import sympy as sp
 
 from nonsmooth import find_orbits, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.explore.finding.escape import natural_size
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
 from nonsmooth.runtime.model.kernels import kernels_of
@@ -134,6 +135,14 @@ def test_what_builds_up_to_a_response_does_not_escape():
     assert Outcome.DIVERGENT not in outcomes
     data |= {"zeta": 0.01}
     assert outcomes_from(kernels, data, [[-0.5, 0, 1, 0]], 2000).tolist() == [PERIODIC]
+
+
+def test_the_natural_size_is_that_of_boundaries_and_responses():
+    kernels = kernels_of(shaken(1, ("stop",)))
+    size = natural_size(piecewise(kernels, {"zeta": 0.01, "gap": 7, "r": 0.5, "w": 0.1}))
+    assert size == pytest.approx(7)
+    size = natural_size(piecewise(kernels, {"zeta": 0.01, "gap": 7, "r": 0.5, "w": 1}))
+    assert size == pytest.approx(1 / 0.02)
 
 
 def test_two_masses_that_escape_far_keep_their_forcing():

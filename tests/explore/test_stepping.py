@@ -47,7 +47,7 @@ def first() -> ns.Orbit:
     """The orbit at q = 0 on one side of the fold."""
     fold, sigma = closed_forms()[0], branch().parameter_values
     near = branch().orbit_at(int(np.argmin(abs(sigma - fold - D))))
-    data = {"r": R, "w": W, "place": repr(fold), "q": 0, "d": D}
+    data = {"r": R, "w": W, "place": repr(float(fold)), "q": 0, "d": D}
     guess = [*near.dwell_times.tolist(), *near.states[0].tolist()]
     return ns.solve(system(), data, guess, itinerary=near.itinerary)
 
@@ -70,6 +70,12 @@ def followed(kind: str, stop: int | None = None, **options: Any) -> ns.Branch:
 @cache
 def whole(kind: str) -> ns.Branch:
     return followed(kind)
+
+
+@cache
+def points_of(step: float) -> int:
+    """How many points the closed branch has."""
+    return len(followed("closed", step=step))
 
 
 def turned(found: ns.Branch) -> np.ndarray:
@@ -96,12 +102,11 @@ def test_a_branch_goes_on_to_the_whole_from_every_point(kind: str) -> None:
         assert turned(again).sum() == pytest.approx(length, rel=1e-6)
 
 
-@pytest.mark.parametrize("left", [1, 2, 5, 20])
-@pytest.mark.parametrize("fine", [1e-2, 2e-3])
+@pytest.mark.parametrize("left", [1, 2, 5])
+@pytest.mark.parametrize("fine", [1e-2, 5e-4])
 def test_a_branch_does_not_pass_its_other_end(left: int, fine: float) -> None:
     """Though its first steps, when it goes on, would be longer than what is left."""
-    count = len(followed("closed", step=fine)) - 1
-    part = followed("closed", count - left, step=fine)
+    part = followed("closed", points_of(fine) - 1 - left, step=fine)
     assert "interrupted" in part.ends
     again = followed("closed", step=0.05, resume=part)
     assert again.ends == CLOSED

@@ -12,7 +12,7 @@ import pytest
 
 import nonsmooth
 from tests.cli.test_cli import run
-from tests.core.test_result_files import file_of
+from tests.core.test_result_files import composed, file_of
 from tests.pictures import figure_in
 
 STICK = "dry-friction/global-stick"
@@ -40,15 +40,7 @@ def test_saved_and_read(tmp_path: Path) -> None:
 
 
 def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
-    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
-    orbit = nonsmooth.solve(
-        "rigid-stop",
-        data,
-        [6.28],
-        itinerary=[("free", "first-reaches-stop")],
-        given={"period": "2*pi"},
-    )
-    found = nonsmooth.continue_orbit(orbit, "period", (6.0, 6.5), step=0.1)
+    found = nonsmooth.continue_orbit(composed(), "period", (6.0, 6.5), step=0.1)
     found.save(tmp_path / "branch.json")
     same(nonsmooth.load(tmp_path / "branch.json"), found)
 
