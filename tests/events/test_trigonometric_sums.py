@@ -9,6 +9,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from nonsmooth.runtime.events.guaranteed_maxima import CurveSamples, largest
 from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
 
 amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
@@ -240,3 +241,20 @@ def test_a_floor_that_is_no_number_is_refused():
 )
 def test_a_sum_rises_where_its_slope_is_surely_positive(arguments, noise, expected):
     assert TrigonometricSum(*arguments).rises(noise) is expected
+
+
+@pytest.mark.parametrize("slack", [1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("cells", [3, 20, 80])
+def test_a_maximum_is_exceeded_by_no_more_than_the_slack(slack, cells):
+    for phase in np.random.default_rng(4).uniform(0.5, 2.5, 20).tolist():
+        times = np.linspace(0, 3, cells + 1)
+
+        def jet(time, phase=phase):
+            return math.cos(time - phase), -math.sin(time - phase), -math.cos(time - phase)
+
+        values, slopes, _ = (np.array(part) for part in zip(*map(jet, times), strict=True))
+        excess = np.full(cells, (3 / cells) ** 4 / 144)
+        samples = CurveSamples(values, times, slopes)
+        found = largest(samples, excess, lambda cell, jet=jet: jet, slack, -math.inf)
+        assert 1 - slack <= found.value <= 1
+        assert found.value == jet(found.time)[0]
