@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 06750a9e5aabab6d */
+ * SymPy 1.14.0, derivation d31f0fd6eb57d335 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -213,9 +213,6 @@ FUNCTION(rigid_stop_one_impact_passage, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7
 EACH_POINT(rigid_stop_one_impact_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
 FUNCTION(rigid_stop_one_impact_linearisation, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7),
     VECTOR(0, 2), TABLE(0, 3, 3), TABLE(1, 4, 4), TABLE(2, 4, 4))
-EACH_POINT(rigid_stop_one_impact_flow_free, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
-FUNCTION(rigid_stop_one_impact_flow_free, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7), SCALAR(0),
-    VECTOR(0, 4), VECTOR(0, 4))
 EACH_POINT(rigid_stop_one_impact_reduced, ROW(0), ROW(1), ROW(2), ROW(3))
 FUNCTION(rigid_stop_one_impact_reduced, in_rows, 2, 2, VECTOR(0, 5), VECTOR(0, 7), VECTOR(0, 2),
     VECTOR(1, 1))
@@ -258,12 +255,6 @@ FUNCTION(elastic_stop_one_contact_passage, in_rows, 3, 3, VECTOR(0, 6), VECTOR(0
 EACH_POINT(elastic_stop_one_contact_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
 FUNCTION(elastic_stop_one_contact_linearisation, in_rows, 3, 3, VECTOR(0, 6), VECTOR(0, 12),
     VECTOR(0, 4), TABLE(0, 3, 3), TABLE(1, 8, 4), TABLE(2, 4, 4))
-EACH_POINT(elastic_stop_one_contact_flow_contact, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
-FUNCTION(elastic_stop_one_contact_flow_contact, in_rows, 4, 1, VECTOR(0, 6), VECTOR(0, 12),
-    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
-EACH_POINT(elastic_stop_one_contact_flow_free, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
-FUNCTION(elastic_stop_one_contact_flow_free, in_rows, 4, 1, VECTOR(0, 6), VECTOR(0, 12), SCALAR(0),
-    VECTOR(0, 4), VECTOR(0, 4))
 EACH_POINT(elastic_stop_one_contact_reduced, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6))
 FUNCTION(elastic_stop_one_contact_reduced, in_rows, 3, 4, VECTOR(0, 6), VECTOR(0, 12), VECTOR(0, 1),
     VECTOR(0, 4), VECTOR(1, 1), VECTOR(2, 1), TABLE(3, 1, 1))
@@ -348,9 +339,6 @@ FUNCTION(dry_friction_global_stick_passage, in_rows, 3, 3, VECTOR(0, 5), VECTOR(
 EACH_POINT(dry_friction_global_stick_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
 FUNCTION(dry_friction_global_stick_linearisation, in_rows, 3, 3, VECTOR(0, 5), VECTOR(0, 7),
     VECTOR(0, 6), TABLE(0, 2, 2), TABLE(1, 16, 4), TABLE(2, 4, 4))
-EACH_POINT(dry_friction_global_stick_flow_stick_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
-FUNCTION(dry_friction_global_stick_flow_stick_stick, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7),
-    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
 EACH_POINT(dry_friction_global_stick_flow_slip_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
 FUNCTION(dry_friction_global_stick_flow_slip_stick, in_rows, 4, 1, VECTOR(0, 5), VECTOR(0, 7),
     SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
@@ -379,9 +367,6 @@ FUNCTION(dry_friction_solution_ii_passage, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0
 EACH_POINT(dry_friction_solution_ii_linearisation, ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5))
 FUNCTION(dry_friction_solution_ii_linearisation, in_rows, 3, 3, VECTOR(0, 4), VECTOR(0, 7),
     VECTOR(0, 6), TABLE(0, 2, 2), TABLE(1, 16, 4), TABLE(2, 4, 4))
-EACH_POINT(dry_friction_solution_ii_flow_stick_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
-FUNCTION(dry_friction_solution_ii_flow_stick_stick, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
-    SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
 EACH_POINT(dry_friction_solution_ii_flow_slip_stick, ROW(0), ROW(1), *ROW(2), ROW(3), ROW(4))
 FUNCTION(dry_friction_solution_ii_flow_slip_stick, in_rows, 4, 1, VECTOR(0, 4), VECTOR(0, 7),
     SCALAR(0), VECTOR(0, 4), VECTOR(0, 4))
@@ -443,7 +428,6 @@ static const wrapped ufuncs[] = {
     {"rigid_stop_one_impact_linearisation_1", &of_rigid_stop_one_impact_linearisation, 1, "(5),(7),(2)->(3,3)"},
     {"rigid_stop_one_impact_linearisation_2", &of_rigid_stop_one_impact_linearisation, 2, "(5),(7),(2)->(3,3),(4,4)"},
     {"rigid_stop_one_impact_linearisation_3", &of_rigid_stop_one_impact_linearisation, 3, "(5),(7),(2)->(3,3),(4,4),(4,4)"},
-    {"rigid_stop_one_impact_flow_free_1", &of_rigid_stop_one_impact_flow_free, 1, "(5),(7),(),(4)->(4)"},
     {"rigid_stop_one_impact_reduced_1", &of_rigid_stop_one_impact_reduced, 1, "(5),(7)->(2)"},
     {"rigid_stop_one_impact_reduced_2", &of_rigid_stop_one_impact_reduced, 2, "(5),(7)->(2),(1)"},
     {"rigid_stop_one_impact_solve", &of_rigid_stop_one_impact_solve, 1, "(5)->(2),(),(),(),()"},
@@ -469,8 +453,6 @@ static const wrapped ufuncs[] = {
     {"elastic_stop_one_contact_linearisation_1", &of_elastic_stop_one_contact_linearisation, 1, "(6),(12),(4)->(3,3)"},
     {"elastic_stop_one_contact_linearisation_2", &of_elastic_stop_one_contact_linearisation, 2, "(6),(12),(4)->(3,3),(8,4)"},
     {"elastic_stop_one_contact_linearisation_3", &of_elastic_stop_one_contact_linearisation, 3, "(6),(12),(4)->(3,3),(8,4),(4,4)"},
-    {"elastic_stop_one_contact_flow_contact_1", &of_elastic_stop_one_contact_flow_contact, 1, "(6),(12),(),(4)->(4)"},
-    {"elastic_stop_one_contact_flow_free_1", &of_elastic_stop_one_contact_flow_free, 1, "(6),(12),(),(4)->(4)"},
     {"elastic_stop_one_contact_reduced_1", &of_elastic_stop_one_contact_reduced, 1, "(6),(12),(1)->(4)"},
     {"elastic_stop_one_contact_reduced_2", &of_elastic_stop_one_contact_reduced, 2, "(6),(12),(1)->(4),(1)"},
     {"elastic_stop_one_contact_reduced_3", &of_elastic_stop_one_contact_reduced, 3, "(6),(12),(1)->(4),(1),(1)"},
@@ -522,7 +504,6 @@ static const wrapped ufuncs[] = {
     {"dry_friction_global_stick_linearisation_1", &of_dry_friction_global_stick_linearisation, 1, "(5),(7),(6)->(2,2)"},
     {"dry_friction_global_stick_linearisation_2", &of_dry_friction_global_stick_linearisation, 2, "(5),(7),(6)->(2,2),(16,4)"},
     {"dry_friction_global_stick_linearisation_3", &of_dry_friction_global_stick_linearisation, 3, "(5),(7),(6)->(2,2),(16,4),(4,4)"},
-    {"dry_friction_global_stick_flow_stick_stick_1", &of_dry_friction_global_stick_flow_stick_stick, 1, "(5),(7),(),(4)->(4)"},
     {"dry_friction_global_stick_flow_slip_stick_1", &of_dry_friction_global_stick_flow_slip_stick, 1, "(5),(7),(),(4)->(4)"},
     {"dry_friction_global_stick_flow_slip_slip_1", &of_dry_friction_global_stick_flow_slip_slip, 1, "(5),(7),(),(4)->(4)"},
     {"dry_friction_global_stick_flow_stick_slip_1", &of_dry_friction_global_stick_flow_stick_slip, 1, "(5),(7),(),(4)->(4)"},
@@ -543,7 +524,6 @@ static const wrapped ufuncs[] = {
     {"dry_friction_solution_ii_linearisation_1", &of_dry_friction_solution_ii_linearisation, 1, "(4),(7),(6)->(2,2)"},
     {"dry_friction_solution_ii_linearisation_2", &of_dry_friction_solution_ii_linearisation, 2, "(4),(7),(6)->(2,2),(16,4)"},
     {"dry_friction_solution_ii_linearisation_3", &of_dry_friction_solution_ii_linearisation, 3, "(4),(7),(6)->(2,2),(16,4),(4,4)"},
-    {"dry_friction_solution_ii_flow_stick_stick_1", &of_dry_friction_solution_ii_flow_stick_stick, 1, "(4),(7),(),(4)->(4)"},
     {"dry_friction_solution_ii_flow_slip_stick_1", &of_dry_friction_solution_ii_flow_slip_stick, 1, "(4),(7),(),(4)->(4)"},
     {"dry_friction_solution_ii_flow_slip_slip_1", &of_dry_friction_solution_ii_flow_slip_slip, 1, "(4),(7),(),(4)->(4)"},
     {"dry_friction_solution_ii_flow_stick_slip_1", &of_dry_friction_solution_ii_flow_stick_slip, 1, "(4),(7),(),(4)->(4)"},
@@ -593,11 +573,11 @@ static int add_all(PyObject *module)
         for (int k = u->inputs; k < u->count; ++k)
             ((PyUFuncObject *)made)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "6ab4b35d60128a25") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "b20ddce681fdda7a") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "be50ff9ea3fd87a3") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "56e7584609f2d4c5") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "69dc208163fa82f5") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "afa0831144194427") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 69dc208163fa82f5 */
+ * SymPy 1.14.0, derivation afa0831144194427 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -1208,20 +1208,19 @@ void dry_friction_symmetric_passage(
     const double t23 = -chi*t19;
     const double t24 = chi*t17;
     if (coefficients) {
+        for (int i = 0; i < 24; ++i)
+            coefficients[i] = 0.0;
         coefficients[0] = -V;
-        coefficients[1] = 0;
         coefficients[2] = p1*v10 + t11;
         coefficients[3] = -t11 + t3*v10;
         coefficients[4] = -omega1*t12 - p1*t13;
         coefficients[5] = omega2*t12 - t14*t3;
         coefficients[6] = -V;
-        coefficients[7] = 0;
         coefficients[8] = V*t3 + t15;
         coefficients[9] = V*p1 - t15;
         coefficients[10] = -omega1*t3*z20 - p3*t13;
         coefficients[11] = -omega2*p1*z20 + p3*t14;
         coefficients[12] = -V + t16;
-        coefficients[13] = 0;
         coefficients[14] = t17;
         coefficients[15] = t19;
         coefficients[16] = -e2 + t18 - t21;
@@ -1369,37 +1368,20 @@ void dry_friction_symmetric_linearisation(
     const double t34 = t33*(-before_v1_2 + behind_v1_2);
     const double t35 = behind_v2_2*t33;
     if (saltations) {
+        for (int i = 0; i < 32; ++i)
+            saltations[i] = 0.0;
         saltations[0] = 1;
-        saltations[1] = 0;
-        saltations[2] = 0;
-        saltations[3] = 0;
-        saltations[4] = 0;
         saltations[5] = 1;
-        saltations[6] = 0;
         saltations[7] = t31;
-        saltations[8] = 0;
-        saltations[9] = 0;
         saltations[10] = 1;
         saltations[11] = t32;
-        saltations[12] = 0;
-        saltations[13] = 0;
-        saltations[14] = 0;
-        saltations[15] = 0;
         saltations[16] = 1;
-        saltations[17] = 0;
-        saltations[18] = 0;
-        saltations[19] = 0;
-        saltations[20] = 0;
         saltations[21] = 1;
-        saltations[22] = 0;
-        saltations[23] = 0;
         saltations[24] = -t34;
         saltations[25] = t34;
         saltations[26] = 1;
-        saltations[27] = 0;
         saltations[28] = -t35;
         saltations[29] = t35;
-        saltations[30] = 0;
         saltations[31] = 1;
     }
     if (!monodromy)
@@ -2452,16 +2434,15 @@ void dry_friction_global_stick_passage(
     const double t32 = chi*(-z1_3 + z2_3);
     const double t33 = chi*(-V*t13 + t13*v2_3);
     if (coefficients) {
+        for (int i = 0; i < 44; ++i)
+            coefficients[i] = 0.0;
         coefficients[0] = -e1 - t15 + z10;
         coefficients[1] = -t17;
         coefficients[2] = -e1 + t15 - z10;
         coefficients[3] = t17;
         coefficients[4] = -e2 + t15 - t18;
-        coefficients[5] = 0;
         coefficients[6] = -e2 - t15 + t18;
-        coefficients[7] = 0;
         coefficients[8] = t17;
-        coefficients[9] = 0;
         coefficients[10] = -t17;
         coefficients[11] = t20;
         coefficients[12] = -e2 + t19 - t22;
@@ -2473,13 +2454,11 @@ void dry_friction_global_stick_passage(
         coefficients[18] = t24;
         coefficients[19] = t25;
         coefficients[20] = -V;
-        coefficients[21] = 0;
         coefficients[22] = p1*v1_2 + t26;
         coefficients[23] = -t26 + t5*v1_2;
         coefficients[24] = -omega1*t27 - p1*t28;
         coefficients[25] = omega2*t27 - t29*t5;
         coefficients[26] = -V;
-        coefficients[27] = 0;
         coefficients[28] = V*t5 + t30;
         coefficients[29] = V*p1 - t30;
         coefficients[30] = -omega1*t5*z2_2 - p3*t28;
@@ -2492,8 +2471,6 @@ void dry_friction_global_stick_passage(
         coefficients[37] = t17;
         coefficients[38] = t32;
         coefficients[39] = t33;
-        coefficients[40] = 0;
-        coefficients[41] = 0;
         coefficients[42] = -V + v2_3;
         coefficients[43] = omega3*z1_3 - omega3*z2_3;
     }
@@ -2779,6 +2756,8 @@ void dry_friction_global_stick_linearisation(
     const double saltation_4_12 = phi_4_12 + phi_4_32*t49;
     const double saltation_4_13 = phi_4_13 + phi_4_33*t49;
     if (monodromy) {
+        for (int i = 0; i < 16; ++i)
+            monodromy[i] = 0.0;
         monodromy[0] = saltation_3_00;
         monodromy[1] = saltation_3_01;
         monodromy[2] = saltation_3_02;
@@ -2787,35 +2766,7 @@ void dry_friction_global_stick_linearisation(
         monodromy[5] = saltation_4_11;
         monodromy[6] = saltation_4_12;
         monodromy[7] = saltation_4_13;
-        monodromy[8] = 0;
-        monodromy[9] = 0;
-        monodromy[10] = 0;
-        monodromy[11] = 0;
-        monodromy[12] = 0;
-        monodromy[13] = 0;
-        monodromy[14] = 0;
-        monodromy[15] = 0;
     }
-}
-
-/* State after a time in stick-stick.
- * Operations: 4. Intermediate terms: 0. */
-NONSMOOTH_UNMERGED
-void dry_friction_global_stick_flow_stick_stick(
-    const double parameters[5], const double spectrum[7], double time, const double state[4],
-    double state_after[4])
-{
-    (void)parameters;
-    (void)spectrum;
-    const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
-    state_after[0] = t*v1 + z1;
-    state_after[1] = t*v2 + z2;
-    state_after[2] = v1;
-    state_after[3] = v2;
 }
 
 /* State after a time in slip-stick.
@@ -3180,26 +3131,24 @@ void dry_friction_global_stick_period_map(
     const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10;
     const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20;
     if (period_map) {
+        for (int i = 0; i < 20; ++i)
+            period_map[i] = 0.0;
         period_map[0] = z1_4_by_z10;
         period_map[1] = z1_4_by_z20;
         period_map[2] = z1_4_by_v10;
         period_map[3] = z1_4_by_v20;
-        period_map[4] = 0;
         period_map[5] = z2_4_by_z10;
         period_map[6] = z2_4_by_z20;
         period_map[7] = z2_4_by_v10;
         period_map[8] = z2_4_by_v20;
-        period_map[9] = 0;
         period_map[10] = v1_3_by_z10;
         period_map[11] = v1_3_by_z20;
         period_map[12] = v1_3_by_v10;
         period_map[13] = v1_3_by_v20;
-        period_map[14] = 0;
         period_map[15] = v2_4_by_z10;
         period_map[16] = v2_4_by_z20;
         period_map[17] = v2_4_by_v10;
         period_map[18] = v2_4_by_v20;
-        period_map[19] = 0;
     }
     if (!linear_start && !compatibility)
         return;
@@ -4052,16 +4001,15 @@ void dry_friction_solution_ii_passage(
     const double t32 = chi*(-z1_3 + z2_3);
     const double t33 = chi*(-V*t12 + t12*v2_3);
     if (coefficients) {
+        for (int i = 0; i < 44; ++i)
+            coefficients[i] = 0.0;
         coefficients[0] = -e1 - t15;
         coefficients[1] = -t17;
         coefficients[2] = -e1 + t14 - z10;
         coefficients[3] = t17;
         coefficients[4] = -t18 - t19;
-        coefficients[5] = 0;
         coefficients[6] = t18 - t20;
-        coefficients[7] = 0;
         coefficients[8] = t17;
-        coefficients[9] = 0;
         coefficients[10] = -t17;
         coefficients[11] = t15;
         coefficients[12] = -t19 - t22;
@@ -4073,13 +4021,11 @@ void dry_friction_solution_ii_passage(
         coefficients[18] = t24;
         coefficients[19] = t25;
         coefficients[20] = -V;
-        coefficients[21] = 0;
         coefficients[22] = p1*v1_2 + t26;
         coefficients[23] = -t26 + t4*v1_2;
         coefficients[24] = -omega1*t27 - p1*t28;
         coefficients[25] = omega2*t27 - t29*t4;
         coefficients[26] = -V;
-        coefficients[27] = 0;
         coefficients[28] = V*t4 + t30;
         coefficients[29] = V*p1 - t30;
         coefficients[30] = -omega1*t4*z2_2 - p3*t28;
@@ -4092,8 +4038,6 @@ void dry_friction_solution_ii_passage(
         coefficients[37] = t17;
         coefficients[38] = t32;
         coefficients[39] = t33;
-        coefficients[40] = 0;
-        coefficients[41] = 0;
         coefficients[42] = -V + v2_3;
         coefficients[43] = omega3*z1_3 - omega3*z2_3;
     }
@@ -4373,6 +4317,8 @@ void dry_friction_solution_ii_linearisation(
     const double saltation_4_12 = phi_4_12 + phi_4_32*t51;
     const double saltation_4_13 = phi_4_13 + phi_4_33*t51;
     if (monodromy) {
+        for (int i = 0; i < 16; ++i)
+            monodromy[i] = 0.0;
         monodromy[0] = saltation_3_00;
         monodromy[1] = saltation_3_01;
         monodromy[2] = saltation_3_02;
@@ -4381,35 +4327,7 @@ void dry_friction_solution_ii_linearisation(
         monodromy[5] = saltation_4_11;
         monodromy[6] = saltation_4_12;
         monodromy[7] = saltation_4_13;
-        monodromy[8] = 0;
-        monodromy[9] = 0;
-        monodromy[10] = 0;
-        monodromy[11] = 0;
-        monodromy[12] = 0;
-        monodromy[13] = 0;
-        monodromy[14] = 0;
-        monodromy[15] = 0;
     }
-}
-
-/* State after a time in stick-stick.
- * Operations: 4. Intermediate terms: 0. */
-NONSMOOTH_UNMERGED
-void dry_friction_solution_ii_flow_stick_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4],
-    double state_after[4])
-{
-    (void)parameters;
-    (void)spectrum;
-    const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
-    state_after[0] = t*v1 + z1;
-    state_after[1] = t*v2 + z2;
-    state_after[2] = v1;
-    state_after[3] = v2;
 }
 
 /* State after a time in slip-stick.
@@ -4817,26 +4735,24 @@ void dry_friction_solution_ii_period_map(
     const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10;
     const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20;
     if (period_map) {
+        for (int i = 0; i < 20; ++i)
+            period_map[i] = 0.0;
         period_map[0] = z1_4_by_z10;
         period_map[1] = z1_4_by_z20;
         period_map[2] = z1_4_by_v10;
         period_map[3] = z1_4_by_v20;
-        period_map[4] = 0;
         period_map[5] = z2_4_by_z10;
         period_map[6] = z2_4_by_z20;
         period_map[7] = z2_4_by_v10;
         period_map[8] = z2_4_by_v20;
-        period_map[9] = 0;
         period_map[10] = v1_3_by_z10;
         period_map[11] = v1_3_by_z20;
         period_map[12] = v1_3_by_v10;
         period_map[13] = v1_3_by_v20;
-        period_map[14] = 0;
         period_map[15] = v2_4_by_z10;
         period_map[16] = v2_4_by_z20;
         period_map[17] = v2_4_by_v10;
         period_map[18] = v2_4_by_v20;
-        period_map[19] = 0;
     }
     if (!linear_start && !compatibility)
         return;

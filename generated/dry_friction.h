@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 69dc208163fa82f5 */
+ * SymPy 1.14.0, derivation afa0831144194427 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -342,10 +342,6 @@ void dry_friction_global_stick_passage(
 void dry_friction_global_stick_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     double *poincare_jacobian, double *saltations, double *monodromy);
-/* State after a time in stick-stick. */
-void dry_friction_global_stick_flow_stick_stick(
-    const double parameters[5], const double spectrum[7], double time, const double state[4],
-    double state_after[4]);
 /* State after a time in slip-stick. */
 void dry_friction_global_stick_flow_slip_stick(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
@@ -456,10 +452,6 @@ void dry_friction_solution_ii_passage(
 void dry_friction_solution_ii_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     double *poincare_jacobian, double *saltations, double *monodromy);
-/* State after a time in stick-stick. */
-void dry_friction_solution_ii_flow_stick_stick(
-    const double parameters[4], const double spectrum[7], double time, const double state[4],
-    double state_after[4]);
 /* State after a time in slip-stick. */
 void dry_friction_solution_ii_flow_slip_stick(
     const double parameters[4], const double spectrum[7], double time, const double state[4],

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 69dc208163fa82f5
+# SymPy 1.14.0, derivation afa0831144194427
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "69dc208163fa82f5"
+DERIVATION = "afa0831144194427"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",
@@ -590,7 +590,6 @@ ORBITS = json.loads(r"""{
   "rank": 2,
   "section": ["z20", "v10"],
   "conservative": false,
-  "reciprocal_pair": false,
   "required": {},
   "vanishing": [],
   "levels": {"v1": "V", "v2": "V"},
@@ -662,7 +661,6 @@ ORBITS = json.loads(r"""{
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
-  "reciprocal_pair": false,
   "required": {},
   "vanishing": [],
   "levels": {"v1": "V", "v2": "V"},
@@ -743,7 +741,6 @@ ORBITS = json.loads(r"""{
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
-  "reciprocal_pair": false,
   "required": {},
   "vanishing": ["ta"],
   "levels": {"v1": "V", "v2": "V"},
@@ -809,7 +806,6 @@ KERNELS = json.loads(r"""{
   [4]]]],
  "global_stick_linearisation": [[[[5], 0], [[7], 0], [[6], 0]], [["poincare_jacobian", [2, 2]], ["saltations", [16, 4]],
   ["monodromy", [4, 4]]]],
- "global_stick_flow_stick_stick": [[[[5], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "global_stick_flow_slip_stick": [[[[5], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "global_stick_flow_slip_slip": [[[[5], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "global_stick_flow_stick_slip": [[[[5], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
@@ -824,7 +820,6 @@ KERNELS = json.loads(r"""{
   [4]]]],
  "solution_ii_linearisation": [[[[4], 0], [[7], 0], [[6], 0]], [["poincare_jacobian", [2, 2]], ["saltations", [16, 4]],
   ["monodromy", [4, 4]]]],
- "solution_ii_flow_stick_stick": [[[[4], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "solution_ii_flow_slip_stick": [[[[4], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "solution_ii_flow_slip_slip": [[[[4], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "solution_ii_flow_stick_slip": [[[[4], 0], [[7], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
@@ -2798,21 +2793,6 @@ def global_stick_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3
     return poincare_jacobian, saltations, monodromy
 
 
-def global_stick_flow_stick_stick(parameters, spectrum, time, state, *, lib):
-    """State after a time in stick-stick.
-
-    Takes parameters (5): chi, eta, V, e1, e2.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes time.
-    Takes state (4): z1, z2, v1, v2.
-    Gives state_after (4).
-    Operations: 4. Intermediate terms: 0.
-    """
-    t = time
-    [z1, z2, v1, v2] = state
-    return [t*v1 + z1, t*v2 + z2, v1, v2]
-
-
 def global_stick_flow_slip_stick(parameters, spectrum, time, state, *, lib):
     """State after a time in slip-stick.
 
@@ -4022,21 +4002,6 @@ def solution_ii_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3)
     saltation_4_13 = phi_4_13 + phi_4_33*t51
     monodromy = [[saltation_3_00, saltation_3_01, saltation_3_02, saltation_3_03], [saltation_4_10, saltation_4_11, saltation_4_12, saltation_4_13], [0, 0, 0, 0], [0, 0, 0, 0]]
     return poincare_jacobian, saltations, monodromy
-
-
-def solution_ii_flow_stick_stick(parameters, spectrum, time, state, *, lib):
-    """State after a time in stick-stick.
-
-    Takes parameters (4): chi, eta, V, e2.
-    Takes spectrum (7): gap1, omega1, omega2, p1, p2, p3, omega3.
-    Takes time.
-    Takes state (4): z1, z2, v1, v2.
-    Gives state_after (4).
-    Operations: 4. Intermediate terms: 0.
-    """
-    t = time
-    [z1, z2, v1, v2] = state
-    return [t*v1 + z1, t*v2 + z2, v1, v2]
 
 
 def solution_ii_flow_slip_stick(parameters, spectrum, time, state, *, lib):

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation be50ff9ea3fd87a3 */
+ * SymPy 1.14.0, derivation 56e7584609f2d4c5 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -389,31 +389,15 @@ void elastic_stop_rows(
     const double parameters[5], double rows[25])
 {
     const double k3 = parameters[4];
+    for (int i = 0; i < 25; ++i)
+        rows[i] = 0.0;
     rows[0] = -1;
-    rows[1] = 0;
-    rows[2] = 0;
-    rows[3] = 0;
     rows[4] = 1;
     rows[5] = 1;
-    rows[6] = 0;
-    rows[7] = 0;
-    rows[8] = 0;
     rows[9] = -1;
     rows[10] = -k3;
-    rows[11] = 0;
-    rows[12] = 0;
-    rows[13] = 0;
     rows[14] = k3;
-    rows[15] = 0;
-    rows[16] = 0;
     rows[17] = 1;
-    rows[18] = 0;
-    rows[19] = 0;
-    rows[20] = 0;
-    rows[21] = 0;
-    rows[22] = 0;
-    rows[23] = 0;
-    rows[24] = 0;
 }
 
 /* Affine resets of the state, one below the other, offsets last.
@@ -422,26 +406,12 @@ void elastic_stop_resets(
     const double parameters[5], double resets[20])
 {
     (void)parameters;
+    for (int i = 0; i < 20; ++i)
+        resets[i] = 0.0;
     resets[0] = 1;
-    resets[1] = 0;
-    resets[2] = 0;
-    resets[3] = 0;
-    resets[4] = 0;
-    resets[5] = 0;
     resets[6] = 1;
-    resets[7] = 0;
-    resets[8] = 0;
-    resets[9] = 0;
-    resets[10] = 0;
-    resets[11] = 0;
     resets[12] = 1;
-    resets[13] = 0;
-    resets[14] = 0;
-    resets[15] = 0;
-    resets[16] = 0;
-    resets[17] = 0;
     resets[18] = 1;
-    resets[19] = 0;
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
@@ -463,17 +433,11 @@ void elastic_stop_modes(
     const double p5 = spectrum[10];
     const double p6 = spectrum[11];
     if (exponents) {
-        exponents[0] = 0;
-        exponents[1] = 0;
-        exponents[2] = 0;
+        for (int i = 0; i < 12; ++i)
+            exponents[i] = 0.0;
         exponents[3] = omega1;
-        exponents[4] = 0;
         exponents[5] = omega2;
-        exponents[6] = 0;
-        exponents[7] = 0;
-        exponents[8] = 0;
         exponents[9] = omega3;
-        exponents[10] = 0;
         exponents[11] = omega4;
     }
     if (!coefficients)
@@ -1706,37 +1670,19 @@ void elastic_stop_one_contact_linearisation(
     const double t64 = t58*(-before_v1_2 + behind_v1_2);
     const double t65 = t58*(-before_v2_2 + behind_v2_2);
     if (saltations) {
+        for (int i = 0; i < 32; ++i)
+            saltations[i] = 0.0;
         saltations[0] = 1;
-        saltations[1] = 0;
-        saltations[2] = 0;
-        saltations[3] = 0;
-        saltations[4] = 0;
         saltations[5] = 1;
-        saltations[6] = 0;
-        saltations[7] = 0;
         saltations[8] = -t62;
-        saltations[9] = 0;
         saltations[10] = 1;
-        saltations[11] = 0;
         saltations[12] = -t63;
-        saltations[13] = 0;
-        saltations[14] = 0;
         saltations[15] = 1;
         saltations[16] = 1;
-        saltations[17] = 0;
-        saltations[18] = 0;
-        saltations[19] = 0;
-        saltations[20] = 0;
         saltations[21] = 1;
-        saltations[22] = 0;
-        saltations[23] = 0;
         saltations[24] = t64;
-        saltations[25] = 0;
         saltations[26] = 1;
-        saltations[27] = 0;
         saltations[28] = t65;
-        saltations[29] = 0;
-        saltations[30] = 0;
         saltations[31] = 1;
     }
     if (!monodromy)
@@ -1811,97 +1757,6 @@ void elastic_stop_one_contact_linearisation(
         monodromy[14] = saltation_2_32;
         monodromy[15] = saltation_2_33;
     }
-}
-
-/* State after a time in contact.
- * Operations: 128. Intermediate terms: 24. */
-NONSMOOTH_UNMERGED
-void elastic_stop_one_contact_flow_contact(
-    const double parameters[6], const double spectrum[12], double time, const double state[4],
-    double state_after[4])
-{
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
-    /* state_after */
-    const double t0 = omega1*t;
-    const double t1 = sin(t0);
-    const double t2 = t1/omega1;
-    const double t3 = omega2*t;
-    const double t4 = sin(t3);
-    const double t5 = t4/omega2;
-    const double t6 = p1 - 1;
-    const double t7 = cos(t3);
-    const double t8 = cos(t0);
-    const double t9 = -p2*t7 + p2*t8;
-    const double t10 = p1*t8 - t6*t7;
-    const double t11 = k1*k3;
-    const double t12 = k2*k3 + t11;
-    const double t13 = (1.0/((k1*k2 + t12)));
-    const double t14 = t12*t13;
-    const double t15 = t11*t13;
-    const double t16 = p2*t15;
-    const double t17 = p1*t14;
-    const double t18 = p1*t7 - t6*t8;
-    const double t19 = -p3*t7 + p3*t8;
-    const double t20 = p3*t14;
-    const double t21 = p1*t15;
-    const double t22 = omega2*t4;
-    const double t23 = omega1*t1;
-    state_after[0] = t10*x1 + t14 + t7*(t14*t6 + t16) + t8*(-t16 - t17) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5);
-    state_after[1] = t15 + t18*x2 + t19*x1 + t7*(t20 - t21) + t8*(t15*t6 - t20) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6);
-    state_after[2] = t1*(omega1*t16 + omega1*t17) + t10*v1 + t4*(-omega2*t12*t13*t6 - omega2*t16) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23);
-    state_after[3] = t1*(-omega1*t15*t6 + omega1*t20) + t18*v2 + t19*v1 + t4*(-omega2*t20 + omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6);
-}
-
-/* State after a time in free.
- * Operations: 77. Intermediate terms: 15. */
-NONSMOOTH_UNMERGED
-void elastic_stop_one_contact_flow_free(
-    const double parameters[6], const double spectrum[12], double time, const double state[4],
-    double state_after[4])
-{
-    (void)parameters;
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
-    /* state_after */
-    const double t0 = omega3*t;
-    const double t1 = sin(t0);
-    const double t2 = t1/omega3;
-    const double t3 = omega4*t;
-    const double t4 = sin(t3);
-    const double t5 = t4/omega4;
-    const double t6 = 1 - p4;
-    const double t7 = cos(t3);
-    const double t8 = cos(t0);
-    const double t9 = -p5*t7 + p5*t8;
-    const double t10 = p4*t8 + t6*t7;
-    const double t11 = p4*t7 + t6*t8;
-    const double t12 = -p6*t7 + p6*t8;
-    const double t13 = omega4*t4;
-    const double t14 = omega3*t1;
-    state_after[0] = t10*x1 + t9*x2 + v1*(p4*t2 + t5*t6) + v2*(p5*t2 - p5*t5);
-    state_after[1] = t11*x2 + t12*x1 + v1*(p6*t2 - p6*t5) + v2*(p4*t5 + t2*t6);
-    state_after[2] = t10*v1 + t9*v2 + x1*(-p4*t14 - t13*t6) + x2*(p5*t13 - p5*t14);
-    state_after[3] = t11*v2 + t12*v1 + x1*(p6*t13 - p6*t14) + x2*(-p4*t13 - t14*t6);
 }
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation be50ff9ea3fd87a3 */
+ * SymPy 1.14.0, derivation 56e7584609f2d4c5 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 
@@ -206,14 +206,6 @@ void elastic_stop_one_contact_passage(
 void elastic_stop_one_contact_linearisation(
     const double parameters[6], const double spectrum[12], const double unknowns[4],
     double *poincare_jacobian, double *saltations, double *monodromy);
-/* State after a time in contact. */
-void elastic_stop_one_contact_flow_contact(
-    const double parameters[6], const double spectrum[12], double time, const double state[4],
-    double state_after[4]);
-/* State after a time in free. */
-void elastic_stop_one_contact_flow_free(
-    const double parameters[6], const double spectrum[12], double time, const double state[4],
-    double state_after[4]);
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they
  * are; the equations for these and their derivatives. Gives unknowns (4), determinants (1),
  * reduced_residual (1), reduced_jacobian (1, 1). */

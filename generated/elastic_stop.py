@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation be50ff9ea3fd87a3
+# SymPy 1.14.0, derivation 56e7584609f2d4c5
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "be50ff9ea3fd87a3"
+DERIVATION = "56e7584609f2d4c5"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",
@@ -84,7 +84,6 @@ ORBITS = json.loads(r"""{
   "rank": 3,
   "section": ["y", "u", "w"],
   "conservative": true,
-  "reciprocal_pair": true,
   "required": {},
   "vanishing": [],
   "levels": {"x1": "1"},
@@ -117,8 +116,6 @@ KERNELS = json.loads(r"""{
   [4]]]],
  "one_contact_linearisation": [[[[6], 0], [[12], 0], [[4], 0]], [["poincare_jacobian", [3, 3]], ["saltations", [8, 4]],
   ["monodromy", [4, 4]]]],
- "one_contact_flow_contact": [[[[6], 0], [[12], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
- "one_contact_flow_free": [[[[6], 0], [[12], 0], [[], 0], [[4], 0]], [["state_after", [4]]]],
  "one_contact_reduced": [[[[6], 0], [[12], 0], [[1], 0]], [["unknowns", [4]], ["determinants", [1]],
   ["reduced_residual", [1]], ["reduced_jacobian", [1, 1]]]]
 }""")
@@ -1387,80 +1384,6 @@ def one_contact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3)
     saltation_2_33 = phi_2_03*t65 + phi_2_33
     monodromy = [[phi_2_00, phi_2_01, phi_2_02, phi_2_03], [phi_2_10, phi_2_11, phi_2_12, phi_2_13], [saltation_2_20, saltation_2_21, saltation_2_22, saltation_2_23], [saltation_2_30, saltation_2_31, saltation_2_32, saltation_2_33]]
     return poincare_jacobian, saltations, monodromy
-
-
-def one_contact_flow_contact(parameters, spectrum, time, state, *, lib):
-    """State after a time in contact.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes time.
-    Takes state (4): x1, x2, v1, v2.
-    Gives state_after (4).
-    Operations: 128. Intermediate terms: 24.
-    """
-    [_, _, k1, k2, k3, _] = parameters
-    [_, omega1, omega2, p1, p2, p3, _, _, _, _, _, _] = spectrum
-    t = time
-    [x1, x2, v1, v2] = state
-    # state_after
-    t0 = omega1*t
-    t1 = lib.sin(t0)
-    t2 = t1/omega1
-    t3 = omega2*t
-    t4 = lib.sin(t3)
-    t5 = t4/omega2
-    t6 = p1 - 1
-    t7 = lib.cos(t3)
-    t8 = lib.cos(t0)
-    t9 = -p2*t7 + p2*t8
-    t10 = p1*t8 - t6*t7
-    t11 = k1*k3
-    t12 = k2*k3 + t11
-    t13 = 1/(k1*k2 + t12)
-    t14 = t12*t13
-    t15 = t11*t13
-    t16 = p2*t15
-    t17 = p1*t14
-    t18 = p1*t7 - t6*t8
-    t19 = -p3*t7 + p3*t8
-    t20 = p3*t14
-    t21 = p1*t15
-    t22 = omega2*t4
-    t23 = omega1*t1
-    return [t10*x1 + t14 + t7*(t14*t6 + t16) + t8*(-t16 - t17) + t9*x2 + v1*(p1*t2 - t5*t6) + v2*(p2*t2 - p2*t5), t15 + t18*x2 + t19*x1 + t7*(t20 - t21) + t8*(t15*t6 - t20) + v1*(p3*t2 - p3*t5) + v2*(p1*t5 - t2*t6), t1*(omega1*t16 + omega1*t17) + t10*v1 + t4*(-omega2*t12*t13*t6 - omega2*t16) + t9*v2 + x1*(-p1*t23 + t22*t6) + x2*(p2*t22 - p2*t23), t1*(-omega1*t15*t6 + omega1*t20) + t18*v2 + t19*v1 + t4*(-omega2*t20 + omega2*t21) + x1*(p3*t22 - p3*t23) + x2*(-p1*t22 + t23*t6)]
-
-
-def one_contact_flow_free(parameters, spectrum, time, state, *, lib):
-    """State after a time in free.
-
-    Takes parameters (6): m1, m2, k1, k2, k3, T.
-    Takes spectrum (12): gap1, omega1, omega2, p1, p2, p3, gap2, omega3, omega4, p4, p5, p6.
-    Takes time.
-    Takes state (4): x1, x2, v1, v2.
-    Gives state_after (4).
-    Operations: 77. Intermediate terms: 15.
-    """
-    [_, _, _, _, _, _, _, omega3, omega4, p4, p5, p6] = spectrum
-    t = time
-    [x1, x2, v1, v2] = state
-    # state_after
-    t0 = omega3*t
-    t1 = lib.sin(t0)
-    t2 = t1/omega3
-    t3 = omega4*t
-    t4 = lib.sin(t3)
-    t5 = t4/omega4
-    t6 = 1 - p4
-    t7 = lib.cos(t3)
-    t8 = lib.cos(t0)
-    t9 = -p5*t7 + p5*t8
-    t10 = p4*t8 + t6*t7
-    t11 = p4*t7 + t6*t8
-    t12 = -p6*t7 + p6*t8
-    t13 = omega4*t4
-    t14 = omega3*t1
-    return [t10*x1 + t9*x2 + v1*(p4*t2 + t5*t6) + v2*(p5*t2 - p5*t5), t11*x2 + t12*x1 + v1*(p6*t2 - p6*t5) + v2*(p4*t5 + t2*t6), t10*v1 + t9*v2 + x1*(-p4*t14 - t13*t6) + x2*(p5*t13 - p5*t14), t11*v2 + t12*v1 + x1*(p6*t13 - p6*t14) + x2*(-p4*t13 - t14*t6)]
 
 
 def one_contact_reduced(parameters, spectrum, reduced, *, lib, outputs=4):

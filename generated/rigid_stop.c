@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 6ab4b35d60128a25 */
+ * SymPy 1.14.0, derivation b20ddce681fdda7a */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -249,31 +249,15 @@ void rigid_stop_rows(
     const double parameters[5], double rows[25])
 {
     const double k1 = parameters[2];
+    for (int i = 0; i < 25; ++i)
+        rows[i] = 0.0;
     rows[0] = 1;
-    rows[1] = 0;
-    rows[2] = 0;
-    rows[3] = 0;
     rows[4] = -1;
     rows[5] = k1;
     rows[6] = -k1;
-    rows[7] = 0;
-    rows[8] = 0;
-    rows[9] = 0;
-    rows[10] = 0;
-    rows[11] = 0;
     rows[12] = 1;
-    rows[13] = 0;
-    rows[14] = 0;
     rows[15] = -k1;
     rows[16] = k1;
-    rows[17] = 0;
-    rows[18] = 0;
-    rows[19] = 0;
-    rows[20] = 0;
-    rows[21] = 0;
-    rows[22] = 0;
-    rows[23] = 0;
-    rows[24] = 0;
 }
 
 /* Affine resets of the state, one below the other, offsets last.
@@ -309,15 +293,10 @@ void rigid_stop_modes(
     const double p3 = spectrum[5];
     const double omega3 = spectrum[6];
     if (exponents) {
-        exponents[0] = 0;
-        exponents[1] = 0;
-        exponents[2] = 0;
+        for (int i = 0; i < 10; ++i)
+            exponents[i] = 0.0;
         exponents[3] = omega1;
-        exponents[4] = 0;
         exponents[5] = omega2;
-        exponents[6] = 0;
-        exponents[7] = 0;
-        exponents[8] = 0;
         exponents[9] = omega3;
     }
     if (!coefficients)
@@ -869,21 +848,13 @@ void rigid_stop_one_impact_linearisation(
     const double t23 = before_v1_1 + behind_v1_1;
     const double t24 = t17*(-before_v2_1 + behind_v2_1);
     if (saltations) {
+        for (int i = 0; i < 16; ++i)
+            saltations[i] = 0.0;
         saltations[0] = t22;
-        saltations[1] = 0;
-        saltations[2] = 0;
-        saltations[3] = 0;
-        saltations[4] = 0;
         saltations[5] = 1;
-        saltations[6] = 0;
-        saltations[7] = 0;
         saltations[8] = t17*t23;
-        saltations[9] = 0;
         saltations[10] = -1;
-        saltations[11] = 0;
         saltations[12] = t24;
-        saltations[13] = 0;
-        saltations[14] = 0;
         saltations[15] = 1;
     }
     if (!monodromy)
@@ -936,46 +907,6 @@ void rigid_stop_one_impact_linearisation(
         monodromy[14] = saltation_1_32;
         monodromy[15] = saltation_1_33;
     }
-}
-
-/* State after a time in free.
- * Operations: 77. Intermediate terms: 15. */
-NONSMOOTH_UNMERGED
-void rigid_stop_one_impact_flow_free(
-    const double parameters[5], const double spectrum[7], double time, const double state[4],
-    double state_after[4])
-{
-    (void)parameters;
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
-    /* state_after */
-    const double t0 = omega1*t;
-    const double t1 = sin(t0);
-    const double t2 = t1/omega1;
-    const double t3 = omega2*t;
-    const double t4 = sin(t3);
-    const double t5 = t4/omega2;
-    const double t6 = 1 - p1;
-    const double t7 = cos(t3);
-    const double t8 = cos(t0);
-    const double t9 = -p2*t7 + p2*t8;
-    const double t10 = p1*t8 + t6*t7;
-    const double t11 = p1*t7 + t6*t8;
-    const double t12 = -p3*t7 + p3*t8;
-    const double t13 = omega2*t4;
-    const double t14 = omega1*t1;
-    state_after[0] = t10*x1 + t9*x2 + v1*(p1*t2 + t5*t6) + v2*(p2*t2 - p2*t5);
-    state_after[1] = t11*x2 + t12*x1 + v1*(p3*t2 - p3*t5) + v2*(p1*t5 + t2*t6);
-    state_after[2] = t10*v1 + t9*v2 + x1*(-p1*t14 - t13*t6) + x2*(p2*t13 - p2*t14);
-    state_after[3] = t11*v2 + t12*v1 + x1*(p3*t13 - p3*t14) + x2*(-p1*t13 - t14*t6);
 }
 
 /* All unknowns; how singular the linear equations for them are: 0 if they are.

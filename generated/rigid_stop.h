@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 6ab4b35d60128a25 */
+ * SymPy 1.14.0, derivation b20ddce681fdda7a */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 
@@ -189,10 +189,6 @@ void rigid_stop_one_impact_passage(
 void rigid_stop_one_impact_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
     double *poincare_jacobian, double *saltations, double *monodromy);
-/* State after a time in free. */
-void rigid_stop_one_impact_flow_free(
-    const double parameters[5], const double spectrum[7], double time, const double state[4],
-    double state_after[4]);
 /* All unknowns; how singular the linear equations for them are: 0 if they are. Gives unknowns
  * (2), determinants (1). */
 void rigid_stop_one_impact_reduced(

@@ -332,15 +332,22 @@ def _entry(array: Argument | Output, position: int, *, lanes: bool) -> str:
 def _stores(output: Output, scope: Scope) -> list[str]:
     """C statements that fill an output: a large one of few values by a table of their places.
 
-    A loop over lanes has no loop inside: compilers would not use vectors for it.
+    The zeros of another one are stored by a loop where there are some. A loop over lanes has no
+    loop inside: compilers would not use vectors for it.
     """
     expressions = output.expressions
     values = list(dict.fromkeys(expressions))
     if scope.lanes or len(expressions) < _LARGE or 3 * len(values) > len(expressions):
+        some = not scope.lanes and expressions.count(sp.S.Zero) > 2
+        head = f"{scope.indent}for (int i = 0; i < {len(expressions)}; ++i)"
         return [
-            line
-            for position, expression in enumerate(expressions)
-            for line in scope.assigned(_entry(output, position, lanes=scope.lanes), expression)
+            *([head, f"{scope.indent}    {output.name}[i] = 0.0;"] if some else []),
+            *(
+                line
+                for position, expression in enumerate(expressions)
+                if expression != 0 or not some
+                for line in scope.assigned(_entry(output, position, lanes=scope.lanes), expression)
+            ),
         ]
     places = [str(values.index(expression)) for expression in expressions]
     kind = "unsigned char" if len(values) <= 256 else "unsigned short"

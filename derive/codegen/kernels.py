@@ -20,7 +20,7 @@ from nonsmooth.derive.equations.program import (
     prune,
 )
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
+from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = [
@@ -79,9 +79,17 @@ def flow_kernels(
 
 
 def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
-    """All kernels of one orbit; each gives first what the later outputs rest on."""
+    """All kernels of one orbit; each gives first what the later outputs rest on.
+
+    Of the flows there are those that differ from the system's.
+    """
     point, derivatives = _point(orbit), _spectrum_derivatives(orbit)
-    flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
+    _, shared = derive_flows(orbit.itinerary.system)
+    flows = {
+        link.flow.configuration: link.flow
+        for link in orbit.chain.links
+        if link.flow != shared[link.flow.configuration]
+    }
     return (
         _equations_kernel(orbit, (*point, replace(derivatives, since=2))),
         _trace_kernel(orbit, (*point, replace(derivatives, since=1))),

@@ -483,13 +483,23 @@ class OrbitKernels:
         """The compiled derivatives of this orbit by its parameters, if there are any."""
         return self._compiled("directions")
 
-    def flow(self, configuration: str, *arrays: Any) -> Any:
-        """State (..., N) after a time in one configuration, in the orbit's coordinates.
+    def flow(
+        self, configuration: str, parameters: Any, spectrum: Any, time: Any, state: Any
+    ) -> Any:
+        """State (..., N) after a time (...) in one configuration, in the orbit's coordinates.
 
-        The arrays are parameters, spectrum, time (...), state (..., N).
+        Where they are the system's the flow is its flow.
         """
-        name = f"{self.orbit}_flow_{configuration}".replace("-", "_")
-        return self.system.evaluate(name, *arrays)
+        kernel = f"flow_{configuration}".replace("-", "_")
+        own = f"{self.orbit}_{kernel}".replace("-", "_")
+        if own in self.system.module.KERNELS:
+            return self.system.evaluate(own, parameters, spectrum, time, state)
+        given = np.asarray(parameters)
+        # the orbit's parameters are all that its flows depend on
+        known = dict(zip(self.parameter_names, np.moveaxis(given, -1, 0), strict=True))
+        nothing = np.full(given.shape[:-1], np.nan)
+        every = np.stack([known.get(p.name, nothing) for p in self.system.parameters], axis=-1)
+        return self.system.evaluate(kernel, every, spectrum, time, state)
 
     def _compiled(self, name: str) -> Callable[..., Any] | None:
         if self.system.compiled is None:

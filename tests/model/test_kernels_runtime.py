@@ -265,6 +265,22 @@ def test_flows_are_matrix_exponentials_and_form_a_group(name, configuration):
         assert_allclose(flow(-first, found), state, **error)
 
 
+@pytest.mark.parametrize("name", orbit_names())
+def test_flows_lead_an_orbit_from_each_transition_to_the_next(name):
+    """In its own coordinates: positions are the same before and behind a transition."""
+    orbit, found = load_orbit(name), solve(name)
+    parameters = [found.values[parameter] for parameter in orbit.parameter_names]
+    spectrum, _ = orbit.spectrum(parameters)
+    at = (parameters, spectrum, list(found.unknowns.values()))
+    states, positions = orbit.evaluate("states", at=at), len(orbit.table["states"]) // 2
+    for place, (configuration, _, _) in enumerate(orbit.table["phases"]):
+        time = found.dwell_times[place]
+        end = orbit.flow(configuration, parameters, spectrum, time, states[place])
+        assert_allclose(end[:positions], states[place + 1][:positions], atol=1e-13)
+        many = orbit.flow(configuration, [parameters] * 3, spectrum, time, states[place])
+        assert_allclose(many, [end] * 3, atol=1e-15)
+
+
 def test_flows_broadcast():
     system, (values, state, _, _) = load_system(SYSTEM), next(draws(33, 1))
     parameters = np.array([values[n] for n in PHYSICAL])

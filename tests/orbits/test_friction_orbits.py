@@ -14,9 +14,9 @@ from scipy.linalg import expm
 from nonsmooth import InputError, NoConvergence, Orbit, refine, solve, solve_many
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.model.kernels import load_orbit
+from tests.coulomb_friction import Friction
 from tests.declared import Declared, random_points
 from tests.derive.test_equations import MP, Derived
-from tests.shooting.test_stability import Friction
 
 SYMMETRIC, STICK = "dry-friction/symmetric", "dry-friction/global-stick"
 BORDER = "dry-friction/solution-ii"
