@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation afa0831144194427 */
+ * SymPy 1.14.0, derivation 7dfe2a59c5f17aec */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation afa0831144194427
+# SymPy 1.14.0, derivation 7dfe2a59c5f17aec
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "afa0831144194427"
+DERIVATION = "7dfe2a59c5f17aec"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",
@@ -590,6 +590,7 @@ ORBITS = json.loads(r"""{
   "rank": 2,
   "section": ["z20", "v10"],
   "conservative": false,
+  "reciprocal_pair": false,
   "required": {},
   "vanishing": [],
   "levels": {"v1": "V", "v2": "V"},
@@ -661,6 +662,7 @@ ORBITS = json.loads(r"""{
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
+  "reciprocal_pair": false,
   "required": {},
   "vanishing": [],
   "levels": {"v1": "V", "v2": "V"},
@@ -741,6 +743,7 @@ ORBITS = json.loads(r"""{
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
+  "reciprocal_pair": false,
   "required": {},
   "vanishing": ["ta"],
   "levels": {"v1": "V", "v2": "V"},

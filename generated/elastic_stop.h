@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 56e7584609f2d4c5 */
+ * SymPy 1.14.0, derivation 3328f93005bf3d28 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 

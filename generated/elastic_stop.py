@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 56e7584609f2d4c5
+# SymPy 1.14.0, derivation 3328f93005bf3d28
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "56e7584609f2d4c5"
+DERIVATION = "3328f93005bf3d28"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",
@@ -84,6 +84,7 @@ ORBITS = json.loads(r"""{
   "rank": 3,
   "section": ["y", "u", "w"],
   "conservative": true,
+  "reciprocal_pair": true,
   "required": {},
   "vanishing": [],
   "levels": {"x1": "1"},

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation b20ddce681fdda7a */
+ * SymPy 1.14.0, derivation 43f1c7d4d9619c09 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

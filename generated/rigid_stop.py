@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation b20ddce681fdda7a
+# SymPy 1.14.0, derivation 43f1c7d4d9619c09
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "b20ddce681fdda7a"
+DERIVATION = "43f1c7d4d9619c09"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",
@@ -83,6 +83,7 @@ ORBITS = json.loads(r"""{
   "rank": 3,
   "section": ["y", "u", "w"],
   "conservative": true,
+  "reciprocal_pair": true,
   "required": {"r": "1"},
   "vanishing": [],
   "levels": {"x1": "1"},

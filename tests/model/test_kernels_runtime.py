@@ -16,7 +16,7 @@ from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model import kernels
 from nonsmooth.runtime.model.completion import complete
-from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.kernels import load_orbit, load_system, orbit_names
 from nonsmooth.runtime.model.parameter_batches import complete_arrays
 from tests.declared import RANGES
 
