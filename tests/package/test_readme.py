@@ -3,6 +3,7 @@
 import re
 
 import pytest
+import typer
 from typer.testing import CliRunner
 
 from nonsmooth.runtime.cli.program import app
@@ -11,6 +12,7 @@ from tests.places import CHECKOUT
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
 COMMANDS_PAGE = (CHECKOUT / "docs" / "how_to" / "commands.md").read_text(encoding="utf-8")
 IN_PYTHON = (CHECKOUT / "docs" / "how_to" / "in_python.md").read_text(encoding="utf-8")
+OF_OTHER_PROGRAMS = {"--build", "--index-url", "--nthreads", "--port"}
 
 
 def blocks(text, language):
@@ -29,6 +31,15 @@ def commands(block):
 
 def commands_of(text):
     return [command for block in blocks(text, "sh") for command in commands(block)]
+
+
+def test_every_option_that_a_page_names_is_one_of_a_command():
+    commands = typer.main.get_command(app).commands.values()
+    known = {name for command in commands for option in command.params for name in option.opts}
+    known |= OF_OTHER_PROGRAMS | {"--help"}
+    for page in [CHECKOUT / "README.md", *(CHECKOUT / "docs").rglob("*.md")]:
+        named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", page.read_text(encoding="utf-8")))
+        assert named <= known, page
 
 
 @pytest.fixture
