@@ -67,10 +67,11 @@ class TrigonometricSum:
     def rounding(self, duration: float) -> float:
         """The rounding error 32 eps (|a0| + |a1| T + sum (|c| + |s|)(1 + w T)) of g over [0, T].
 
-        T is the duration, nondimensional.
+        T is the duration, nondimensional. Each product may underflow too.
         """
         waves = sum((abs(c) + abs(s)) * (1 + w * duration) for c, s, w in self.terms())
-        return 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
+        relative = 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
+        return relative + (1 + 2 * len(self.frequency)) * math.ulp(0.0)
 
     def rises(self, noise: float) -> bool:
         """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""

@@ -189,7 +189,7 @@ def test_the_file_tells_where_it_is_from(path: Path) -> None:
     friction().save(path)
     header, arrays = parts(path)
     assert header["format"] == "nonsmooth trajectory"
-    assert header["version"] == 4
+    assert header["version"] == 5
     assert header["package"] == nonsmooth.__version__
     assert header["system"] == "dry-friction"
     assert header["parameters"]["chi"] == "2/5"
