@@ -13,6 +13,7 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
+from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
@@ -62,7 +63,7 @@ class KernelEquations:
         ]
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
-        self._pair = bool(table["reciprocal_pair"])
+        self._pair = has_reciprocal_pair(orbit)
 
     @property
     def sizes(self) -> np.ndarray:

@@ -25,8 +25,10 @@ from nonsmooth.runtime.shooting.multipliers import (
     verdict_of,
     with_trivial,
 )
+from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.section_map import reciprocal
 
-__all__ = ["assess_stability"]
+__all__ = ["assess_stability", "has_reciprocal_pair"]
 
 _WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
 
@@ -60,10 +62,10 @@ def _assessed(orbit: Orbit) -> Stability:
     table = orbit.kernels.table
     zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
     trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
-    rank, dimension = table["rank"], len(table["section"])
+    rank, dimension, pair = table["rank"], len(table["section"]), has_reciprocal_pair(orbit)
     if rank == 1:
         nonzero = [Multiplier(trace, zero, trivial=table["conservative"])]
-    elif table["reciprocal_pair"]:
+    elif pair:
         nonzero = reciprocal_pair(trace, orbit.arithmetic.mp.sqrt if orbit.precise else math.sqrt)
     else:
         nonzero = _eigenvalues(orbit)[:rank] if rank else []
@@ -78,12 +80,12 @@ def _assessed(orbit: Orbit) -> Stability:
     # what is carried beyond the digits asked for decides too
     ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
     error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
-    family, pair = table["conservative"], table["reciprocal_pair"]
     if pair:
         # it is s = mu + 1/mu, not |mu|, that is known to this error
         verdict = verdict_of(2 - abs(trace - 1), error, paired=True)
-    elif family:
-        verdict = family_verdict(found, margin)
+    elif table["conservative"]:
+        least = orbit.arithmetic.mp.sqrt(error) if orbit.precise else math.sqrt(LEAST)
+        verdict = family_verdict(found, margin, least)
     else:
         verdict = verdict_of(margin, error)
     if _grazes(orbit, error):
@@ -132,6 +134,18 @@ def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
         if boundary.name == kernels.table["phases"][phase][1]:
             terms = row[:-1, None] * fields[phase] * np.append(ends[phase], 1)
             yield terms.sum(), abs(terms).sum()
+
+
+def has_reciprocal_pair(orbit: Orbit) -> bool:
+    """Return whether an orbit with kernels has multipliers 1, mu and 1/mu.
+
+    The derivation tells it of transitions that keep volume. Others keep it along orbits that are
+    their own time reversal, which the determinant of the map tells.
+    """
+    table = orbit.kernels.table
+    if table["reciprocal_pair"] or not table["conservative"] or len(table["section"]) != 3:
+        return bool(table["reciprocal_pair"])
+    return reciprocal(_map(orbit), table["rank"], orbit.arithmetic.mp if orbit.precise else np)
 
 
 def _map(orbit: Orbit) -> np.ndarray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -125,12 +124,13 @@ def verdict_of(distance: Any, error: float, paired: bool = False) -> str:
     return "neutral" if paired else "stable"
 
 
-def family_verdict(multipliers: Sequence[Multiplier], margin: Any) -> str:
+def family_verdict(multipliers: Sequence[Multiplier], margin: Any, least: Any) -> str:
     """Verdict on a family whose multipliers are no reciprocal pair, from their margin.
 
-    The others than the trivial 1 may be defective on the unit circle: half the digits decide.
+    The others than the trivial 1 may be defective on the unit circle, where half the digits
+    are lost: what is nearer to it than `least` is taken to be on it.
     """
-    if all(m.trivial for m in multipliers) or abs(margin) <= math.sqrt(LEAST):
+    if all(m.trivial for m in multipliers) or abs(margin) <= least:
         return "neutral"
     return "stable" if margin > 0 else "unstable"
 

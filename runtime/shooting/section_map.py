@@ -31,6 +31,7 @@ __all__ = [
     "assess",
     "local_maps",
     "mechanical_states",
+    "reciprocal",
     "saltations",
     "section_dimension",
     "smallest_section",
@@ -237,7 +238,7 @@ def assess(
     zero, shifts = lib.zero if precise else 0.0, len(translations)
     trace = sum((matrix[k, k] for k in range(rank)), zero)
     trace = trace if precise else float(trace)
-    pair = family and _reciprocal(matrix, rank, lib)
+    pair = family and reciprocal(matrix, rank, lib)
     if pair:  # from the trace, whose digits it keeps
         found = reciprocal_pair(trace, lib.sqrt if precise else math.sqrt)
     else:
@@ -253,7 +254,7 @@ def assess(
     if pair or area:
         verdict = verdict_of(2 - abs(trace - int(pair)), entries, paired=True)
     elif family:
-        verdict = family_verdict(found, margin)
+        verdict = family_verdict(found, margin, multiplied if precise else math.sqrt(LEAST))
     else:
         verdict = verdict_of(margin, multiplied)
     if _grazes(cycle, numbers, now, error):
@@ -335,7 +336,7 @@ def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
     return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
 
 
-def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
+def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     """Whether a map with three multipliers, one of them 1, keeps the area of the two others."""
     if rank != 3:
         return False
