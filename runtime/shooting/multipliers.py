@@ -257,13 +257,15 @@ def many_multiplier_derivatives(found: MapDerivatives) -> tuple[np.ndarray, np.n
     if len(places):
         own = found._replace(matrix=found.matrix[places], rates=found.rates[places])
         with np.errstate(all="ignore"):
-            told = _derivatives(own, None)
+            told = _derivatives(own, None, together=True)
         determinant[places] = told.determinant_rates
         radius[places] = told.spectral_radius_rates
     return determinant, radius
 
 
-def _derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivatives:
+def _derivatives(
+    found: MapDerivatives, lib: Mpmath | None, together: bool = False
+) -> MultiplierDerivatives:
     """Derivatives of the multipliers of k maps (k, m, m) with rates (k, q, m, m)."""
     matrix, rates, rank, trivial = found
     number, kind, complex_kind = (
@@ -280,7 +282,7 @@ def _derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivat
             trace, trace_rates, one, radius_rates, none.sum(axis=2), none, radius, radius_rates
         )
     reduced, moved = _reduced(matrix, rates, rank, lib)
-    values, right, left = _eigen(reduced, lib)
+    values, right, left = _eigen(reduced, lib, together)
     slopes = np.einsum("kij,kqjl,kli->kqi", left, moved, right)
     sizes, every = abs(values).astype(float), np.arange(count)
     most = _COLLISION * sizes.max(axis=1, keepdims=True)
@@ -309,7 +311,10 @@ def _derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivat
         trace,
         trace_rates,
         _determinants(reduced, lib),
-        np.einsum("kij,kqji->kq", _adjugates(reduced, lib), moved),
+        # row by row: the terms of a sum have the same order in every batch
+        (_adjugates(reduced, lib)[:, None] * np.swapaxes(moved, 2, 3))
+        .reshape(*trace_rates.shape, -1)
+        .sum(axis=2),
         multipliers,
         turned,
         radius,
@@ -358,9 +363,14 @@ def _orthonormal_range(matrix: np.ndarray, rank: int, lib: Mpmath) -> np.ndarray
     return np.stack(basis, axis=-1)
 
 
-def _eigen(matrix: np.ndarray, lib: Mpmath | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Eigenvalues (k, r), right eigenvectors as columns, left ones as rows; products are 1."""
-    if lib is None and len(matrix) > 1:
+def _eigen(
+    matrix: np.ndarray, lib: Mpmath | None, together: bool
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Eigenvalues (k, r), right eigenvectors as columns, left ones as rows; products are 1.
+
+    Maps that are taken `together` have the left ones by an inverse, however many there are.
+    """
+    if together:
         values, right = np.linalg.eig(matrix)
         return values.astype(complex), right, inverses(right)
     found = []

@@ -21,6 +21,7 @@ from nonsmooth.runtime.orbits import many_derivatives as many
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
+from tests.places import GALLERY
 
 KERNELS = [
     "rigid-stop/one-impact",
@@ -306,3 +307,23 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
             engine.move(*counts, *wrong)
     with pytest.raises(ValueError, match="wrong numbers"):
         engine.move(-1, *counts[1:], *given())
+
+
+@pytest.mark.parametrize("name", ["backlash_gear.py:rattle", "two_stops.py:symmetric"])
+def test_a_point_is_the_same_alone_and_beside_another(name: str) -> None:
+    tables = ns.solve(f"{GALLERY / name}")
+    tables = tables.problem.by_tables(tables)
+    names = [parameter for parameter in tables.parameters if parameter != "period"]
+    values = {parameter: float(tables.parameters[parameter]) for parameter in names}
+    guess = np.array([*map(float, tables.dwell_times), *map(float, tables.states[0])])
+    options = {"itinerary": tables.itinerary, "multipliers": True, "derivatives": names}
+    alone, both = (
+        ns.solve_many(
+            tables.problem.system, values | {names[0]: np.full(count, values[names[0]])}, guess,
+            **options,
+        )
+        for count in (1, 2)
+    )  # fmt: skip
+    for quantity in ("determinant", "spectral_radius", "trace"):
+        for by in names:
+            assert alone.derivatives[quantity][by][0] == both.derivatives[quantity][by][0]
