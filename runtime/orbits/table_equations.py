@@ -19,7 +19,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise, piecewise_at, tables_at
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import limits_at
@@ -37,6 +37,7 @@ from nonsmooth.runtime.shooting.newton import NEGATIVE, SHORTEST
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     Numbers,
+    itinerary_shape,
     numbers_in,
     shoot,
 )
@@ -60,7 +61,11 @@ class TableEquations:
             raise InputError(f"{orbit.name} has several forcings: its branches are not followed")
         self.orbit = orbit
         self.order = 1 if symmetry is None else symmetry.order
-        closed, self._cycle = closing(tables.piecewise, tables.cycle, symmetry)
+        system, cycle = tables.piecewise, tables.cycle
+        if orbit.precise:  # branches are followed in double precision
+            system = piecewise(orbit.problem.system, orbit.parameters)
+            cycle = itinerary_shape(system.structure, orbit.itinerary)
+        closed, self._cycle = closing(system, cycle, symmetry)
         count = len(self._cycle)
         dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
         self._now = shoot(self._cycle, numbers_in(closed), dwell, start, np)

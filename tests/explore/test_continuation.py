@@ -19,6 +19,7 @@ from nonsmooth.runtime.explore.intervals import admissible_intervals
 from nonsmooth.runtime.orbits.admissible import boundary_curves
 from tests.certified import loop
 from tests.core.test_result_files import composed as timed
+from tests.places import GALLERY
 
 STICK = "dry-friction/global-stick"
 DATA = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -237,3 +238,14 @@ def test_an_interrupt_while_events_are_located_loses_no_point(
     assert (found.ends, found.events) == (whole.ends, whole.events)
     again = nonsmooth.continue_orbit(orbit, "V", (0.95, 1.05), resume=found)
     assert (len(again), again.ends) == (len(whole), whole.ends)
+
+
+def test_a_refined_orbit_by_tables_is_followed_as_the_one_in_doubles() -> None:
+    orbit = nonsmooth.solve(f"{GALLERY / 'two_stops.py'}:symmetric")
+    found, refined = (
+        nonsmooth.continue_orbit(start, "d", (0.599, 0.601), points=8)
+        for start in (orbit, nonsmooth.refine(orbit, 40))
+    )
+    assert refined.stability == found.stability
+    np.testing.assert_allclose(refined.parameter_values, found.parameter_values, rtol=1e-12)
+    np.testing.assert_allclose(refined.unknowns, found.unknowns, rtol=1e-10, atol=1e-12)
