@@ -2,8 +2,8 @@
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
  * SymPy 1.14.0, derivation 7dfe2a59c5f17aec */
-#ifndef DRY_FRICTION_H
-#define DRY_FRICTION_H
+#ifndef NONSMOOTH_DRY_FRICTION_H
+#define NONSMOOTH_DRY_FRICTION_H
 
 /* dry-friction: two coupled oscillators on a driving belt with dry friction (Sec. 3)
  *

@@ -2,8 +2,8 @@
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
  * SymPy 1.14.0, derivation 3328f93005bf3d28 */
-#ifndef ELASTIC_STOP_H
-#define ELASTIC_STOP_H
+#ifndef NONSMOOTH_ELASTIC_STOP_H
+#define NONSMOOTH_ELASTIC_STOP_H
 
 /* elastic-stop: two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)
  *

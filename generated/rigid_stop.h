@@ -2,8 +2,8 @@
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
  * SymPy 1.14.0, derivation 43f1c7d4d9619c09 */
-#ifndef RIGID_STOP_H
-#define RIGID_STOP_H
+#ifndef NONSMOOTH_RIGID_STOP_H
+#define NONSMOOTH_RIGID_STOP_H
 
 /* rigid-stop: two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)
  *

@@ -73,8 +73,7 @@ class _Constants:
 
     def __init__(self, system: str) -> None:
         self._system = system
-        fixed = ("h", *STATUSES, *VERDICTS)
-        self._taken = {constant(system, name) for name in fixed}
+        self._taken = {constant(system, name) for name in (*STATUSES, *VERDICTS)}
 
     def _name(self, words: Sequence[str]) -> str:
         name = free_name(constant(self._system, identifier("_".join(words))), self._taken)
@@ -103,7 +102,7 @@ def header_file(
 ) -> str:
     """Text of the header of a system with these functions, in front of which it explains them."""
     system = derived.system
-    guard = constant(system.name, "h")
+    guard = constant(f"nonsmooth_{system.name}", "h")  # a name that nothing in a kernel has
     constants = _Constants(system.name)
     parameters, _ = constants.places(
         None, "parameters", "parameters of the system", _parameter_texts(system.parameters)

@@ -230,7 +230,7 @@ def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_pat
     header = files["awkward.h"]
     constants = re.findall(r"^    (AWKWARD_\w+) = ", header, re.MULTILINE)
     assert len(constants) == len({*constants}) > 10
-    assert "AWKWARD_H" not in constants
+    assert header.count("NONSMOOTH_AWKWARD_H") == 2
     source = compiled(compiler, tmp_path / "awkward.c", tmp_path)
     status, *unknowns = ran(compiler, example_of(header), source, tmp_path, tmp_path).splitlines()
     assert status.startswith("status 0")

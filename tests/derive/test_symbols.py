@@ -111,6 +111,7 @@ WORDS = {
     "words of C and what takes their place": ("int", "int_", "x_1", "x_1_", "int__", "int___"),
     "what C names itself": ("lane", "lanes", "fixed", "wave_0", "main", "count"),
     "macros": ("I", "NULL", "NAN", "DBL_EPSILON", "SIZE_MAX", "NONSMOOTH_SIMD"),
+    "what the header names": ("BALL_H", "x", "NONSMOOTH_BALL_H", "BALL_CONVERGED", "tau", "k"),
     "numbers and functions of SymPy": ("E", "S", "N", "pi", "zoo", "Q"),
     "common terms": ("t0", "t1", "t2", "t3", "t4", "t5"),
     "derivatives": ("x", "dx", "dx_1", "dx_1_by_tau", "tau", "x_1_by_dx_1"),

@@ -17,6 +17,7 @@ from nonsmooth.derive.document.sections.template import (
     relation,
     zeros,
 )
+from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["configuration_section"]
 
@@ -123,7 +124,7 @@ def _motion(dynamics: Dynamics, naming: Naming, letters: _Letters) -> list[Line]
     """Lines with the equations of motion.
 
     They stand in the letters of the matrices, if there are any, unless a coordinate is held:
-    then each has a line of its own.
+    then each has a line of its own. That of a single mass has its factors in place.
     """
     notation, states, x = naming.notation, naming.system.states, naming.letter
     if letters and isinstance(dynamics, SecondOrder) and not dynamics.held:
@@ -136,6 +137,12 @@ def _motion(dynamics: Dynamics, naming: Naming, letters: _Letters) -> list[Line]
         )
         load = dynamics.load.applyfunc(notation.tidy)
         return [Line(left, "=", ("0" if load.is_zero_matrix else notation.latex(load),))]
+    if isinstance(dynamics, SecondOrder) and len(states) == 2 and not dynamics.held:
+        rates = (Symbol("written", f"x{p}", notation.symbol(states[0]) + p) for p in ("''", "'"))
+        coefficients = (dynamics.mass, dynamics.damping, dynamics.stiffness)
+        motion = zip(coefficients, (*rates, states[0]), strict=True)
+        terms = [factor[0] * rate for factor, rate in motion if factor[0] != 0]
+        return [relation(naming, " ".join(notation.signed(terms)), dynamics.load[0])]
     matrix, offset = (part.applyfunc(cancel) for part in dynamics.field(states))
     rates = list(matrix * sp.Matrix(states) + offset)
     held, primes = {}, "'"
