@@ -409,3 +409,16 @@ def test_a_start_that_nothing_satisfies_is_refused() -> None:
     )
     with pytest.raises(DerivationError, match=r"'never'.*no state"):
         describe_itinerary(Itinerary("never", system, (Phase("held", "fast", "tau"),)))
+
+
+def test_letters_of_the_derivation_give_way_to_those_of_the_user() -> None:
+    omega, entry, mass = sp.symbols("omega_1 p_1 M", positive=True)
+    stiffness = [[omega, -omega], [-omega, omega + entry]]
+    stop = RigidStop("x", at=1, restitution=1, name="stop")
+    system = oscillator("two", ["x", "y"], [[mass, 0], [0, 1]], stiffness, elements=[stop])
+    text = to_markdown(describe_system(system))
+    assert r"\hat{\omega}_{1} &=" in text
+    assert r"\hat{p}_{1} &=" in text
+    assert r"\omega_{1} &=" not in text.replace(r"\hat{\omega}_{1}", "")
+    assert r"\mathsf{M} &= \operatorname{diag}\left(M, 1\right)" in text
+    assert r"K &= " in text

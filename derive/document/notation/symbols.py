@@ -229,7 +229,16 @@ class Symbols:
                     lambda m: parts[int(m[1])] if m[1].isdigit() else self.letter(m[1]),
                     _WRITTEN[meaning],
                 )
-        return identifier(symbol.name)
+        latex = identifier(symbol.name)
+        if latex in self.declared:  # the user's letter stays
+            return latex.replace(head(latex), rf"\hat{{{head(latex)}}}", 1)
+        return latex
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """LaTeX of the symbols that the user has named."""
+        every = (*self.states, *self.constants, *self.unknowns)
+        return frozenset(identifier(s.name) for s in every if not isinstance(s, Symbol))
 
     def prose(self, text: str) -> str:
         """Text in which the names of symbols, and arithmetic with them, are set as formulas."""

@@ -9,6 +9,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Line, Table
+from nonsmooth.derive.document.notation.symbols import free
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.sections.template import (
     by_entries,
@@ -41,7 +42,8 @@ def configuration_section(
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
     damped = any(not d.damping.is_zero_matrix for d in second)
     held = any(d.held for d in second)
-    letters = _letters(second) if any(d.mass.rows > 1 for d in second) else {}
+    plain = {c: free((c, rf"\mathsf{{{c}}}"), naming.notation.declared) for c in "MCK"}
+    letters = _letters(second, plain) if any(d.mass.rows > 1 for d in second) else {}
     matrices = [by_entries(naming, letter, matrix) for (_, matrix), letter in letters.items()]
     if any(len(lines) > 1 for lines in matrices):
         letters, matrices = {}, []
@@ -51,9 +53,9 @@ def configuration_section(
         [first: Inside a configuration the motion is linear, with the state $@state =
         \left(@column\right)^{\mathsf{T}}$.]
 
-        [second: In @where the motion is linear[matrices: , $M @letter''[damped:  + C @letter'] + K
-        @letter = \ell$[held: , and a coordinate that is held keeps its velocity: its row gives the
-        reaction]. The matrices are | .]]
+        [second: In @where the motion is linear[matrices: , $@mass @letter''[damped:  + @damping
+        @letter'] + @stiffness @letter = \ell$[held: , and a coordinate that is held keeps its
+        velocity: its row gives the reaction]. The matrices are | .]]
         $$
         @matrices
         $$
@@ -71,6 +73,9 @@ def configuration_section(
         second=second,
         column=", ".join(map(naming.notation.symbol, naming.system.states)),
         where="every configuration" if len(second) == len(chosen) else "those of second order",
+        mass=plain["M"],
+        damping=plain["C"],
+        stiffness=plain["K"],
         damped=damped,
         held=held,
         matrices=[line for lines in matrices for line in lines],
@@ -108,14 +113,14 @@ def configuration_section(
     )
 
 
-def _letters(motions: Sequence[SecondOrder]) -> _Letters:
+def _letters(motions: Sequence[SecondOrder], plain: Mapping[str, str]) -> _Letters:
     """Letters of M, C and K, numbered where configurations differ in them."""
     found: _Letters = {}
     for letter, attribute in (("M", "mass"), ("C", "damping"), ("K", "stiffness")):
         matrices = dict.fromkeys(getattr(d, attribute) for d in motions)
         if letter != "C" or any(not m.is_zero_matrix for m in matrices):
             for index, matrix in enumerate(matrices, start=1):
-                name = f"{letter}_{{{index}}}" if len(matrices) > 1 else letter
+                name = f"{plain[letter]}_{{{index}}}" if len(matrices) > 1 else plain[letter]
                 found[attribute, matrix] = name
     return found
 
