@@ -143,11 +143,12 @@ def _motion(dynamics: Dynamics, naming: Naming, letters: _Letters) -> list[Line]
         load = dynamics.load.applyfunc(notation.tidy)
         return [Line(left, "=", ("0" if load.is_zero_matrix else notation.latex(load),))]
     if isinstance(dynamics, SecondOrder) and len(states) == 2 and not dynamics.held:
-        rates = (Symbol("written", f"x{p}", notation.symbol(states[0]) + p) for p in ("''", "'"))
+        own = notation.symbol(states[0])
+        factors = [Symbol("written", f"x{primes}", own + primes) for primes in ("''", "'")]
         coefficients = (dynamics.mass, dynamics.damping, dynamics.stiffness)
-        motion = zip(coefficients, (*rates, states[0]), strict=True)
-        terms = [factor[0] * rate for factor, rate in motion if factor[0] != 0]
-        return [relation(naming, " ".join(notation.signed(terms)), dynamics.load[0])]
+        motion = zip(coefficients, (*factors, states[0]), strict=True)
+        summands = [matrix[0] * factor for matrix, factor in motion if matrix[0] != 0]
+        return [relation(naming, " ".join(notation.signed(summands)), dynamics.load[0])]
     matrix, offset = (part.applyfunc(cancel) for part in dynamics.field(states))
     rates = list(matrix * sp.Matrix(states) + offset)
     held, primes = {}, "'"
