@@ -127,3 +127,43 @@ def test_beside_the_trivial_multiplier_alone_an_orbit_is_neutral(tmp_path: Path)
         found.save(tmp_path / f"{name}.json")
         chart = ns.chart(str(tmp_path / f"{name}.json"), p=(-0.5, -0.49), **{name: 4.0})
         assert chart["margin"].values.tolist() == [0, 0]
+
+
+@cache
+def mirrored(period: float) -> Orbit:
+    """Return an orbit that is its own time reversal, of two masses whose impact mirrors velocities.
+
+    Between impacts x = a cos(t - T/2), y = b cos(sqrt(5) (t - T/2)): the velocities in front of an
+    impact are those behind it turned round, which the mirror keeps on its line v = -2 w.
+    """
+    place, time = Parameter("p", "place of the stop", lower=-sp.oo), Parameter("T", "period")
+    linear = SecondOrder(sp.eye(2), [[1, 0], [0, 5]])
+    free = Configuration("free", linear, (Boundary("hits", place.symbol - X),))
+    fifth = sp.Rational(1, 5)
+    mirror = {V: fifth * (4 * W - 3 * V), W: fifth * (4 * V + 3 * W)}
+    impact = Transition("free", {"hits"}, "free", (), mirror)
+    system = System("mirrored", "", (X, Y, V, W), (place,), (free,), (impact,))
+    slow, fast = period / 2, np.sqrt(5) * period / 2
+    v = -np.tan(slow)  # x = p = -1 at the impact
+    y = -v / (2 * np.sqrt(5) * np.tan(fast))
+    known = Reference(
+        {"p": "-1", "T": repr(period)}, {"y0": str(y), "v0": str(v), "w0": str(-v / 2)}
+    )
+    phases = (Phase("free", "hits", "T"),)
+    return ns.solve(Itinerary("loop", system, phases, period=time, reference=known))
+
+
+@pytest.mark.parametrize("beyond", [1e-11, 1e-9, 1e-3])
+def test_a_time_reversal_has_a_reciprocal_pair_where_no_derivation_tells_it(beyond: float) -> None:
+    meeting = 5.183679393061944  # there the trace is 3: all multipliers are 1
+    inside, outside = mirrored(meeting - beyond), mirrored(meeting + beyond)
+    assert outside.kernels.table["reciprocal_pair"] is False
+    assert outside.admissibility.verdict is inside.admissibility.verdict is True
+    assert (inside.stability.verdict, inside.stability.margin) == ("neutral", 0)
+    # mu + 1/mu is the trace less 1; where multipliers meet a solver of eigenvalues errs by 1e-8
+    half = (outside.trace - 1) / 2
+    largest = half + np.sqrt(half**2 - 1)
+    precise = ns.refine(outside, 40).stability
+    assert outside.stability.verdict == precise.verdict == "unstable"
+    assert outside.stability.margin == pytest.approx(1 - largest, rel=1e-4)
+    assert float(precise.margin) == pytest.approx(1 - largest, rel=1e-4)
