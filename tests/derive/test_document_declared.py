@@ -422,3 +422,4 @@ def test_letters_of_the_derivation_give_way_to_those_of_the_user() -> None:
     assert r"\omega_{1} &=" not in text.replace(r"\hat{\omega}_{1}", "")
     assert r"\mathsf{M} &= \operatorname{diag}\left(M, 1\right)" in text
     assert r"K &= " in text
+    assert r"$\mathsf{M}^{-1} K$" in text

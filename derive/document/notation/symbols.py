@@ -240,6 +240,10 @@ class Symbols:
         every = (*self.states, *self.constants, *self.unknowns)
         return frozenset(identifier(s.name) for s in every if not isinstance(s, Symbol))
 
+    def matrix(self, letter: str) -> str:
+        """Letter of a matrix, upright where the user has named something so."""
+        return free((letter, rf"\mathsf{{{letter}}}"), self.declared)
+
     def prose(self, text: str) -> str:
         """Text in which the names of symbols, and arithmetic with them, are set as formulas."""
 

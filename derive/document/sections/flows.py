@@ -89,9 +89,10 @@ def _meaning(
     if not naming.second_order or not oscillating & set(entries):
         return []
     stems = {symbol.parts[0] for symbol in entries}
+    mass, stiffness = map(naming.notation.matrix, "MK")
     found = {
-        r"the frequencies $\omega$, whose squares are the eigenvalues of $M^{-1} K$ for the"
-        " coordinates that are free": True,
+        r"the frequencies $\omega$, whose squares are the eigenvalues of"
+        rf" ${mass}^{{-1}} {stiffness}$ for the coordinates that are free": True,
         r"the differences $\Delta$ of two of these eigenvalues": "gap" in stems,
         "the entries $p$ of the projectors on the modes": "p" in stems,
     }
@@ -126,7 +127,8 @@ def _closed(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], dict[st
         r"""
         [second_order: The flows are written by blocks of positions and velocities, $\Phi^{11}$ and
         $\Phi^{12}$ for the positions, $\Phi^{21}$ and $\Phi^{22}$ for the velocities; $I$ is the
-        unit matrix. [cosines: The matrices at the cosines are the projectors on the modes.]]
+        unit matrix. [cosines: The matrices at the cosines are, up to their signs, the
+        projectors on the modes.]]
         """,
         cosines=any(g.has(sp.cos) for g in functions),
     )

@@ -9,7 +9,6 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Line, Table
-from nonsmooth.derive.document.notation.symbols import free
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.sections.template import (
     by_entries,
@@ -42,7 +41,7 @@ def configuration_section(
     second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
     damped = any(not d.damping.is_zero_matrix for d in second)
     held = any(d.held for d in second)
-    plain = {c: free((c, rf"\mathsf{{{c}}}"), naming.notation.declared) for c in "MCK"}
+    plain = {letter: naming.notation.matrix(letter) for letter in "MCK"}
     letters = _letters(second, plain) if any(d.mass.rows > 1 for d in second) else {}
     matrices = [by_entries(naming, letter, matrix) for (_, matrix), letter in letters.items()]
     if any(len(lines) > 1 for lines in matrices):
