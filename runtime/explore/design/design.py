@@ -8,24 +8,16 @@ from typing import Any, get_args
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.explore.design.aim import Aim, MarginKey, Trial, watched_margins
-from nonsmooth.runtime.explore.design.branch_points import BranchPoints
 from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys, is_largest_of_several
 from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Method, optimise
+from nonsmooth.runtime.explore.design.objective import Aim, MarginKey, Trial, watched_margins
+from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, Method, optimise
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
 from nonsmooth.runtime.explore.design.quantities import is_extreme, is_pure, unit_of
 from nonsmooth.runtime.explore.design.question import design_question
 from nonsmooth.runtime.explore.design.solving import solve_conditions
-from nonsmooth.runtime.explore.design.telling import (
-    MET,
-    gradient_of,
-    iterates_of,
-    message_of,
-    values_of,
-)
-from nonsmooth.runtime.explore.design.worst_over import optimise_worst, spread
+from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["METHODS", "design"]
@@ -35,6 +27,7 @@ MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
 _SOLVED = 1e-9
 _NO_SLOPE = 1e-13  # of a quantity over an interval: nothing depends on the parameter
+_MET = 1e-8  # of a condition
 
 
 def design(
@@ -181,14 +174,14 @@ def design(
             ended = optimise(points, aim, chosen, iterations, history)
         where = trials.where if isinstance(trials, BranchPoints) else _nowhere
         left = optimality(aim, ended.point, names, bounds, where)
-        met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= MET
+        met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET
         status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
     if stopped and len(history) < 2:
         raise KeyboardInterrupt
     if not stopped and not all(map(points.is_motion, ended.point.members)):
         status, ended = NOT_REACHED, ended._replace(reason="the orbit there is no motion")
-    iterates = iterates_of(names, aim, history, asked)
+    iterates = _iterates_of(names, aim, history, asked)
     found = Design(
         aim=question.aim,
         quantity=quantity,
@@ -198,16 +191,16 @@ def design(
         conditions=question.conditions,
         method=method,
         quantities=asked,
-        before=values_of(names, aim, begin, asked) if resume is None else resume.before,
-        after=values_of(names, aim, ended.point, asked),
+        before=_values_of(names, aim, begin, asked) if resume is None else resume.before,
+        after=_values_of(names, aim, ended.point, asked),
         worst_at=_worst_at(left, branch),
-        gradient=gradient_of(names, aim, ended.point, measured),
+        gradient=_gradient_of(names, aim, ended.point, measured),
         active=left.active,
         corner=left.corner,
         residual=left.residual,
         history=iterates if resume is None else np.vstack([resume.history, iterates]),
         status=NOT_REACHED if stopped else status,
-        message=message_of(aim, ended, left, converged=status == CONVERGED),
+        message=_message_of(aim, ended, left, converged=status == CONVERGED),
         start=orbit if resume is None else resume.start,
         orbit=aim.worst(ended.point).orbit if quantity else ended.point.members[0].orbit,
     )
@@ -262,3 +255,73 @@ def _check_options(method: str, iterations: int) -> None:
         raise unknown_name("method", method, METHODS)
     if isinstance(iterations, bool) or not isinstance(iterations, int) or iterations < 1:
         raise InputError(f"iterations = {iterations} is not a positive integer")
+
+
+def _values_of(
+    names: Sequence[str], aim: Aim, point: Trial, asked: Iterable[str]
+) -> dict[str, float]:
+    """Values of the parameters `names` and the quantities `asked` at a trial.
+
+    Along a branch each quantity has its worst value.
+    """
+    given = point.members[0].orbit.given
+    found = {name: float(given[name]) for name in names}
+    wanted = {c.quantity: float(c.value) for c in aim.conditions}
+    for name in asked:
+        values = [each.quantities.quantity(name, wanted.get(name)) for each in point.members]
+        found[name] = max(values) if _upwards(aim, name) else min(values)
+    return found
+
+
+def _upwards(aim: Aim, name: str) -> bool:
+    """Whether a larger value of a quantity is a worse one."""
+    if name == aim.quantity:
+        return aim.sign > 0
+    return any(c.relation == "<=" for c in aim.conditions if c.quantity == name)
+
+
+def _gradient_of(
+    names: Sequence[str], aim: Aim, point: Trial, measured: Iterable[str]
+) -> dict[str, dict[str, float]]:
+    """Derivatives of each quantity by each parameter, at the orbit where the quantity is worst."""
+    found = {}
+    for name in measured:
+        order = 1.0 if _upwards(aim, name) else -1.0
+        values = [order * each.quantities.values[name] for each in point.members]
+        worst = point.members[int(np.argmax(values))]
+        slopes = worst.quantities.slopes[name][: len(names)].tolist()
+        found[name] = dict(zip(names, slopes, strict=True))
+    return found
+
+
+def _iterates_of(
+    names: Sequence[str], aim: Aim, history: Iterable[Trial], asked: Iterable[str]
+) -> np.ndarray:
+    """Parameters and quantities (k, q + m) of the iterates."""
+    quantities = tuple(asked)
+    rows = [_values_of(names, aim, point, quantities) for point in history]
+    return np.array([[row[name] for name in (*names, *quantities)] for row in rows])
+
+
+def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) -> str:
+    """A text that says how a design ended."""
+    if ended.reason == INTERRUPTED:
+        return INTERRUPTED
+    acting = ", ".join(limit.text for limit in left.active)
+    if converged:
+        if not aim.quantity:
+            return "the wanted values are met"
+        parts = [f"an optimum within {acting}" if acting else "an optimum"]
+        return "; ".join([*parts, *([left.corner] if left.corner else [])])
+    missed = [
+        c
+        for c in aim.conditions
+        if any(
+            np.abs(np.minimum(aim.condition_rows(member, c).values, 0.0)).max() > _MET
+            for member in ended.point.members
+        )
+        or (c.relation == "=" and aim.missed(ended.point) > _MET)
+    ]
+    told = f"{', '.join(c.text for c in missed)} not reached" if missed else "no optimum"
+    why = ended.reason or (f"within {acting}" if acting else "the optimiser found no better one")
+    return f"{told}: {why}"

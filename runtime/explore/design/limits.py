@@ -3,30 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.json_codec import Digits
-from nonsmooth.runtime.explore.design.aim import Aim, Trial
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
 from nonsmooth.runtime.explore.design.largest import corner_of
+from nonsmooth.runtime.explore.design.objective import Aim, Trial
+from nonsmooth.runtime.explore.design.optimum import ActiveLimit
 
-__all__ = ["ActiveLimit", "Optimality", "bounds_met", "optimality"]
+__all__ = ["Optimality", "bounds_met", "optimality"]
 
 _ACTIVE, _ACTIVE_BOUND = 1e-6, 1e-7
-
-
-@dataclass(frozen=True, kw_only=True)
-class ActiveLimit:
-    """A condition or a bound that holds with equality at an optimum."""
-
-    text: str  # as it was given, such as ``period<=6.5`` or ``V<=1.3``
-    # of Karush, Kuhn and Tucker: by how much the quantity improves per unit by which the limit is
-    # relaxed; for an equation, by how much it worsens per unit of its value
-    multiplier: Digits
 
 
 class Optimality(NamedTuple):

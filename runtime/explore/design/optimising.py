@@ -14,8 +14,8 @@ from typing import Any, Literal, NamedTuple, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.aim import Aim, Rows, Trial
 from nonsmooth.runtime.explore.design.design_points import Beyond
+from nonsmooth.runtime.explore.design.objective import Aim, Rows, Trial
 
 __all__ = ["INTERRUPTED", "Ended", "Method", "Trials", "optimise"]
 

@@ -2,22 +2,43 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import Digits
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Kept
-from nonsmooth.runtime.explore.design.condition import DesignCondition
-from nonsmooth.runtime.explore.design.limits import ActiveLimit
+from nonsmooth.runtime.core.values import Value, parse
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["AIMS", "CONVERGED", "NOT_REACHED", "Design"]
+__all__ = [
+    "AIMS",
+    "CONVERGED",
+    "NOT_REACHED",
+    "ActiveLimit",
+    "Design",
+    "DesignCondition",
+    "condition_in",
+]
 
 AIMS = ("minimise", "maximise", "solve")
 CONVERGED, NOT_REACHED = 0, 1
+_FORM = re.compile(r"\s*([^<>=\s]+)\s*(<=|>=|=)\s*([^<>=]+)")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ActiveLimit:
+    """A condition or a bound that holds with equality at an optimum."""
+
+    text: str  # as it was given, such as ``period<=6.5`` or ``V<=1.3``
+    # of Karush, Kuhn and Tucker: by how much the quantity improves per unit by which the limit is
+    # relaxed; for an equation, by how much it worsens per unit of its value
+    multiplier: Digits
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -120,3 +141,40 @@ class Design(Kept):
         Figure or Axes
         """
         return registered("draw_design")(self, axes)
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignCondition:
+    """A condition on a quantity of an orbit."""
+
+    quantity: str
+    relation: Literal["<=", ">=", "="]
+    value: Value  # in the unit of the quantity
+
+    @property
+    def text(self) -> str:
+        """The condition as it is written."""
+        return f"{self.quantity}{self.relation}{self.value.text}"
+
+    def excess(self, value: float) -> float:
+        """Amount by which a value violates the condition; zero where it holds."""
+        missed = value - float(self.value)
+        if self.relation == "=":
+            return abs(missed)
+        return max(0.0, missed if self.relation == "<=" else -missed)
+
+
+def condition_in(text: str) -> DesignCondition:
+    """A condition from a text such as ``period<=6.5``, ``margin>=0`` or ``trace=1/2``.
+
+    Examples
+    --------
+    >>> condition_in("period <= 13/2").text
+    'period<=13/2'
+    """
+    found = _FORM.fullmatch(text) if isinstance(text, str) else None
+    if found is None:
+        raise InputError(f"{text!r} is no condition, such as period<=6.5, trace>=0 or tau=1/2")
+    relation: Any
+    name, relation, value = found.groups()
+    return DesignCondition(quantity=name, relation=relation, value=parse(value.strip()))

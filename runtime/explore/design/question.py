@@ -12,9 +12,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
-from nonsmooth.runtime.explore.design.condition import DesignCondition, condition_in
 from nonsmooth.runtime.explore.design.largest import is_largest_of_several
-from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.explore.design.optimum import Design, DesignCondition, condition_in
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS
 from nonsmooth.runtime.explore.design.worst_over import branch_interval
 from nonsmooth.runtime.model.saved_system import check_same_system

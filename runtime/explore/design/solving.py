@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.aim import Aim, Trial
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
+from nonsmooth.runtime.explore.design.objective import Aim, Trial
 from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended
 
 __all__ = ["solve_conditions"]

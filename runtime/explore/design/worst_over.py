@@ -1,26 +1,282 @@
-"""The worst along a branch made as small as it can be, over other parameters."""
+"""The worst along a branch made as small as it can be, over other parameters.
+
+What has to hold all along the branch is asked for at a few values of that parameter, where it is
+worst; they are looked for along the whole branch, and added to, until nothing is worse between
+them: the exchange method of semi-infinite programming (R. Hettich and K. Kortanek, SIAM Review
+35, 1993). At an interior maximum the derivative along the branch is zero, so that the maximum
+changes by the parameters as the quantity does at a fixed value (J. Danskin, 1967).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
-from nonsmooth.runtime.explore.design.aim import Aim, Trial, watched_margins
-from nonsmooth.runtime.explore.design.alarms import Watch
-from nonsmooth.runtime.explore.design.branch_points import BranchPoint, BranchPoints
-from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoints
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys
+from nonsmooth.runtime.explore.design.objective import Aim, Trial, watched_margins
 from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, Method, optimise
-from nonsmooth.runtime.explore.design.scanning import scanned, worst_places
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["branch_interval", "optimise_worst", "spread"]
+__all__ = [
+    "BranchPoints",
+    "branch_interval",
+    "optimise_worst",
+    "spread",
+]
 
+_FINE = 1e-12  # of the interval: place of an extreme
+_BESIDE = 1e-4  # of the interval: for the second derivative at an extreme
+_APART = 1e-7  # of the interval: nearer ones are one
+_STEPS = 8  # of Newton's method
+_STILL, _LONGEST = 1e-7, 0.03  # of the interval: of its steps
+_FLATTER = 0.1  # of a second derivative: where it falls by more it is kept
 _LOOKS, _FINER = 33, 4  # values along the branch; so many times more in the last look
 _ROUNDS = 30
 _WORSE = 1e-11  # by which a place between the watched ones may be worse
+
+
+class _Watch(NamedTuple):
+    """A place along a branch where something is worst."""
+
+    part: float  # position in the branch's interval, from 0 to 1
+    row: int  # number of the alarm that has a minimum there
+    bend: float  # its second derivative inside the interval, 0 where the place is fixed
+
+
+def _alarms(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers (m,) that are smaller where an orbit is worse, and derivatives (m,).
+
+    The derivatives are along the branch. The numbers belong to the objective, then to the
+    conditions, then to the margins. The branch's parameter is the last of the member's, and
+    `length` is that of its interval.
+    """
+    measured = member.quantities
+    values = [-aim.sign * measured.values[aim.quantity] / aim.scale]
+    slopes = [-aim.sign * float(measured.slopes[aim.quantity][-1]) * length / aim.scale]
+    for condition in aim.conditions:
+        sign = -1.0 if condition.relation == "<=" else 1.0
+        size = aim.size(condition)
+        values.append(sign * (measured.values[condition.quantity] - float(condition.value)) / size)
+        slopes.append(sign * float(measured.slopes[condition.quantity][-1]) * length / size)
+    margins = {(m.phase, m.boundary): m for m in measured.derivatives.margins}
+    for key, unit in aim.margins.items():
+        there = margins.get((key.phase, key.boundary))
+        values.append(1.0 if there is None else float(there.value) / unit)
+        slopes.append(0.0 if there is None else float(there.rates[-1]) * length / unit)
+    return np.array(values), np.array(slopes)
+
+
+class _Scan(NamedTuple):
+    """Orbits along a branch."""
+
+    parts: np.ndarray  # (k,), position of the branch's parameter in its interval, from 0 to 1
+    members: tuple[DesignPoint, ...]
+
+
+def _member_at(points: DesignPoints, place: np.ndarray, part: float) -> DesignPoint:
+    """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
+
+    `points` covers the parameters of the design and, as the last, that of the branch. Raises
+    `Beyond` if the orbit does not exist; the reason names the value of the branch's parameter.
+    """
+    try:
+        return points.at(np.append(place, part))
+    except Beyond as ended:
+        value = points.bounds[-1, 0] + part * points.lengths[-1]
+        told = f"{ended.reason} at {points.names[-1]} = {value:.6g}"
+        raise Beyond(ended.near, ended.target, ended.distance, told) from None
+
+
+def _scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) -> _Scan:
+    """`count` orbits along a branch, each reached from a neighbour.
+
+    `points` covers the parameters of the design, at `place` (q,), and, as the last, that of the
+    branch, where an orbit is known at the part `begin`. Raises `Beyond` if the branch does not
+    cover its interval; the reason names the value where it ends.
+    """
+    parts = np.linspace(0.0, 1.0, count)
+    order = np.argsort(np.abs(parts - begin), kind="stable")
+    found: dict[int, DesignPoint] = {}
+    for k in order.tolist():
+        found[k] = _member_at(points, place, float(parts[k]))
+    return _Scan(parts, tuple(found[k] for k in range(count)))
+
+
+def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan) -> list[_Watch]:
+    """Places along a branch where something is worst, in order.
+
+    For the quantity that is minimised they are all local maxima; for each condition and each
+    margin they are the place where it is nearest to a violation. `scan` is that of the branch
+    at the parameters `place` (q,). Raises `Beyond` if the branch does not lead to one of them.
+    """
+    alarms = np.array([_alarms(aim, member, points.lengths[-1]) for member in scan.members])
+    found: list[_Watch] = []
+    for row in range(alarms.shape[2]):
+        values, slopes = alarms[:, 0, row], alarms[:, 1, row]
+
+        def at(part: float, which: int, row: int = row) -> float:
+            member = _member_at(points, place, part)
+            return float(_alarms(aim, member, points.lengths[-1])[which][row])
+
+        value, slope = partial(at, which=0), partial(at, which=1)
+        least = _least(scan.parts, values, slopes, value, slope, every=row == 0)
+        found += [_Watch(part, row, bend) for part, bend in least]
+    found.sort()
+    return [w for k, w in enumerate(found) if k == 0 or w.part - found[k - 1].part > _APART]
+
+
+def _least(
+    parts: np.ndarray,
+    values: np.ndarray,
+    slopes: np.ndarray,
+    value: Callable[[float], float],
+    slope: Callable[[float], float],
+    *,
+    every: bool,
+) -> list[tuple[float, float]]:
+    """Places of the local minima of a function, with its second derivatives inside, else 0.
+
+    Unless `every` is set, only minima that may be the least one are kept.
+    """
+    from scipy.optimize import minimize_scalar
+
+    last = len(parts) - 1
+    places: list[tuple[float, float]] = []  # values and places
+    for k in range(last + 1):
+        before = values[k - 1] if k > 0 else np.inf
+        after = values[k + 1] if k < last else np.inf
+        if values[k] <= before and values[k] < after:
+            places.append((float(values[k]), float(parts[k])))
+    for k in range(last):
+        if slopes[k] < 0 < slopes[k + 1]:
+            near = min(float(values[k]), float(values[k + 1]))
+            places.append((near, -1.0 - k))  # to be looked for
+    if not every:
+        least = min(values)
+        width = float(np.ptp(values)) / max(last, 1)
+        places = [each for each in places if each[0] <= least + width]
+    found = []
+    for _, part in places:
+        if part >= 0:
+            k = round(part * last)
+            sides = slopes[max(k - 1, 0) : k + 2]
+            if 0 < k < last and np.isnan(sides).any():
+                low, high = parts[k - 1], parts[k + 1]
+                inside = minimize_scalar(value, bounds=(low, high), options={"xatol": 1e-9})
+                found.append((float(inside.x), 0.0))
+            elif k in (0, last) or not _turns(slopes, k):
+                found.append((part, 0.0))
+        else:
+            k = int(-part - 1)
+            inside = _zero(slope, float(parts[k]), float(parts[k + 1]))
+            beside = inside + (_BESIDE if inside < 0.5 else -_BESIDE)
+            bend = (slope(beside) - slope(inside)) / (beside - inside)
+            found.append((inside, max(float(np.nan_to_num(bend)), 0.0)))
+    return found
+
+
+def _turns(slopes: np.ndarray, k: int) -> bool:
+    """Whether a sign change of the slope next to a place already gives this minimum."""
+    return bool(slopes[k - 1] < 0 < slopes[k] or slopes[k] < 0 < slopes[k + 1])
+
+
+def _zero(slope: Callable[[float], float], low: float, high: float) -> float:
+    """Place where a slope turns positive; a place where the slope is NaN counts as that."""
+    from scipy.optimize import brentq
+
+    return float(brentq(lambda part: np.nan_to_num(slope(part)), low, high, xtol=_FINE))
+
+
+@dataclass(frozen=True, eq=False)
+class _BranchPoint:
+    """Orbits of one branch at parameters that were tried."""
+
+    place: np.ndarray  # (q,), of the parameters in their bounds
+    members: tuple[DesignPoint, ...]  # orbits at the watched places of the branch's parameter
+    watches: tuple[_Watch, ...]  # these places
+
+
+class BranchPoints:
+    """The orbits of a branch where something is worst, for each trial of a design.
+
+    A place inside the branch's interval moves with the parameters, so that it stays worst.
+    `points` covers the parameters of the design and, as the last, that of the branch; `begin`
+    (q,) is the place of the first trial, and raises `Beyond` if there is no orbit. The
+    attribute `visited` lists all trials.
+    """
+
+    def __init__(
+        self, points: DesignPoints, aim: Aim, begin: np.ndarray, watches: Iterable[_Watch]
+    ) -> None:
+        self.points, self._aim = points, aim
+        self.visited: list[_BranchPoint] = [self._found(begin, tuple(watches))]
+
+    @property
+    def name(self) -> str:
+        """Name of the branch's parameter."""
+        return self.points.names[-1]
+
+    def at(self, place: np.ndarray) -> _BranchPoint:
+        """The orbits at a place (q,) in units of the bounds; raises `Beyond` without one."""
+        for known in reversed(self.visited):
+            if np.array_equal(known.place, place):
+                return known
+        gaps = [float(np.abs(known.place - place).max()) for known in self.visited]
+        near = self.visited[int(np.argmin(gaps))]
+        try:
+            found = self._found(place.copy(), near.watches)
+        except Beyond as ended:
+            raise Beyond(near.place, place, min(gaps) / 2, ended.reason) from None
+        self.visited.append(found)
+        return found
+
+    def _found(self, place: np.ndarray, watches: tuple[_Watch, ...]) -> _BranchPoint:
+        moved = [self._moved(place, watch) for watch in watches]
+        members, places = zip(*moved, strict=True)
+        return _BranchPoint(place, members, places)
+
+    def _moved(self, place: np.ndarray, watch: _Watch) -> tuple[DesignPoint, _Watch]:
+        """The orbit at a watched place that moves with the parameters, and the place.
+
+        It is the zero of the slope along the branch, by Newton's method.
+        """
+        part, row, bend = watch
+        member = self.member(place, part)
+        for _ in range(_STEPS if bend > 0 else 0):
+            slope = self._slope(member, row)
+            step = float(np.clip(-slope / bend, -_LONGEST, _LONGEST))
+            following = float(np.clip(part + step, 0.0, 1.0))
+            if not abs(following - part) > _STILL:  # also where there is no derivative
+                break
+            try:
+                other = self.member(place, following)
+            except Beyond:
+                break
+            found = (self._slope(other, row) - slope) / (following - part)
+            bend = found if found > _FLATTER * bend else bend
+            member, part = other, following
+        return member, _Watch(part, row, bend)
+
+    def _slope(self, member: DesignPoint, row: int) -> float:
+        return float(_alarms(self._aim, member, self.points.lengths[-1])[1][row])
+
+    def member(self, place: np.ndarray, part: float) -> DesignPoint:
+        """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
+
+        Raises `Beyond` if it does not exist.
+        """
+        return _member_at(self.points, place, part)
+
+    def where(self, member: DesignPoint) -> str:
+        """Position of an orbit on the branch, in words."""
+        return f" at {self.name} = {float(member.orbit.given[self.name]):.6g}"
 
 
 def branch_interval(
@@ -53,7 +309,7 @@ def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
     first = points.visited[0]
     place, begin = first.place[:-1], float(first.place[-1])
     try:
-        scan = scanned(points, place, begin, _LOOKS)
+        scan = _scanned(points, place, begin, _LOOKS)
         margins = dict(aim.margins)
         for member in scan.members if margins else ():
             for key, unit in watched_margins(member.quantities, aim.lengths).items():
@@ -67,7 +323,7 @@ def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
             extremes=extreme_keys(every, aim.quantity) if aim.extremes else (),
             spread=True,
         )
-        worst = worst_places(points, whole, place, scan)
+        worst = _worst_places(points, whole, place, scan)
         return whole, BranchPoints(points, whole, place, worst)
     except Beyond as ended:
         low, high = points.bounds[-1]
@@ -87,7 +343,7 @@ def optimise_worst(
     """The trial that minimises the worst value along a branch, with its watched places.
 
     The optimiser works with the orbits at the watched places. After each of its rounds the
-    whole branch is scanned, in the end four times as finely, and places that are worse are
+    whole branch is _scanned, in the end four times as finely, and places that are worse are
     watched too. The point that results holds the orbits at the worst places of its branch.
     `most` limits the iterations in each round; the iterates are appended to `history`.
     """
@@ -103,14 +359,14 @@ def optimise_worst(
             try:
                 worst, worse = _looked(points, aim, ended.point)
             except Beyond as problem:  # the branch ends between the watched places
-                watches = (*watches, Watch(float(problem.target[-1]), 0, 0.0))
+                watches = (*watches, _Watch(float(problem.target[-1]), 0, 0.0))
                 points = BranchPoints(inner, aim, good, watches)
                 ended = Ended(points.visited[0], problem.reason)
                 continue
             good = place
             if not worse:
                 members = tuple(points.member(place, watch.part) for watch in worst)
-                return Ended(BranchPoint(place, members, tuple(worst)), ended.reason), points
+                return Ended(_BranchPoint(place, members, tuple(worst)), ended.reason), points
             watches = (*watches, *worse)
             points = BranchPoints(inner, aim, place, watches)
     except KeyboardInterrupt:
@@ -118,7 +374,7 @@ def optimise_worst(
     return ended, points
 
 
-def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[Watch], list[Watch]]:
+def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[_Watch], list[_Watch]]:
     """The worst places of a branch, and those that are worse than all watched ones.
 
     A coarse scan comes first, then a finer one if the first shows nothing worse.
@@ -126,10 +382,10 @@ def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[Watch], 
     inner, begin = points.points, float(points.visited[-1].watches[0].part)
     level, missed = aim.value(point), aim.missed(point)
     for count in (_LOOKS, _FINER * (_LOOKS - 1) + 1):
-        worst = worst_places(inner, aim, point.place, scanned(inner, point.place, begin, count))
+        worst = _worst_places(inner, aim, point.place, _scanned(inner, point.place, begin, count))
         worse = []
         for watch in worst:
-            there = BranchPoint(point.place, (points.member(point.place, watch.part),), (watch,))
+            there = _BranchPoint(point.place, (points.member(point.place, watch.part),), (watch,))
             if aim.value(there) > level + _WORSE or aim.missed(there) > missed + _WORSE:
                 worse.append(watch)
         if worse:

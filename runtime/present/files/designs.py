@@ -13,9 +13,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyDigits, AnyTable, Digits, Table, encode, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.valid_json import nan_as_null
-from nonsmooth.runtime.explore.design.condition import DesignCondition
-from nonsmooth.runtime.explore.design.limits import ActiveLimit
-from nonsmooth.runtime.explore.design.optimum import AIMS, Design
+from nonsmooth.runtime.explore.design.optimum import AIMS, ActiveLimit, Design, DesignCondition
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 
 __all__ = ["design_json", "load_design", "save_design"]

@@ -8,7 +8,6 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
 from nonsmooth.runtime.explore.design.largest import (
     ExtremeKey,
@@ -17,6 +16,7 @@ from nonsmooth.runtime.explore.design.largest import (
     is_largest_of_several,
     radius_rows,
 )
+from nonsmooth.runtime.explore.design.optimum import DesignCondition
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
     RADIUS,
