@@ -51,8 +51,27 @@ _LONGEST_COUNT = 18  # digits
 _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, or shares it
 
 
+# what commands are for, in the order of the help
+_PURPOSES = {
+    "Declare and derive": ("list", "equations", "generate", "regenerate"),
+    "Solve and verify": ("solve", "verify"),
+    "Simulate and explore": ("simulate", "find", "sweep", "continue", "chart"),
+    "Prove": ("certify", "basin", "chaos", "graph"),
+    "Fit and design": ("fit", "design"),
+    "Show and keep": ("plot", "reproduce", "doctor"),
+}
+
+
 class _Door(TyperGroup):
     """The group of all commands; whatever exception stops a command leaves through `fail`."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Names of all commands, by their purposes."""
+        for purpose, names in _PURPOSES.items():
+            for name in names:
+                command: Any = self.commands[name]
+                command.rich_help_panel = purpose
+        return [name for names in _PURPOSES.values() for name in names]
 
     def main(self, *arguments: Any, **options: Any) -> NoReturn:
         """Run the command line and exit; errors that belong to no command are reported by it."""

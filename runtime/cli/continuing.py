@@ -37,7 +37,7 @@ from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from nonsmooth.runtime.cli.display_branches import Others
+    from nonsmooth.runtime.cli.display_results import Others
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
@@ -123,7 +123,7 @@ def follow(
     as_json: AsJson = False,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
-    from nonsmooth.runtime.cli.display_branches import branch_json, show_branch
+    from nonsmooth.runtime.cli.display_results import branch_json, show_branch
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.files.branches import load_branch
 
@@ -283,7 +283,7 @@ def _in_the_plane(
 ) -> int:
     """Follow an event in the plane of two parameters, keep and show it; gives the exit code."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_branches import locus_json, show_locus
+    from nonsmooth.runtime.cli.display_results import locus_json, show_locus
     from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
 
     what = f"following {event.kind.replace('-', ' ')}"

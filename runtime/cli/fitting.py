@@ -120,7 +120,7 @@ def fit(
 ) -> int:
     """Find parameters, starts and clocks from measured series, event times or responses."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_fits import show_fit
+    from nonsmooth.runtime.cli.display_results import show_fit
     from nonsmooth.runtime.explore.fitting.fit import fit as find
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
 

@@ -100,7 +100,7 @@ def simulate(
     as_json: AsJson = False,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
-    from nonsmooth.runtime.cli.display_motions import (
+    from nonsmooth.runtime.cli.display_results import (
         show_derivatives,
         show_motion,
         show_observables,
@@ -241,7 +241,7 @@ def find(
 ) -> int:
     """Find the periodic orbits and equilibria of a system, and where random starts lead."""
     from nonsmooth.runtime.cli.display import counted, steps
-    from nonsmooth.runtime.cli.display_motions import show_found
+    from nonsmooth.runtime.cli.display_results import show_found
     from nonsmooth.runtime.explore.finding.basins import plane_of_starts
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.model.kernels import load_system
@@ -384,7 +384,7 @@ def sweep(
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_motions import show_sweep
+    from nonsmooth.runtime.cli.display_results import show_sweep
     from nonsmooth.runtime.cli.report_motions import sweep_json
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep

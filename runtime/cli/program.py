@@ -17,16 +17,12 @@ from typing import Annotated, Any
 import typer
 
 from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the application
-    basin,
-    certifying,
-    chaos,
     charting,
     continuing,
     designing,
     doctor,
     fitting,
     generating,
-    graphs,
     motions,
 )
 from nonsmooth.runtime.cli.application import (
@@ -63,6 +59,7 @@ from nonsmooth.runtime.cli.options import (
     known_orbits,
     known_systems,
 )
+from nonsmooth.runtime.cli.proofs import basin, certifying, chaos, graphs  # noqa: F401 - likewise
 from nonsmooth.runtime.cli.written import Written, show_comparison
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 

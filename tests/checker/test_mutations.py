@@ -24,7 +24,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.cli.display_checks import show_check
+from nonsmooth.runtime.cli.proofs.display_checks import show_check
 from tests.certified import (
     LOOP,
     forced,

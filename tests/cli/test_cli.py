@@ -93,6 +93,18 @@ def _described() -> describe.Document:
 # --- help
 
 
+def test_help_lists_each_command_once_below_what_it_is_for() -> None:
+    group: Any = get_command(app)
+    listed = group.list_commands(None)
+    assert sorted(listed) == sorted(COMMANDS)
+    purposes = [group.commands[name].rich_help_panel for name in listed]
+    assert all(purposes)
+    text = run_process(sys.executable, "-m", "nonsmooth", "--help").stdout
+    assert [line.split("\u2500")[1].strip() for line in text.splitlines() if line[:1] == "\u256d"][
+        1:
+    ] == [*dict.fromkeys(purposes)]
+
+
 def test_help_imports_nothing_heavy() -> None:
     program = (
         "import runpy, sys\n"

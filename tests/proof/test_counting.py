@@ -20,8 +20,8 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
-from nonsmooth.runtime.cli.display_census import show_census
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.cli.proofs.display_certificates import show_census
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system

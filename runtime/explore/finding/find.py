@@ -8,16 +8,16 @@ and short cycles of the transitions that were seen, are tried too.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import permutations, product
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
-from nonsmooth.runtime.explore.finding.mirrors import mirror_places, mirrors
-from nonsmooth.runtime.explore.finding.neighbours import short_cycles
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
 from nonsmooth.runtime.explore.finding.primitive import (
     add_orbit,
@@ -28,29 +28,36 @@ from nonsmooth.runtime.explore.finding.primitive import (
     same_orbit,
 )
 from nonsmooth.runtime.explore.finding.start_box import start_box
+from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.symmetry import Symmetry
+from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.engines import entry_size
 from nonsmooth.runtime.simulation.recurrence import (
     Candidate,
+    Itinerary,
     candidate_at,
+    canonical,
     near_returns,
+    phase_name,
     recurrent_lengths,
     scales_of,
 )
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = ["find_orbits"]
+__all__ = ["find_orbits", "mirror_places", "mirrors", "short_cycles"]
 
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled
 _KEPT = 129  # entries: cycles of at most 64 phases
 _NEAR, _LONGEST = 0.3, 12  # a near return, and the longest cycle that is tried for one
+_MOST_COORDINATES = 3  # of which all permutations are tried; of more, one sign of all
+_LONGEST_CYCLE = 6
+_MOST = 200
 
 
 def find_orbits(
@@ -290,3 +297,154 @@ def _tried(
     yield from near_returns(early, early_scales, _LONGEST, _NEAR)
     yield from near_returns(motions, scales, _LONGEST, _NEAR)
     yield from short_cycles(kernels, early)
+
+
+def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
+    """Symmetries that map positions to positions and velocities likewise, without the identity.
+
+    A forcing stays, or is turned by half a period.
+    """
+    found = []
+    for matrix in _candidates(system):
+        # a symmetry takes some vector field to each of the others: that is soon told
+        if not _follows(system, matrix):
+            continue
+        try:
+            found.append(symmetry_of(system, matrix))
+        except InputError:
+            continue
+    return found
+
+
+def mirror_places(
+    entries: Sequence[Orbit | Equilibrium], symmetries: Sequence[Symmetry]
+) -> list[int | None]:
+    """For each entry the place of the first one whose mirror image it is, or None.
+
+    The place may be that of the entry itself.
+    """
+    return [
+        next(
+            (
+                place
+                for place, other in enumerate(entries[: own + 1])
+                if any(_is_image(entry, other, symmetry) for symmetry in symmetries)
+            ),
+            None,
+        )
+        for own, entry in enumerate(entries)
+    ]
+
+
+def _is_image(entry: Orbit | Equilibrium, other: Orbit | Equilibrium, symmetry: Symmetry) -> bool:
+    if isinstance(entry, Orbit):
+        return isinstance(other, Orbit) and same_orbit(entry, image_of(other, symmetry))
+    if isinstance(other, Orbit):
+        return False
+    size = np.abs(entry.state).max()
+    return bool((np.abs(entry.state - symmetry.matrix @ other.state) <= 1e-9 * size).all())
+
+
+def _candidates(system: PiecewiseLinear) -> Iterator[np.ndarray]:
+    structure = system.structure
+    size, coordinates = len(structure.states), structure.coordinates
+    paired = {state for pair in (*coordinates, *structure.forcing) for state in pair}
+    others = [state for state in range(size) if state not in paired]
+    count = len(coordinates)
+    if count <= _MOST_COORDINATES:
+        orders, signs = list(permutations(range(count))), list(product((1, -1), repeat=count))
+    else:
+        orders, signs = [tuple(range(count))], [(1,) * count, (-1,) * count]
+    for order in orders:
+        for sign in signs:
+            for forcing in product((1, -1), repeat=len(structure.forcing)):
+                for rest in (1, -1) if others else (1,):
+                    matrix = np.zeros((size, size), dtype=int)
+                    for image, source, s in zip(coordinates, order, sign, strict=True):
+                        for to, of in zip(image, coordinates[source], strict=True):
+                            matrix[to, of] = s
+                    for pair, s in zip(structure.forcing, forcing, strict=True):
+                        matrix[pair, pair] = s
+                    matrix[others, others] = rest
+                    if (matrix != np.eye(size, dtype=int)).any():
+                        yield matrix
+
+
+def _follows(system: PiecewiseLinear, matrix: np.ndarray) -> bool:
+    """Whether the image of the first vector field is one of the system's."""
+    field = system.fields[0]
+    image = np.concatenate([matrix @ field[:, :-1] @ matrix.T, matrix @ field[:, -1:]], axis=1)
+    size = np.abs(system.fields).max()
+    return bool((np.abs(system.fields - image).max(axis=(1, 2)) <= 1e-9 * size).any())
+
+
+def short_cycles(kernels: SystemKernels, motions: Trajectories) -> Iterator[Candidate]:
+    """Guesses from cycles of phases that follow each other, and from the system's known orbits.
+
+    Dwell times are medians of those that were seen; the start is the mean of the states at
+    which the first phase was entered. Shorter cycles come first.
+    """
+    follows, durations, starts = _seen(motions)
+    tried: set[Itinerary] = set()
+
+    def guess(itinerary: Itinerary) -> Candidate | None:
+        turn = canonical(itinerary)
+        itinerary = itinerary[turn:] + itinerary[:turn]
+        if itinerary in tried or not all(phase in durations for phase in itinerary):
+            return None
+        tried.add(itinerary)
+        dwell = np.array([np.median(durations[phase]) for phase in itinerary])
+        return Candidate(itinerary, dwell, np.mean(starts[itinerary[0]], axis=0), np.inf)
+
+    for table in kernels.module.ORBITS.values():
+        found = guess(tuple((configuration, name) for configuration, name, _ in table["phases"]))
+        if found is not None:
+            yield found
+    for count, itinerary in enumerate(_cycles(follows)):
+        if count == _MOST:
+            return
+        found = guess(itinerary)
+        if found is not None:
+            yield found
+
+
+def _seen(
+    motions: Trajectories,
+) -> tuple[
+    dict[tuple[str, str], set[tuple[str, str]]],
+    dict[tuple[str, str], list[float]],
+    dict[tuple[str, str], list[np.ndarray]],
+]:
+    """The successors of each phase, how long each lasted, and where it began."""
+    follows = defaultdict(set)
+    durations, starts = defaultdict(list), defaultdict(list)
+    for motion in range(len(motions.times)):
+        previous = None
+        configurations = motions.last_configurations[motion]
+        sets, times = motions.last_sets[motion], motions.last_times[motion]
+        for i in range(len(times) - 1):
+            name = None
+            if configurations[i] >= 0:
+                name = phase_name(motions.structure, int(configurations[i]), int(sets[i + 1]))
+            if name is not None:
+                durations[name].append(float(times[i + 1] - times[i]))
+                starts[name].append(motions.last_states[motion, i])
+                if previous is not None:
+                    follows[previous].add(name)
+            previous = name
+    return follows, durations, starts
+
+
+def _cycles(follows: dict[tuple[str, str], set[tuple[str, str]]]) -> Iterator[Itinerary]:
+    """Cycles without a repeated phase, the shorter ones first."""
+    for length in range(2, _LONGEST_CYCLE + 1):
+        for first in sorted(follows):
+            paths: list[Itinerary] = [(first,)]
+            for _ in range(length - 1):
+                paths = [
+                    (*path, phase)
+                    for path in paths
+                    for phase in sorted(follows.get(path[-1], ()))
+                    if phase > first and phase not in path
+                ]
+            yield from (path for path in paths if first in follows.get(path[-1], ()))

@@ -1,58 +1,195 @@
-"""What the command that certifies shows to people."""
+"""What the commands that certify show to people: orbits, boxes, regions, branches, basins."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from decimal import ROUND_DOWN, Context
 from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonsmooth.runtime.cli.display_graphs import section_words
-from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedBranch
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.counting.census import Bounds, Census
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from nonsmooth.runtime.core.values import Value
+    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+    from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+    from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 __all__ = [
     "STYLES",
     "UNIFORM",
+    "basin_lines",
     "branch_table",
     "chaos_lines",
     "doubling_table",
     "enclosure_table",
+    "section_words",
     "share_table",
+    "show_basin",
     "show_box",
+    "show_boxes",
     "show_branch",
+    "show_census",
     "show_certificate",
     "show_chaos",
     "show_derivatives",
     "show_doubling",
     "show_events",
+    "show_graph",
+    "show_regions",
 ]
 
+_VERDICTS = {True: ("yes", "green"), False: ("no", "red"), None: ("undecided", "yellow")}
+_MOST_REGIONS = 12  # rows of a table
+_MOST_SETS = 12  # components that are listed
 _ENDS = {
     "unfinished": "the work was stopped, and --resume goes on with it",
     "no flip": "the branch has no flip that is proved",
     "not covered": "such orbits are not covered",
     "not proved": "a step is not proved",
 }
-
 UNIFORM = {
     "existence": "one orbit next to the one that was followed",
     "admissibility": "a motion of the real system",
 }
 STYLES = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+_DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
+
+
+def show_census(census: Census) -> None:
+    """Show what a census proves, its orbits, and the boxes that are undecided."""
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(census.orbit)}, {census.looked} boxes", style="bold"))
+    out.print(Text(" -> ".join([*(c for c, _ in census.itinerary), "..."])))
+    found = [orbit.certificate for orbit in census.orbits if orbit.certificate is not None]
+    names = found[0].dwell_names if found else ()
+    table = listing("orbit", *names, "admissible", "stability")
+    for number, orbit in enumerate(census.orbits, 1):
+        word, style = _VERDICTS[orbit.admissible]
+        times = ["" for _ in names]
+        stability = "undecided"
+        if orbit.certificate is not None:
+            times = [f"{float(orbit.certificate.enclosures[n]):.9f}" for n in names]
+            words = {"proved": orbit.certificate.stability, "refuted": "unstable"}
+            stability = words.get(orbit.certificate.claims["stability"], stability)
+        table.add_row(str(number), *times, Text(word, style=style), stability)
+    if census.orbits:
+        show_table(table, out)
+    for number, orbit in enumerate(census.orbits, 1):
+        if orbit.certificate is None:
+            out.print(f"orbit {number}, {_text(orbit.unique)}: no certificate: {orbit.reason}")
+    if census.undecided:
+        table = listing("undecided box", "why")
+        for entry in census.undecided:
+            table.add_row(_text(entry.bounds), entry.reason)
+        show_table(table, out)
+    if census.beyond:
+        solutions = "solution has" if census.beyond == 1 else "solutions have"
+        follow = "a dwell time that follows and is not positive, or not in the box"
+        out.print(Text(f"{census.beyond} more {solutions} {follow}", style="dim"))
+    style = "green" if census.decided else "yellow"
+    out.print(Text(census.statement, style=style))
+
+
+def _text(bounds: Bounds) -> str:
+    return ", ".join(f"{low} <= {name} <= {high}" for name, (low, high) in bounds.items())
+
+
+def show_regions(out: Console, found: BoxCertificate) -> None:
+    """Show the regions, the curves and the undecided parts of a box of two parameters.
+
+    Nothing is shown of a box of another number of parameters.
+    """
+    if not found.statement:
+        return
+    out.print(Text(found.statement))
+    if found.curves:
+        table = listing("curve", "phase", "boundary", "tiles", "width", "from", "to")
+        for curve in found.curves[:_MOST_REGIONS]:
+            event = curve.event
+            ends = [_place(found, point) for point in (curve.points[0], curve.points[-1])]
+            told = [f"{at} ({end})" for at, end in zip(ends, curve.ends, strict=False)]
+            table.add_row(
+                event.kind,
+                "" if event.phase is None else str(event.phase + 1),
+                event.boundary,
+                str(len(curve.tiles)),
+                f"{curve.width:.1e}",
+                *(told or ["closed", ""]),
+            )
+        show_table(table, out)
+    if found.open:
+        table = listing("undecided", "of the box", "tiles", "events beside it")
+        for box in found.open[:_MOST_REGIONS]:
+            where = ", ".join(
+                f"{name} = {float(low):.6g} ... {float(high):.6g}"
+                for name, (low, high) in box.where.items()
+            )
+            share = f"{float(100 * box.share):.3g} %"
+            table.add_row(where, share, str(box.tiles), "; ".join(box.events))
+        show_table(table, out)
+    hidden = max(len(found.curves), len(found.open)) - _MOST_REGIONS
+    if hidden > 0:
+        out.print(Text(f"and {hidden} more, which --json lists", style="dim"))
+
+
+def _place(found: BoxCertificate, point: tuple[float, float]) -> str:
+    return ", ".join(f"{n} = {x:.6g}" for n, x in zip(found.box, point, strict=True))
+
+
+def show_graph(found: GraphCertificate) -> None:
+    """Show the region of a graph of boxes, its largest trapping region and its components."""
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(found.system)}, {found.bits} bits", style="bold"))
+    show_boxes(out, found)
+
+
+def show_boxes(out: Console, found: GraphCertificate) -> None:
+    """Show the part of `show_graph` that follows the name of the system."""
+    grid = found.graph.grid
+    region = ", ".join(f"{name} = {a:g}:{b:g}" for name, (a, b) in found.region.items())
+    out.print(f"the map P {section_words(found)}")
+    divided = f", divided into {len(grid)}" if len(grid) > len(grid.grid) else ""
+    out.print(f"region {region} in {' x '.join(map(str, grid.grid.counts))} boxes{divided}")
+    out.print(f"largest trapping region: {len(found.trapping)} boxes")
+    table = listing("component", "boxes", "within", "", "leads to")
+    for number, own in enumerate(found.components[:_MOST_SETS]):
+        ends = zip(found.coordinates, own.low, own.high, strict=True)
+        within = ", ".join(f"{name} = {a:g}:{b:g}" for name, a, b in ends)
+        kind = Text("attracting", style="green") if own.attracting else Text("")
+        ahead = [str(j) for i, j in found.arrows if i == number]
+        ahead += ["outside or not known"] if own.leaves else []
+        table.add_row(str(number), str(len(own.boxes)), within, kind, ", ".join(ahead))
+    show_table(table, out)
+    if (rest := len(found.components) - _MOST_SETS) > 0:
+        out.print(f"and {rest} smaller components")
+    out.print(f"boxes whose image is not known: {len(found.unknown)}")
+    out.print(f"boxes whose image may leave the region: {len(found.outside)}")
+
+
+def section_words(found: ChaosCertificate | GraphCertificate) -> str:
+    """A phrase that says from which section to which the map of a certificate goes."""
+    if found.phase:
+        cosine, sine = found.phase
+        where = f"in {found.configuration} where the forcing has the phase ({cosine}, {sine})"
+        return f"over one period of the forcing, states {where}"
+    where = f"behind {found.source} by {found.boundary} for {found.configuration}"
+    return f"from one passage of this transition to the next, states {where}"
 
 
 def _show_claims(certificate: Certificate) -> None:
@@ -311,3 +448,48 @@ def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:
 
 def _rounded(text: str) -> str:
     return f"{float(text):.3g}"
+
+
+def show_basin(found: BasinCertificate) -> None:
+    """Show what is proved of a basin."""
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(found.orbit)}, {found.bits} bits", style="bold"))
+    table = listing("claim", "", "")
+    table.add_row("basin", Text(found.claim, style=STYLES[found.claim]), found.reason)
+    show_table(table, out)
+    for line in basin_lines(found):
+        out.print(line)
+
+
+def basin_lines(found: BasinCertificate) -> list[str]:
+    """What is proved of a basin, in lines of text; none if nothing is."""
+    if not found.proved or found.core is None or found.grid is None:
+        return []
+    if found.phase:
+        cosine, sine = found.phase
+        where = f"in {found.configuration} where the forcing has the phase ({cosine}, {sine})"
+    else:
+        where = f"behind {found.source} by {found.boundary} for {found.configuration}"
+    centre = ", ".join(
+        f"{name} = {x}" for name, x in zip(found.coordinates, found.core.centre, strict=True)
+    )
+    power = "P" if found.iterates == 1 else f"P^{found.iterates}"
+    lines = [
+        f"the map P takes states {where}, to where they come back to it",
+        f"{power} contracts a set about {centre}, by less than {found.contraction}",
+        f"{found.statement}",
+    ]
+    known = found.to_json()
+    lines += [
+        f"the section: {name} from {low:.6g} to {high:.6g}"
+        for name, (low, high) in known["section"]["bounds"].items()
+    ]
+    if found.tiles is not None:
+        looked = int(found.looked.sum())
+        good = int(found.attracted.sum())
+        sides = ", ".join(f"{side:g}" for side in found.tiles.sides)
+        lines.append(
+            f"tiles of the sides {sides}: {good} of {looked} that were looked at are attracted,"
+            f" {_DOWN.create_decimal(100 * found.share)} % of the box"
+        )
+    return lines

@@ -9,19 +9,19 @@ from typing import Any
 from rich.console import Console
 from rich.text import Text
 
-from nonsmooth.runtime.cli.display_basins import basin_lines
-from nonsmooth.runtime.cli.display_certificates import (
+from nonsmooth.runtime.cli.proofs.display_certificates import (
     STYLES,
     UNIFORM,
+    basin_lines,
     branch_table,
     chaos_lines,
     doubling_table,
     enclosure_table,
     share_table,
+    show_boxes,
     show_derivatives,
+    show_regions,
 )
-from nonsmooth.runtime.cli.display_graphs import show_boxes
-from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name

@@ -70,7 +70,7 @@ def count_orbits(
     be proved. InputErrors of `certify_all` pass through.
     """
     from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.cli.display_census import show_census
+    from nonsmooth.runtime.cli.proofs.display_certificates import show_census
     from nonsmooth.runtime.proof.counting.certify_all import certify_all
 
     if guess:

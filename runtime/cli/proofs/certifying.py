@@ -20,14 +20,17 @@ from nonsmooth.runtime.cli.application import (
     print_json,
     split,
 )
-from nonsmooth.runtime.cli.certifying_boxes import certify_over
-from nonsmooth.runtime.cli.certifying_branches import certify_flip, certify_whole_branch
-from nonsmooth.runtime.cli.certifying_events import certify_events
-from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
-from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, Resume, SaveResult, Yes
-from nonsmooth.runtime.cli.ranges import is_box
+from nonsmooth.runtime.cli.proofs.counting import Every, count_orbits
+from nonsmooth.runtime.cli.proofs.long_proofs import LongProof
+from nonsmooth.runtime.cli.proofs.over_ranges import (
+    certify_events,
+    certify_flip,
+    certify_over,
+    certify_whole_branch,
+    is_box,
+)
 from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
@@ -267,7 +270,7 @@ def _certify(
     as_json: bool,
 ) -> int:
     from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.cli.display_certificates import show_certificate
+    from nonsmooth.runtime.cli.proofs.display_certificates import show_certificate
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.proof.certify_orbit import certify as prove
 
@@ -289,7 +292,7 @@ def _check(
     path: Path, declared: str | None, require: Proven | None, workers: int, *, as_json: bool
 ) -> int:
     from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.cli.display_checks import show_check
+    from nonsmooth.runtime.cli.proofs.display_checks import show_check
     from nonsmooth.runtime.present.checking.check_file import check_certificate
     from nonsmooth.runtime.proof.counting.census import Census
 

@@ -16,7 +16,6 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, say, worked
-from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Physical,
@@ -28,6 +27,7 @@ from nonsmooth.runtime.cli.options import (
     Workers,
     missing_start,
 )
+from nonsmooth.runtime.cli.proofs.long_proofs import LongProof
 from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.core.workload import SECONDS, hours_told
 
@@ -112,7 +112,7 @@ def graph(
     on it is enclosed. `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_graphs import show_graph
+    from nonsmooth.runtime.cli.proofs.display_certificates import show_graph
     from nonsmooth.runtime.present.files.graph_certificates import load_graph_certificate
     from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
 

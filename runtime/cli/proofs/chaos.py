@@ -16,7 +16,6 @@ from nonsmooth.runtime.cli.application import (
     check_drawing,
     split,
 )
-from nonsmooth.runtime.cli.certifying import Proven
 from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, say, worked
 from nonsmooth.runtime.cli.options import (
     AsJson,
@@ -27,6 +26,7 @@ from nonsmooth.runtime.cli.options import (
     SystemName,
     missing_start,
 )
+from nonsmooth.runtime.cli.proofs.certifying import Proven
 from nonsmooth.runtime.cli.written import Written
 
 __all__ = ["chaos"]
@@ -78,7 +78,7 @@ def chaos(
     `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_certificates import show_chaos
+    from nonsmooth.runtime.cli.proofs.display_certificates import show_chaos
     from nonsmooth.runtime.present.pictures.horseshoes import chaos_figure
     from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 

@@ -1,6 +1,11 @@
-"""What the commands that simulate show to people."""
+"""What the commands that follow branches, simulate and fit show to people."""
 
 from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.table import Table
@@ -11,25 +16,211 @@ from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.settled import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
+from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedExperiment
+from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
 from nonsmooth.runtime.model.naming import itinerary_text, shown_name
+from nonsmooth.runtime.model.structure import FORCING_PHASE
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 from nonsmooth.runtime.simulation.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.locus import Locus
+
 __all__ = [
+    "Others",
+    "branch_json",
+    "locus_json",
+    "show_branch",
     "show_derivatives",
+    "show_fit",
     "show_found",
+    "show_locus",
     "show_motion",
     "show_observables",
     "show_proof",
     "show_sweep",
 ]
 
+Others = dict[int, list[dict[str, Any]]]  # itineraries beyond events, by the events' numbers
 _ROWS = 40  # of a long motion: the first and the last half of them
 _DIGITS = 8
 _EXTREMES = ("", "least", "at", "greatest", "at", "mean", "RMS")
 _FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
+
+
+def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
+    """A branch as JSON; `others` holds itineraries beyond events, by the events' indices."""
+    return {
+        "orbit": branch.name,
+        "parameter": branch.parameter,
+        "values": _finite(branch.parameter_values),
+        "unknowns": {name: _finite(branch.quantity(name)) for name in branch.unknown_names},
+        "period": _finite(branch.period),
+        "trace": _finite(branch.trace),
+        "stability": list(branch.stability),
+        "admissible": branch.admissible.tolist(),
+        "ends": list(branch.ends),
+        "events": [
+            {
+                "kind": event.kind,
+                "value": event.value,
+                "phase": None if event.phase is None else event.phase + 1,
+                "configuration": event.configuration,
+                "boundary": event.boundary,
+                "touching": event.touching,
+                "time": event.time,
+                "unknowns": dict(event.unknowns),
+                **({"beyond": others[number]} if number in others else {}),
+            }
+            for number, event in enumerate(branch.events)
+        ],
+    }
+
+
+def show_branch(branch: Branch, others: Others) -> None:
+    """Show the events of a branch, the itineraries beyond them, and why the branch ends.
+
+    `others` holds those itineraries by the indices of the events.
+    """
+    low, high = float(branch.parameter_values.min()), float(branch.parameter_values.max())
+    allowed = int(branch.admissible.sum())
+    print(
+        f"{shown_name(branch.name)}: {len(branch)} points,"
+        f" {branch.parameter} from {low:.10g} to {high:.10g},"
+        f" {allowed} of them motions of the real system"
+    )
+    if branch.events:
+        table = listing("event", branch.parameter, "where", "boundary")
+        for event in branch.events:
+            where = "" if event.phase is None else f"{event.configuration} ({event.phase + 1})"
+            kind = event.kind + ", touched" * event.touching
+            table.add_row(kind, f"{event.value:.12g}", where, event.boundary)
+        show_table(table)
+    for number, orbits in others.items():
+        value = branch.events[number].value
+        for orbit in orbits:
+            names = " > ".join(f"{configuration}" for configuration, _ in orbit["itinerary"])
+            print(f"beyond {branch.parameter} = {value:.6g}: {names} ({orbit['stability']})")
+    for end, reason in zip(("begins", "ends"), branch.ends, strict=True):
+        print(f"{end}: {reason}")
+    for line in _ways_on(branch, others):
+        print(line)
+
+
+def _ways_on(branch: Branch, others: Others) -> Iterator[str]:
+    """Give a line for each option that goes on from an event of the branch."""
+    switches = [event.kind for event in branch.events if event.switches]
+    if switches:
+        yield f"--switch {_named(switches)} follows the other branch there"
+    if not others and any(event.border_collision for event in branch.events):
+        yield "--beyond finds the itineraries beyond border collisions"
+    if followed := [event.kind for event in branch.events if event.kind != "admissibility"]:
+        yield f"--follow {_named(followed)} with a second range NAME=A:B follows it in the plane"
+
+
+def _named(kinds: Sequence[str]) -> str:
+    """The first of some events as an option takes it: its kind, and ``:1`` if there are more."""
+    return kinds[0] + ":1" * (kinds.count(kinds[0]) > 1)
+
+
+def locus_json(locus: Locus) -> dict[str, Any]:
+    """A curve of events as JSON."""
+    return {
+        "orbit": locus.name,
+        "kind": locus.kind,
+        "boundary": locus.boundary,
+        "parameters": list(locus.parameters),
+        "values": locus.values.tolist(),
+        "unknowns": {
+            name: locus.unknowns[:, place].tolist()
+            for place, name in enumerate(locus.unknown_names)
+        },
+        "ends": list(locus.ends),
+    }
+
+
+def show_locus(locus: Locus) -> None:
+    """Show where a curve of events begins and ends in the plane of its parameters, and why."""
+    print(f"{locus.title}: {len(locus)} points in the plane of {' and '.join(locus.parameters)}")
+    table = listing("", *locus.parameters)
+    places = {"begins": 0, "from": locus.start, "ends": len(locus) - 1}
+    for word, place in places.items():
+        table.add_row(word, *(f"{value:.12g}" for value in locus.values[place].tolist()))
+    show_table(table)
+    for end, reason in zip(("begins", "ends"), locus.ends, strict=True):
+        print(f"{end}: {reason}")
+
+
+def _finite(values: Any) -> list[float | None]:
+    return [x if abs(x) < float("inf") else None for x in values.tolist()]
+
+
+def show_fit(fit: Fit) -> None:
+    """Show estimates with their uncertainties, the misfit, and the phases of fitted motions."""
+    out = console_as_wide()
+    count = f"{len(fit.experiments)} experiment{'s' * (len(fit.experiments) != 1)}"
+    out.print(Text(f"{shown_name(fit.system)}, {fit.data} numbers of {count}", style="bold"))
+    table = listing(
+        "found", "estimate", "standard error", "95 % interval", right=("estimate", "standard error")
+    )
+    errors = fit.standard_errors.tolist()
+    for place, name in enumerate(fit.names):
+        ends = f"{fit.lower[place]:.8g} ... {fit.upper[place]:.8g}"
+        error = f"{errors[place]:.2g}" if math.isfinite(errors[place]) else ""
+        table.add_row(name, f"{fit.estimates[place]:.10g}", error, fit.untold.get(name, ends))
+    show_table(table, out)
+    out.print(f"chi2 {fit.chi2:.6g} with {fit.degrees_of_freedom} degrees of freedom")
+    for name, size in fit.noise.items():
+        out.print(f"noise of {name}: {size:.3g}, estimated")
+    for text in fit.unidentified:
+        out.print(Text(f"nothing measured tells {text}", style="red"))
+    weak = [each for each in fit.identified if 1 <= each[1] < math.inf]
+    for text, _ in weak:
+        out.print(f"hardly told: {text}")
+    for each in fit.experiments:
+        if each.responses:
+            out.print(_responses_text(each))
+            continue
+        phases = len(each.configurations)
+        sequence = {
+            None: "",
+            True: ", events in the order of the data",
+            False: ", events not in the order or number of the data",
+        }
+        out.print(
+            f"{shown_name(each.name)}: {phases} phase{'s' * (phases != 1)}"
+            f"{sequence[each.same_sequence]}{_grazing_text(each.grazing)}"
+        )
+    tried = "" if len(fit.costs) < 2 else f", best of {len(fit.costs)} searches"
+    out.print(f"{fit.status}: {fit.message}; {fit.evaluations} evaluations{tried}")
+
+
+def _responses_text(experiment: FittedExperiment) -> str:
+    """One line with the number of steady responses of an experiment, with and without events."""
+    counts = Counter(
+        "without an event" if each.itinerary[0][1] == FORCING_PHASE else "with events"
+        for each in experiment.responses
+    )
+    told = " and ".join(f"{count} {kind}" for kind, count in counts.items())
+    count = len(experiment.responses)
+    return (
+        f"{shown_name(experiment.name)}: {count} steady response{'s' * (count != 1)}, {told}"
+        f"{_grazing_text(experiment.grazing)}"
+    )
+
+
+def _grazing_text(grazing: NearestGrazing | None) -> str:
+    if grazing is None:
+        return ""
+    distance = grazing.standard_errors
+    far = "" if not math.isfinite(distance) else f", {distance:.3g} standard errors away"
+    return (
+        f"; nearest grazing: {grazing.boundary}, {grazing.kind} at {grazing.time:.6g},"
+        f" by {grazing.margin:.3g}{far}"
+    )
 
 
 def show_motion(motion: Trajectory) -> None:

@@ -7,9 +7,7 @@ from typing import Annotated
 import typer
 
 from nonsmooth.runtime.cli.application import NOT_MET, answering, app, assignments, split
-from nonsmooth.runtime.cli.certifying import Proven
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, say, worked
-from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Assignments,
@@ -19,6 +17,8 @@ from nonsmooth.runtime.cli.options import (
     SaveResult,
     Workers,
 )
+from nonsmooth.runtime.cli.proofs.certifying import Proven
+from nonsmooth.runtime.cli.proofs.long_proofs import LongProof
 from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.core.errors import InputError
 
@@ -83,7 +83,7 @@ def basin(
     `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import shared, steps
-    from nonsmooth.runtime.cli.display_basins import show_basin
+    from nonsmooth.runtime.cli.proofs.display_certificates import show_basin
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.files.basin_certificates import load_basin_certificate
     from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
