@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 __all__ = [
     "ANSWERED",
     "NOT_MET",
+    "PURPOSES",
     "UNANSWERED",
     "WRONG_INPUT",
     "answering",
@@ -52,7 +53,7 @@ _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, 
 
 
 # what commands are for, in the order of the help
-_PURPOSES = {
+PURPOSES = {
     "Declare and derive": ("list", "equations", "generate", "regenerate"),
     "Solve and verify": ("solve", "verify"),
     "Simulate and explore": ("simulate", "find", "sweep", "continue", "chart"),
@@ -67,11 +68,13 @@ class _Door(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Names of all commands, by their purposes."""
-        for purpose, names in _PURPOSES.items():
-            for name in names:
-                command: Any = self.commands[name]
-                command.rich_help_panel = purpose
-        return [name for names in _PURPOSES.values() for name in names]
+        commands: Mapping[str, Any] = self.commands
+        listed = []
+        for purpose, names in PURPOSES.items():
+            for name in filter(commands.__contains__, names):
+                commands[name].rich_help_panel = purpose
+                listed.append(name)
+        return [*listed, *(name for name in commands if name not in listed)]
 
     def main(self, *arguments: Any, **options: Any) -> NoReturn:
         """Run the command line and exit; errors that belong to no command are reported by it."""
