@@ -14,8 +14,8 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.core.vectorised import filled, vectorised
 from nonsmooth.runtime.model.loading.growing import JoinedKernel
+from nonsmooth.runtime.model.vectorised import filled, vectorised
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 

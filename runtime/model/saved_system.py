@@ -19,8 +19,8 @@ from types import ModuleType
 from typing import Any, Literal
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.model.expressions import Function, written
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
     ParameterTable,

@@ -28,7 +28,7 @@ from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.core.vectorised import vectorised
+from nonsmooth.runtime.model.vectorised import vectorised
 from tests.latex_reader import written_of
 from tests.places import CHECKOUT
 

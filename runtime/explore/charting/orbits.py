@@ -26,9 +26,9 @@ from nonsmooth.runtime.model.kernels import (
     load_orbit,
     uncompiled,
 )
+from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
 from nonsmooth.runtime.model.saved_system import named
-from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
 from nonsmooth.runtime.orbits.declared_many import (
     DeclaredKernels,

@@ -8,8 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.limits import ActiveLimit
 from nonsmooth.runtime.orbits.orbit import Orbit

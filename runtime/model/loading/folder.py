@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.files import (
     write_files,
 )
 from nonsmooth.runtime.core.result_files import parsed
-from nonsmooth.runtime.model.loading.extensions import extension_in
+from nonsmooth.runtime.model.loading.compiling import extension_in
 
 __all__ = ["COMMAND", "check_own_folder", "write_folder"]
 

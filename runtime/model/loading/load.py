@@ -19,13 +19,13 @@ from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.background import KernelLibrary
 from nonsmooth.runtime.model.loading.caching import cached, stored
+from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
 from nonsmooth.runtime.model.loading.declared import (
     Declared,
     DeclaredOrbit,
     DeclaredSystem,
     declaration_in,
 )
-from nonsmooth.runtime.model.loading.extensions import extension_in, load_extension
 from nonsmooth.runtime.model.loading.growing import (
     GrowingDeclaration,
     Growth,

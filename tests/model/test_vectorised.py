@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.vectorised import filled, vectorised
+from nonsmooth.runtime.model.vectorised import filled, vectorised
 
 
 def kernel(point, lib):
