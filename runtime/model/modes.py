@@ -32,6 +32,7 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     Cluster,
     eigenvectors_apart,
     precise_candidates,
+    real_parts_of,
     smallest_projectors,
 )
 from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
@@ -167,7 +168,7 @@ def _found_in_natural_units(field: np.ndarray) -> NumericModes:
     # a change of units keeps powers of two exact
     scaled, units = (part[0] for part in balanced(whole[None]))
     if size >= LARGE and (large := large_modes(scaled, units, dependence(whole[None])[0])):
-        return NumericModes(*large)
+        return large
     shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
     flows = np.where(dependence(whole[None])[0], units[:, None] * terms / units, 0.0)[:, :size]
     return NumericModes(shapes, exponents, flows)
@@ -186,9 +187,7 @@ def _modes_of(clusters: list[Cluster]) -> NumericModes:
             terms += factors
             continue
         oscillates = cluster.centre.imag > 0
-        for k, term in enumerate(cluster.terms):
-            part = term / math.factorial(k)
-            terms += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
+        terms += real_parts_of(cluster.terms, oscillates=oscillates)
         exponents.append(cluster.centre)
         shapes.append((len(cluster.terms), oscillates, False, False))
     pairs = np.array([(pole.real, pole.imag) for pole in exponents])
