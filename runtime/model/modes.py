@@ -26,7 +26,6 @@ from functools import cache, lru_cache
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.balancing import balanced, dependence
 from nonsmooth.runtime.model.driven_modes import driven_modes
 from nonsmooth.runtime.model.eigenvalue_clusters import (
     Cluster,
@@ -37,7 +36,7 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
 )
 from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
 from nonsmooth.runtime.model.large_modes import LARGE, large_modes
-from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
+from nonsmooth.runtime.model.natural_units import balanced, dependence, fall_rates, natural_units
 from nonsmooth.runtime.model.projectors import exponentials_at
 from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, simple_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes

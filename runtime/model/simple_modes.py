@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.balancing import balanced, dependence
 from nonsmooth.runtime.model.eigenvalue_clusters import smallest_distances
 from nonsmooth.runtime.model.factored_flows import Flows
+from nonsmooth.runtime.model.natural_units import balanced, dependence
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
 __all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes"]

@@ -1,9 +1,7 @@
 """Guaranteed extremes of affine functions of the state along a motion.
 
-On a panel a function g lies below its cubic Hermite interpolant by its values and slopes at
-both ends, plus M h^4/144 of the middle Bernstein polynomial where |g''''| <= M; the largest
-coefficient in Bernstein form bounds that. Panels whose bound exceeds the largest value that
-is known are split at the zero of the slope until none is left, so no peak hides.
+It is the search of `guaranteed_maxima` for many panels at once: those whose bound exceeds the
+largest value that is known are split at the zero of the slope until none is left.
 """
 
 from __future__ import annotations
@@ -12,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.events.guaranteed_maxima import CurveSamples, upper_bounds
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds
@@ -79,23 +78,24 @@ def _search(
     for _ in range(4):
         tower.append(turned @ tower[-1])
     ends = [functions_of(system, found.configuration, t) for t in (found.left, found.right)]
-    left, right = ([np.einsum("nf,nfk->nk", phi, weights) for weights in tower[:2]] for phi in ends)
+    (g, slope), (g_end, slope_end) = (
+        [np.einsum("nf,nfk->nk", phi, weights) for weights in tower[:2]] for phi in ends
+    )
     sizes = _sizes(system, found)
     slack = _ROUNDING * (np.einsum("nf,nfk->nk", sizes, abs(tower[0])) + abs(found.constants))
     fourth = np.einsum("nf,nfk->nk", sizes, abs(tower[4])) / 144
     begins = phases.begins[found.phases]
-    left[0] += found.constants
-    right[0] += found.constants
+    g += found.constants
+    g_end += found.constants
     # times are sums: the state in front of a transition is known better than its time
     row = signed[found.configuration]
-    right[0][found.last] = phases.ends[found.phases[found.last]] @ row[:, :-1].T + row[:, -1]
-    for side, at in ((left, found.left), (right, found.right)):
-        top = np.argmax(side[0], axis=0)
-        _raise(
-            best, times, np.arange(len(best)), side[0][top, range(len(best))], (begins + at)[top]
-        )
-    width = found.right - found.left
-    upper = _upper(left, right, width[:, None], fourth)
+    g_end[found.last] = phases.ends[found.phases[found.last]] @ row[:, :-1].T + row[:, -1]
+    for values, at in ((g, found.left), (g_end, found.right)):
+        top = np.argmax(values, axis=0)
+        _raise(best, times, np.arange(len(best)), values[top, range(len(best))], (begins + at)[top])
+    left, right = found.left[:, None], found.right[:, None]
+    samples = CurveSamples(g, left, slope), CurveSamples(g_end, right, slope_end)
+    upper = upper_bounds(*samples, fourth * (right - left) ** 4)
     for k in range(len(best)):
         kept = np.flatnonzero(upper[:, k] > best[k] + slack[:, k])
         if kept.size:
@@ -107,8 +107,8 @@ def _search(
                 fourth[kept, k],
                 slack[kept, k],
             )
-            sides = [np.array([t[kept], g[kept, k], s[kept, k]]) for t, (g, s) in (
-                (found.left, left), (found.right, right))]  # fmt: skip
+            sides = [np.array([value[kept, k], time[kept, 0], rate[kept, k]])
+                     for value, time, rate in samples]  # fmt: skip
             _split(system, waiting, sides[0], sides[1], k, best, times)
 
 
@@ -123,25 +123,25 @@ def _split(
 ) -> None:
     """Split panels until none can hold a value of function `k` above its best one.
 
-    `left` and `right` (3, n) are the time, the value and the slope at the ends of the
+    `left` and `right` (3, n) are the value, the time and the slope at the ends of the
     panels.
     """
     for turn in range(_ROUNDS):
-        middle = (left[0] + right[0]) / 2
+        middle = (left[1] + right[1]) / 2
         if turn % 2 == 0:
             peaks = (left[2] > 0) & (right[2] < 0)
             for _ in range(8):
                 slope, curvature = (_sum(system, search, order, middle) for order in (1, 2))
                 with np.errstate(divide="ignore", invalid="ignore"):
                     newton = np.nan_to_num(middle - slope / curvature, nan=0.0)
-                middle = np.where(peaks, np.clip(newton, left[0], right[0]), middle)
+                middle = np.where(peaks, np.clip(newton, left[1], right[1]), middle)
         value = _sum(system, search, 0, middle) + search.constants
-        split = np.array([middle, value, _sum(system, search, 1, middle)])
+        split = np.array([value, middle, _sum(system, search, 1, middle)])
         top = int(np.argmax(value))
         _raise(best, times, np.array([k]), value[[top]], (search.begins + middle)[[top]])
         left, right = np.hstack([left, split]), np.hstack([split, right])
-        width = right[0] - left[0]
-        upper = _upper(left[1:], right[1:], width, np.tile(search.bounds, 2))
+        excess = np.tile(search.bounds, 2) * (right[1] - left[1]) ** 4
+        upper = upper_bounds(CurveSamples(*left), CurveSamples(*right), excess)
         places = np.flatnonzero(upper > best[k] + np.tile(search.slack, 2))
         if not places.size:
             return
@@ -169,22 +169,6 @@ def _sum(
 ) -> np.ndarray:
     functions = functions_of(system, search.configuration, times)
     return np.asarray((functions * search.weights[order]).sum(axis=1))
-
-
-def _upper(
-    left: list[np.ndarray] | np.ndarray,
-    right: list[np.ndarray] | np.ndarray,
-    width: np.ndarray,
-    fourth: np.ndarray,
-) -> np.ndarray:
-    """Upper bounds on panels from the values and slopes at both ends.
-
-    `fourth` bounds the fourth derivative, divided by 144.
-    """
-    (g, slope), (h, slope_end) = left, right
-    middle = (g + h) / 2 + width * (slope - slope_end) / 6 + fourth * width**4
-    controls = [g, g + width * slope / 4, middle, h - width * slope_end / 4, h]
-    return np.asarray(np.maximum.reduce(controls))
 
 
 def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
