@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import gc
+import itertools
 import linecache
 import math
 import os
@@ -30,7 +31,7 @@ from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.loading import caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.declared import declaration_in
-from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
+from nonsmooth.runtime.model.loading.modules import Modules
 from tests.user_systems import DAMPED, KICKED, declare
 
 
@@ -45,7 +46,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def forget(monkeypatch: pytest.MonkeyPatch) -> None:
     """As in a new process."""
-    monkeypatch.setattr(loading, "_MODULES", {})
+    monkeypatch.setattr(loading, "_MODULES", Modules(9))
     monkeypatch.setattr(loading, "_FILES", {})
     loading._file.cache_clear()
 
@@ -526,14 +527,16 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
 def test_memory_does_not_grow_with_what_was_loaded() -> None:
     """Sixteen systems more take less than their texts: these are kept packed."""
     text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))
-    known, lines = Modules(4), len(linecache.cache)
+    known, lines, numbers = Modules(4), len(linecache.cache), itertools.count()
 
     def held(count: int) -> int:
         """Bytes that so many more of them take, the last four among them; not other threads'."""
         gc.collect()
         tracemalloc.start()
-        for number in range(len(known), len(known) + count):
-            known[str(number)] = module_of_text(text.replace("{0}", str(number)), f"<m{number}>")
+        for _ in range(count):
+            number = str(next(numbers))
+            known.add(number, text.replace("{0}", number), f"<m{number}>")
+            assert int(number) == known[number].VALUE
         gc.collect()
         snapshot = tracemalloc.take_snapshot()
         tracemalloc.stop()

@@ -73,11 +73,11 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
     key = system.fingerprint(tuple(orbits))
     name = f"{system.name}@{key}"
     if key not in _MODULES:
-        text = cached(key, lambda: system.source(tuple(orbits)))
-        _MODULES[key] = module_of_text(text, f"<{name}>")
-    for library in _libraries(key, _MODULES[key]):
+        _MODULES.add(key, cached(key, lambda: system.source(tuple(orbits))), f"<{name}>")
+    module = _MODULES[key]
+    for library in _libraries(key, module):
         library.declare(system, tuple(orbits))
-    return Loaded(name, _MODULES[key])
+    return Loaded(name, module)
 
 
 def _joined(
@@ -143,7 +143,7 @@ def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Load
         text = stored(library.key)
         if text is None:
             return None
-        _MODULES[library.key] = module_of_text(text, f"<{loaded.name}, many points>")
+        _MODULES.add(library.key, text, f"<{loaded.name}, many points>")
     module = _MODULES[library.key]
     whole = getattr(compiled, f"derivation_{library.stem}") == module.DERIVATION
     return Loaded(loaded.name, module, compiled) if whole and orbit in module.ORBITS else None
@@ -192,7 +192,7 @@ def load_named(name: str) -> Loaded | None:
                 f"the system {name} was declared in Python and is not known here:"
                 " hand over the System itself first, or declare it in a FILE.py"
             )
-        _MODULES[key] = module_of_text(text, f"<{name}>")
+        _MODULES.add(key, text, f"<{name}>")
     module = _MODULES[key]
     if not hasattr(module, "SAVED"):
         _libraries(key, module)

@@ -5,21 +5,17 @@ from __future__ import annotations
 import linecache
 import weakref
 import zlib
-from collections import OrderedDict
-from collections.abc import Iterator, MutableMapping
+from functools import lru_cache
 from threading import RLock
 from types import ModuleType
 
 __all__ = ["Modules", "module_of_text"]
-
-_PACKED: weakref.WeakKeyDictionary[ModuleType, bytes] = weakref.WeakKeyDictionary()
 
 
 def module_of_text(text: str, file: str) -> ModuleType:
     """Execute emitted text as a module; tracebacks call it `file` and show its lines."""
     module = ModuleType("nonsmooth_emitted")
     module.__file__ = file
-    _PACKED[module] = zlib.compress(text.encode())
     lines = (len(text), None, text.splitlines(keepends=True), file)
     linecache.cache[file] = lines
     weakref.finalize(module, _forget, file, lines).atexit = False
@@ -33,58 +29,40 @@ def _forget(file: str, lines: object) -> None:
         del linecache.cache[file]
 
 
-class Modules(MutableMapping[str, ModuleType]):
-    """Modules by key: those that were last used as they are, the others as packed text.
+class Modules:
+    """Modules of emitted text by key: of those that were not used for longest the packed text.
 
     None is forgotten, because a record may hold its key alone; a packed text takes a twentieth
-    of the module that it becomes again. At most `most` modules with a text are kept as they are;
-    a module without a text always is.
+    of the module that it becomes again. At most `most` are kept as they are, and all those that
+    have no text.
     """
 
     def __init__(self, most: int) -> None:
-        self._most, self._lock = most, RLock()
-        self._ready: OrderedDict[str, ModuleType] = OrderedDict()
+        self._lock = RLock()
         self._packed: dict[str, tuple[str, bytes]] = {}
-        self._others: dict[str, ModuleType] = {}
+        self._without_text: dict[str, ModuleType] = {}
+        self._made = lru_cache(most)(self._executed)
 
     def __getitem__(self, key: str) -> ModuleType:
         """The module of a key, executed again if only its text was kept."""
         with self._lock:
-            if key in self._others:
-                return self._others[key]
-            if key in self._ready:
-                self._ready.move_to_end(key)
-            elif key in self._packed:
-                file, packed = self._packed[key]
-                self[key] = module_of_text(zlib.decompress(packed).decode(), file)
-            return self._ready[key]
-
-    def __setitem__(self, key: str, module: ModuleType) -> None:
-        """Keep a module; the one that was unused for longest is packed."""
-        with self._lock:
-            if module not in _PACKED:
-                self._others[key] = module
-                return
-            self._ready[key] = module
-            self._ready.move_to_end(key)
-            self._packed.pop(key, None)
-            while len(self._ready) > self._most:
-                other, old = self._ready.popitem(last=False)
-                self._packed[other] = (str(old.__file__), _PACKED[old])
-
-    def __delitem__(self, key: str) -> None:
-        """Forget a module."""
-        for known in (self._packed, self._ready, self._others):
-            known.pop(key, None)
-
-    def __iter__(self) -> Iterator[str]:
-        """All keys."""
-        return iter([*self._packed, *self._ready, *self._others])
-
-    def __len__(self) -> int:
-        """How many there are."""
-        return len(self._packed) + len(self._ready) + len(self._others)
+            return self._without_text.get(key) or self._made(key)
 
     def __contains__(self, key: object) -> bool:
         """Whether a key is known; no module is executed for the answer."""
-        return key in self._ready or key in self._packed or key in self._others
+        return key in self._packed or key in self._without_text
+
+    def add(self, key: str, text: str, file: str) -> None:
+        """Keep a text, which `file` names in tracebacks."""
+        self._packed[key] = file, zlib.compress(text.encode())
+
+    def setdefault(self, key: str, module: ModuleType) -> ModuleType:
+        """The module of a key; if there is none, keep the given one, which has no text."""
+        with self._lock:
+            if key not in self:
+                self._without_text[key] = module
+            return self[key]
+
+    def _executed(self, key: str) -> ModuleType:
+        file, packed = self._packed[key]
+        return module_of_text(zlib.decompress(packed).decode(), file)
