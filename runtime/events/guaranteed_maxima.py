@@ -32,6 +32,7 @@ __all__ = [
     "LinearMotion",
     "Maximum",
     "TrigonometricSum",
+    "falling_zeros",
     "largest",
     "upper_bounds",
 ]
@@ -41,6 +42,7 @@ _CELL = 0.6  # radians of the fastest motion, or |A| h of a step
 _ROUNDING = 2.0**-47  # of a sum, relative to its absolute values
 _DEGREE = 16  # of Taylor's polynomial over a step: the rest is below 0.6^17/17! of the whole
 _SWEEPS = 3  # of balancing
+_POLISHING = 60  # steps of Newton's method, or of bisection where it leaves its bracket
 
 _Jet = Callable[[float], tuple[float, float, float]]  # value, slope and curvature at a time
 
@@ -175,6 +177,28 @@ def upper_bounds(left: CurveSamples, right: CurveSamples, excess: Any) -> Any:
     middle = 0.5 * (left.value + right.value) + width * (left.slope - right.slope) / 6 + excess
     first, last = left.value + 0.25 * width * left.slope, right.value - 0.25 * width * right.slope
     return np.maximum.reduce([left.value, first, middle, last, right.value])
+
+
+def falling_zeros(
+    rates: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], low: np.ndarray, high: np.ndarray
+) -> np.ndarray:
+    """Zeros (n,) of slopes that fall through zero between times, by Newton's method and bisection.
+
+    `rates` gives slopes and curvatures (n,) at times (n,).
+    """
+    times = (low + high) / 2
+    for _ in range(_POLISHING):
+        slope, curvature = rates(times)
+        low, high = np.where(slope > 0, times, low), np.where(slope > 0, high, times)
+        with np.errstate(all="ignore"):
+            newton = times - slope / curvature
+        inside = (newton >= low) & (newton <= high)
+        following = np.where(inside, newton, (low + high) / 2)
+        settled = np.abs(following - times) <= 2 * np.spacing(np.abs(times))
+        times = following
+        if settled.all():
+            break
+    return times
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.events.guaranteed_maxima import CurveSamples, upper_bounds
+from nonsmooth.runtime.events.guaranteed_maxima import CurveSamples, falling_zeros, upper_bounds
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds
@@ -27,7 +27,6 @@ __all__ = ["Extreme", "LocalMaximum", "extremes", "local_maxima"]
 _ANGLE = 0.6  # radians of the fastest oscillation in a panel
 _ROUNDS = 200  # of splitting; a few are enough
 _HALVINGS = 40  # then a slope that touches zero is none that crosses it
-_POLISHING = 60  # steps of Newton's method, or of bisection where it leaves its bracket
 _ORDERS = 7  # derivatives from that of order 0, of a function whose local maxima are sought
 _ROUNDING = 2.0**-50
 
@@ -236,9 +235,16 @@ def _on_panels(system: PiecewiseLinear, found: Panels, function: int) -> Iterato
     whole = _Slopes(factors, sizes)
     low, high = found.left, found.right
     places, begins, ends = _brackets(system, configuration, whole, moving, low, high)
-    times = _zeros(system, configuration, whole.at(places), begins, ends)
+    kept = factors[:, places]
+
+    def rates(times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        functions = functions_of(system, configuration, times)
+        slope, curvature = np.einsum("nf,onf->on", functions, kept[1:3])
+        return slope, curvature
+
+    times = falling_zeros(rates, begins, ends)
     functions = functions_of(system, configuration, times)
-    values = (functions * factors[0, places]).sum(axis=1) + found.constants[function]
+    values = (functions * kept[0]).sum(axis=1) + found.constants[function]
     owners = found.phases[places]
     for owner, time, value in zip(owners.tolist(), times.tolist(), values.tolist(), strict=True):
         yield LocalMaximum(owner, function, time, value)
@@ -291,27 +297,3 @@ def _range(
     controls = np.array([f, f + width * slope / 3, g - width * slope_end / 3, g])
     missed = fourth * width**4 / 384
     return controls.min(axis=0) - missed, controls.max(axis=0) + missed
-
-
-def _zeros(
-    system: PiecewiseLinear,
-    configuration: int,
-    here: _Slopes,
-    low: np.ndarray,
-    high: np.ndarray,
-) -> np.ndarray:
-    """Zeros (n,) of slopes that fall through zero in intervals."""
-    times = (low + high) / 2
-    for _ in range(_POLISHING):
-        functions = functions_of(system, configuration, times)
-        slope, bend = np.einsum("nf,onf->on", functions, here.factors[1:3])
-        low, high = np.where(slope > 0, times, low), np.where(slope > 0, high, times)
-        with np.errstate(all="ignore"):
-            newton = times - slope / bend
-        inside = (newton >= low) & (newton <= high)
-        following = np.where(inside, newton, (low + high) / 2)
-        settled = np.abs(following - times) <= 2 * np.spacing(np.abs(times))
-        times = following
-        if settled.all():
-            break
-    return np.asarray(times)
