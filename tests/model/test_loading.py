@@ -19,7 +19,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import nonsmooth
 from nonsmooth import InputError, simulate, solve
@@ -182,18 +181,6 @@ def test_a_damped_system_has_flows_and_no_table_of_modes(tmp_path: Path) -> None
     fields = kernels.evaluate("fields", [[3.0, 0.5], [7.0, 0.5]]).reshape(2, 2, 2, 3)
     expected = [[0, 1, 0], [-3, -1, 0]], [[0, 1, 0], [-4, 0, 0]]
     np.testing.assert_array_equal(fields[0], expected)
-
-
-def test_a_flow_without_a_closed_form_is_the_integrated_one(tmp_path: Path) -> None:
-    kernels = load_system(str(declare(tmp_path, DAMPED)))
-    start, times = [0.3, -1.2], [0.4, 2.5]
-    for configuration, damping, stiffness in (("right", 1, 3), ("left", 0, 4)):
-        found = kernels.flow(configuration, [3.0, 0.5], times, start)
-        motion = solve_ivp(
-            lambda _, y, c=damping, k=stiffness: [y[1], -c * y[1] - k * y[0]],
-            (0, 3), start, "DOP853", t_eval=times, rtol=1e-12, atol=1e-14,
-        )  # fmt: skip
-        np.testing.assert_allclose(found, motion.y.T, rtol=1e-10)
 
 
 def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -> None:
