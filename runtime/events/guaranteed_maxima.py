@@ -198,7 +198,7 @@ def falling_zeros(
         times = following
         if settled.all():
             break
-    return times
+    return np.asarray(times)
 
 
 @dataclass(frozen=True)
