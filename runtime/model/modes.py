@@ -34,7 +34,7 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     real_parts_of,
     smallest_projectors,
 )
-from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
+from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
 from nonsmooth.runtime.model.large_modes import LARGE, large_modes
 from nonsmooth.runtime.model.natural_units import balanced, dependence, fall_rates, natural_units
 from nonsmooth.runtime.model.projectors import exponentials_at
@@ -44,6 +44,7 @@ from nonsmooth.runtime.model.time_functions import functions_at
 
 __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 
+_ONE = mode_shapes([(1, False)])
 _FEW = 4  # for fewer fields it pays to remember their modes
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
 _LARGEST = 1e-7
@@ -109,10 +110,7 @@ def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
 @cache
 def no_modes(size: int) -> NumericModes:
     """A placeholder for unknown modes of a configuration: one mode, and NaN."""
-    exponents, flows = np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan)
-    for array in (exponents, flows):
-        array.flags.writeable = False
-    return NumericModes(mode_shapes([(1, False)]), exponents, flows)
+    return _unchanging(np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan))
 
 
 @cache
@@ -121,18 +119,22 @@ def standing_modes(size: int) -> NumericModes:
 
     It has one mode, with which the state stays constant.
     """
-    exponents, flows = np.zeros((1, 2)), np.eye(size, size + 1)[None]
-    for array in (exponents, flows):
+    return _unchanging(np.zeros((1, 2)), np.eye(size, size + 1)[None])
+
+
+def _unchanging(
+    exponents: np.ndarray, flows: Flows, shapes: tuple[ModeShape, ...] = _ONE
+) -> NumericModes:
+    """Modes that are shared, by default one: nobody may write into their arrays."""
+    for array in (exponents, *arrays_of(flows)):
         array.flags.writeable = False
-    return NumericModes(mode_shapes([(1, False)]), exponents, flows)
+    return NumericModes(shapes, exponents, flows)
 
 
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
 def _numeric_modes(content: bytes, size: int, rate: float) -> NumericModes:
     found = _found(np.frombuffer(content).reshape(size, size + 1), rate)
-    for array in (found.exponents, *arrays_of(found.flows)):
-        array.flags.writeable = False
-    return found
+    return _unchanging(found.exponents, found.flows, found.shapes)
 
 
 def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:

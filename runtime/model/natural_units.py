@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows, arrays_of
 from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.model.time_functions import function_orders
 
@@ -120,10 +120,9 @@ class NaturalUnits(NamedTuple):
 
     def flows_of_one(self, shapes: tuple[ModeShape, ...], flows: Flows) -> Flows:
         """Flows of a single motion in natural units, converted to the units of its field."""
-        if isinstance(flows, FactoredFlows):
-            arrays = (flows.matrices[None], flows.left[None], flows.right[None])
-            return FactoredFlows(shapes, *(part[0] for part in self.flows(shapes, arrays)))
-        return np.asarray(self.flows(shapes, (flows[None],))[0][0])
+        found = self.flows(shapes, tuple(part[None] for part in arrays_of(flows)))
+        matrices, *factors = (part[0] for part in found)
+        return FactoredFlows(shapes, matrices, *factors) if factors else matrices
 
 
 class _Blocks(NamedTuple):

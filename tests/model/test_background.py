@@ -21,7 +21,6 @@ from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background, caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.background import KernelLibrary
-from nonsmooth.runtime.model.loading.modules import Modules
 from tests.user_systems import KICKED, declare
 
 compiler = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
@@ -63,7 +62,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache folder of the test's own, and a process that knows nothing yet."""
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
-    monkeypatch.setattr(loading, "_MODULES", Modules(9))
+    monkeypatch.setattr(loading, "_MODULES", caching.Modules(9))
     for name in ("_FILES", "_LIBRARIES"):
         monkeypatch.setattr(loading, name, {})
     loading._file.cache_clear()

@@ -30,7 +30,6 @@ from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.loading import caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.declared import declaration_in
-from nonsmooth.runtime.model.loading.modules import Modules
 from tests.user_systems import DAMPED, KICKED, declare
 
 
@@ -45,7 +44,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def forget(monkeypatch: pytest.MonkeyPatch) -> None:
     """As in a new process."""
-    monkeypatch.setattr(loading, "_MODULES", Modules(9))
+    monkeypatch.setattr(loading, "_MODULES", caching.Modules(9))
     monkeypatch.setattr(loading, "_FILES", {})
     loading._file.cache_clear()
 
@@ -514,7 +513,7 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
 def test_memory_does_not_grow_with_what_was_loaded() -> None:
     """Sixteen systems more take less than their texts: these are kept packed."""
     text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))
-    known, lines, numbers = Modules(4), len(linecache.cache), itertools.count()
+    known, lines, numbers = caching.Modules(4), len(linecache.cache), itertools.count()
 
     def held(count: int) -> int:
         """Bytes that so many more of them take, the last four among them; not other threads'."""
@@ -527,7 +526,7 @@ def test_memory_does_not_grow_with_what_was_loaded() -> None:
         gc.collect()
         snapshot = tracemalloc.take_snapshot()
         tracemalloc.stop()
-        places = (str(sys.modules[Modules.__module__].__file__), __file__, "<m*>")
+        places = (str(sys.modules[caching.Modules.__module__].__file__), __file__, "<m*>")
         taken = snapshot.filter_traces([tracemalloc.Filter(True, place) for place in places])
         return sum(trace.size for trace in taken.traces)
 
@@ -540,7 +539,7 @@ def test_memory_does_not_grow_with_what_was_loaded() -> None:
 def test_what_is_packed_solves_and_tells_its_lines(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(loading, "_MODULES", Modules(1))
+    monkeypatch.setattr(loading, "_MODULES", caching.Modules(1))
     one, other = (read(declare(tmp_path, text, f"{k}.py")).system
                   for k, text in (("one", KICKED), ("other", DAMPED)))  # fmt: skip
     name = load_system(one).name

@@ -42,7 +42,7 @@ def check_own_folder(folder: Path) -> None:
 
 
 def write_folder(
-    folder: Path, files: Mapping[str, str], library: Mapping[str, bytes] | None = None
+    folder: Path, files: Mapping[str, str], library: Mapping[str, bytes] | None
 ) -> list[Path]:
     """Write files into their folder and return those that changed.
 

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.background import KernelLibrary
-from nonsmooth.runtime.model.loading.caching import cached, stored
+from nonsmooth.runtime.model.loading.caching import Modules, cached, module_of_text, stored
 from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
 from nonsmooth.runtime.model.loading.declared import (
     Declared,
@@ -33,7 +33,6 @@ from nonsmooth.runtime.model.loading.growing import (
     growth_for,
     growth_of,
 )
-from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
 
 __all__ = [
     "Loaded",
@@ -87,7 +86,7 @@ def _joined(
     return remember(Loaded(f"{name}@{key}", module))
 
 
-def load_grown(loaded: Loaded, visits: Iterable[Visit] = ()) -> Loaded:
+def load_grown(loaded: Loaded, visits: Iterable[Visit]) -> Loaded:
     """A system whose configurations are made at their first visit, with the given visits added.
 
     A visit is a configuration and the boundaries that are reached together in it. All other
@@ -125,7 +124,7 @@ def many_points_key(module: ModuleType) -> str | None:
     return None if library is None else library.key
 
 
-def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Loaded | None:
+def load_many_points(loaded: Loaded, orbit: str, key: str | None) -> Loaded | None:
     """Compiled kernels that solve a composed orbit at many points.
 
     If they do not exist yet it waits while they are derived and compiled. `loaded` is the
