@@ -22,6 +22,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
 
 __all__ = [
     "LONGEST_PHASE",
@@ -34,6 +35,7 @@ __all__ = [
     "TrigonometricSum",
     "falling_zeros",
     "largest",
+    "largest_between",
     "upper_bounds",
 ]
 
@@ -165,6 +167,20 @@ def largest(cells: Cells, slack: float, floor: float) -> Maximum:
             waiting += [(split, right, polished), (left, split, polished)]
             splits += 1
     return best
+
+
+def largest_between(function: QuasiPolynomial, first: float, last: float) -> Maximum:
+    """The guaranteed maximum of a quasi-polynomial between two times."""
+    count = 1 + int(function.fastest * (last - first) / _CELL)
+    times, width = np.linspace(first, last, count + 1), (last - first) / count
+    values, slopes, _, errors = np.array([function.jet(t) for t in times.tolist()]).T
+    bends = np.array([function.bound(4, t, width) for t in times[:-1].tolist()])
+    cells = Cells(
+        CurveSamples(values, times, slopes),
+        bends * width**4 / 144,
+        lambda _: lambda t: function.jet(t)[:3],
+    )
+    return largest(cells, float(errors.max()) / 4, -math.inf)
 
 
 def upper_bounds(left: CurveSamples, right: CurveSamples, excess: Any) -> Any:

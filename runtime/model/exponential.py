@@ -1,4 +1,7 @@
-"""Flows as exponentials of vector fields, in mpmath numbers to all their digits."""
+"""Flows as exponentials of vector fields, in mpmath numbers to all their digits.
+
+They serve orbits that are refined to many digits where no flow has a closed form.
+"""
 
 from __future__ import annotations
 

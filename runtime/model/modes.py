@@ -16,6 +16,11 @@ rounded once. A cluster of few eigenvalues is then Newton's interpolation of the
     sum_k e[p_0, ..., p_k] (B - p_0) ... (B - p_(k-1)) P,
 
 a chain of modes that is exact at all times; one of more is the series.
+
+The first of these ways that succeeds is taken: `simple_modes`, for a whole stack of fields at once;
+`driven_modes`, where only what drives the structure has equal eigenvalues; from `LARGE` states on
+`large_modes` in place of both; `eigenvalue_clusters` in doubles, and last in the many digits of
+`projectors`.
 """
 
 from __future__ import annotations
