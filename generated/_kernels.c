@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 03ac55d92b019e22 */
+ * SymPy 1.14.0, derivation 1d89e37c7443ac71 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.codegen/support/interrupt.h
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation c5eb6d426d38b158 */
+ * SymPy 1.14.0, derivation a27fcf1202e7084b */
 /* Loops that work without Python's lock, and end when Python wants them to: at a signal such as
  * Ctrl-C, or in a thread whose work is called off. */
 #ifndef NONSMOOTH_INTERRUPT_H
@@ -25,7 +25,7 @@ static inline int nonsmooth_called_off(void)
     if (PyErr_CheckSignals() != 0)
         return 1;
     /* where the package is in use it knows which threads are called off */
-    PyObject *const name = PyUnicode_FromString("nonsmooth.runtime.core.threads");
+    PyObject *const name = PyUnicode_FromString("nonsmooth.runtime.core.parallel");
     PyObject *const module = name ? PyImport_GetModule(name) : NULL;
     Py_XDECREF(name);
     if (!module)

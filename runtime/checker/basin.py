@@ -22,7 +22,7 @@ from nonsmooth.runtime.checker.shape import BASIN, check_bits, check_shape
 from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded
-from nonsmooth.runtime.core.processes import in_processes
+from nonsmooth.runtime.core.parallel import in_processes
 
 __all__ = ["check_basin"]
 

@@ -26,14 +26,18 @@ from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import DOUBLING, check_shape
 from nonsmooth.runtime.checker.stability import characteristic, passing, stability
 from nonsmooth.runtime.core.jets import jet, part_of
-from nonsmooth.runtime.core.taylor_averages import (
+from nonsmooth.runtime.core.taylor_models import (
     AT_BOTH_ENDS,
     BENT_MEAN,
     MEAN,
+    TaylorModel,
     averaged,
     lifted,
+    matrix,
+    middle_of,
+    range_of,
+    space_of,
 )
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
 
 __all__ = ["check_doubled", "check_doubling"]
 

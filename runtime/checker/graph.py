@@ -17,7 +17,7 @@ from nonsmooth.runtime.checker.grids import listed, stated_divided_grid
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.checker.shape import GRAPH, check_bits, check_shape
 from nonsmooth.runtime.checker.switching import StatedSection
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import DividedGrid
 
 __all__ = ["check_graph"]
 

@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.checker.exact import Failure, demand
-from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["listed", "stated_divided_grid", "stated_grid"]

@@ -25,7 +25,6 @@ from typer.core import TyperGroup
 from nonsmooth.runtime.cli.keeping import heed_interrupts, interrupted, same_command, say
 from nonsmooth.runtime.cli.options import PICTURES
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, one_line
-from nonsmooth.runtime.core.valid_json import nan_as_null
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Value
@@ -297,4 +296,6 @@ def check_drawing(path: Path | None) -> None:
 
 def print_json(found: Mapping[str, Any]) -> None:
     """Print one JSON document on stdout, with null for numbers that are nan."""
+    from nonsmooth.runtime.core.json_codec import nan_as_null
+
     print(json.dumps(nan_as_null(found), indent=2, allow_nan=False))

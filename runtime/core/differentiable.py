@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown
 
 __all__ = ["DifferentiableFunction"]
 

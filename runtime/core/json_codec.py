@@ -70,6 +70,7 @@ __all__ = [
     "decode",
     "encode",
     "given_value",
+    "nan_as_null",
     "one_of",
 ]
 
@@ -390,3 +391,26 @@ FromOne = Annotated[
 BlankText = Annotated[str | None, _optional(_PLAIN[str], "")]
 BlankDigits = Annotated[float | None, _optional(_DIGITS, "")]
 BlankValue = Annotated[Value | None, _optional(_PLAIN[Value], "")]
+
+
+def nan_as_null(entry: Any) -> Any:
+    """An answer's JSON, with null for each number that is not known.
+
+    Numbers are decimal strings, complex ones ``"re im"``, or JSON numbers; keys stay as they
+    are. An infinite number becomes the string ``"inf"`` or ``"-inf"``.
+
+    Examples
+    --------
+    >>> nan_as_null({"trace": "nan", "bounds": ["0.5", float("inf")], "rates": {"nan": "nan nan"}})
+    {'trace': None, 'bounds': ['0.5', 'inf'], 'rates': {'nan': None}}
+    """
+    match entry:
+        case Mapping():
+            return {name: nan_as_null(each) for name, each in entry.items()}
+        case list() | tuple():
+            return [nan_as_null(each) for each in entry]
+        case str() if {*entry.split()} == {"nan"}:
+            return None
+        case float() if not math.isfinite(entry):
+            return None if math.isnan(entry) else repr(float(entry))
+    return entry

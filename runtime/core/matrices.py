@@ -1,4 +1,7 @@
-"""Exponentials and eigenvalues of many small matrices at once."""
+"""Exponentials and eigenvalues of many small matrices at once.
+
+The exponentials serve derivatives of flows by parameters, where flows have no closed form.
+"""
 
 from __future__ import annotations
 

@@ -1,15 +1,16 @@
-"""What shows and keeps results, by name, for records that know nothing of it.
+"""Results that show and keep themselves, by functions that are found by their names.
 
-A record holds data; its ``plot``, ``save`` and ``_repr_html_`` ask here for the function that
-does it. The face of the package says where these functions stand; each module is imported when
-it is first asked for.
+A record holds data and knows of no picture or file; its ``plot``, ``save`` and ``_repr_html_``
+ask here for the function that does it. The face of the package says where these functions stand;
+each module is imported when it is first asked for.
 """
 
+import os
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any
+from typing import Any, ClassVar
 
-__all__ = ["register", "registered"]
+__all__ = ["Kept", "Shown", "register", "registered"]
 
 _PLACES: dict[str, str] = {}
 
@@ -22,3 +23,28 @@ def register(module: str, names: Mapping[str, str]) -> None:
 def registered(name: str) -> Any:
     """The function of a name; KeyError if nothing is registered under it."""
     return getattr(import_module(_PLACES[name]), name)
+
+
+class Shown:
+    """A result that tells what it is; `present.summaries` has the words of each kind."""
+
+    def __repr__(self) -> str:
+        text: str = registered("summary_text")(self)
+        return text
+
+    def _repr_html_(self) -> str:
+        text: str = registered("summary_html")(self)
+        return text
+
+
+class Kept(Shown):
+    """A result that a file keeps; `_kept_by` names the function that writes it."""
+
+    _kept_by: ClassVar[str]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the result to a file, which `nonsmooth.load` reads.
+
+        An `InputError` says that the file cannot be written.
+        """
+        registered(self._kept_by)(self, path)

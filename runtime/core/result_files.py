@@ -1,16 +1,19 @@
-"""The codec of result files: a format, a version, a checksum, whole or not at all.
+"""The codec of result files: a format, a version, a checksum, whole or not at all; arrays too.
 
 Every kind of result file is a `FileFormat`: its name, what it holds, and the record of its
 entries. Files are written atomically, and read only if nothing of them is missing, unknown,
-cut, edited or of another release.
+cut, edited or of another release. Of an .npz archive beside them nothing is unpacked before
+headers tell that it is what is expected.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
 import re
+import zipfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -19,14 +22,19 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+import numpy as np
+
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file, write_file
 from nonsmooth.runtime.core.json_codec import decode, encode
 
 __all__ = [
+    "DAMAGED",
     "WRONG_SHAPE",
     "FileFormat",
+    "array_in",
     "check_follows",
+    "check_same_question",
     "checksum_of",
     "content_of",
     "format_in",
@@ -35,6 +43,8 @@ __all__ = [
     "stating",
 ]
 
+DAMAGED = "cut, damaged, or not an .npz file"
+_PIECE = 1 << 20  # bytes that are unpacked at a time
 _BEGINNING = 400  # characters of a file in which its format is looked for first
 _MOST = 500_000_000  # bytes; a larger file is not read
 _DENSE, _FEW = 16, 1 << 18  # bytes of text to a list or a mapping, where they are not few
@@ -164,6 +174,21 @@ def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
             raise InputError(f"{name!r} is not what the other entries give")
 
 
+def check_same_question(what: str, asked: Mapping[str, Any], known: Mapping[str, Any]) -> None:
+    """Raise `InputError` if work to go on with was kept of another question.
+
+    `what` says in words what was kept. Both mappings hold numbers, texts, records or
+    arrays. The message names the first entry of `asked` that `known` lacks or has otherwise.
+
+    Examples
+    --------
+    >>> check_same_question("sweep", {"state": "x1"}, {"state": "x1", "done": 7})
+    """
+    for name, value in asked.items():
+        if name not in known or not np.array_equal(value, known[name]):
+            raise InputError(f"the {what} to resume has another {name}")
+
+
 def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
     """SHA-256, hexadecimal, of a file's other entries and of numbers beside them."""
     covered = {name: entry for name, entry in content.items() if name != "sha256"}
@@ -252,3 +277,42 @@ def naming(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     except WRONG_SHAPE as problem:
         raise InputError(f"{os.fspath(path)}: not in order: {problem}") from None
+
+
+def array_in(
+    file: zipfile.ZipFile,
+    name: str,
+    expected: Callable[[tuple[int, ...], np.dtype[Any]], bool],
+    most: float,
+) -> np.ndarray:
+    """The array of a name, without its ending, in an archive.
+
+    `expected` says whether a shape and a type are those of the array; `most` is in bytes.
+    An `InputError` refuses any other array, a larger one, and one that is not as long as
+    its header says. Compressed data are unpacked piece by piece: all at once they may be a
+    thousand times as large as the archive says.
+    """
+    told = file.getinfo(f"{name}.npy")
+    # Python unpacks other packings only as a whole, however little is asked for
+    if told.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise InputError(f"{told.filename!r} is not packed as NumPy does it")
+    with file.open(told) as entry:
+        if np.lib.format.read_magic(entry) != (1, 0):
+            raise InputError(f"'{name}.npy' is of another format of arrays")
+        shape, by_columns, dtype = np.lib.format.read_array_header_1_0(entry)
+        if not expected(shape, dtype):
+            raise InputError(f"{name!r} is not an array of its shape and type")
+        size = math.prod(shape) * dtype.itemsize
+        if size != told.file_size - entry.tell():
+            raise InputError(f"'{name}.npy' is not as long as its header says")
+        if size > most:
+            raise InputError(
+                f"'{name}.npy' takes {size / 1e6:.3g} MB, packed into"
+                f" {told.compress_size / 1e6:.3g}: so much is not unpacked"
+            )
+        content = bytearray()
+        while len(content) <= size and (piece := entry.read(_PIECE)):
+            content += piece
+    if len(content) != size:
+        raise InputError(DAMAGED)
+    return np.frombuffer(content, dtype).reshape(shape, order="F" if by_columns else "C")

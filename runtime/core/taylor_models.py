@@ -13,12 +13,25 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["Space", "TaylorModel", "matrix", "middle_of", "range_of", "space_of"]
+__all__ = [
+    "AT_BOTH_ENDS",
+    "BENT_MEAN",
+    "MEAN",
+    "Space",
+    "TaylorModel",
+    "averaged",
+    "lifted",
+    "matrix",
+    "middle_of",
+    "range_of",
+    "space_of",
+]
 
 _SMALL = 0.25  # norm to which an exponent is halved
 _LARGEST = 2.0**40  # norm of an exponent about whose exponential anything is said
@@ -363,3 +376,46 @@ def _norm(balls: arb_mat) -> arb:
     for i in range(0, len(entries), width):
         largest = largest.max(sum(entries[i : i + width], arb(0)))
     return largest.upper()
+
+
+Weight = tuple[int, ...]  # the average of abs(s)**p is one over the product of p + these
+AT_BOTH_ENDS: Weight = ()  # of the values at s = 1 and s = -1
+MEAN: Weight = (1,)  # over s in [-1, 1]
+BENT_MEAN: Weight = (1, 3)  # of the function times (1 - s^2) / 2
+
+
+def lifted(number: Any, space: Space) -> Any:
+    """A model of e, or a matrix, as one of e and f that does not depend on f.
+
+    The space has two variables and the same order. Balls stay what they are.
+    """
+    if not isinstance(number, TaylorModel):
+        return number
+    parts: list[Any] = [None] * len(space.exponents)
+    for power, part in enumerate(number.parts):
+        parts[space.exponents.index((power, 0))] = part
+    return TaylorModel(space, tuple(parts))
+
+
+def averaged(number: Any, weight: Weight) -> Any:
+    """The weighted average of a model of e and f over f = s e, a model of e alone.
+
+    The model may be a matrix; a ball depends on no variable. The weight is one of those of
+    this module.
+    """
+    from flint import arb
+
+    def share(power: int) -> arb:
+        return arb(1) / prod(power + term for term in weight)
+
+    if not isinstance(number, TaylorModel):
+        return number * share(0)
+    space = space_of(1, number.space.order)
+    parts: list[Any] = [None] * len(space.exponents)
+    for part, (own, power) in zip(number.parts, number.space.exponents, strict=True):
+        if part is None:
+            continue
+        term = (part - part.mid() if power % 2 else part) * share(power)
+        place = own + power
+        parts[place] = term if parts[place] is None else parts[place] + term
+    return TaylorModel(space, tuple(parts))

@@ -2,7 +2,7 @@
 
 Along a phase a boundary function is a sum of functions of time, the same for all boundaries
 of a configuration, times coefficients. Maxima are looked for between samples, dense compared
-with the fastest oscillation, and polished by Newton's method: this locates events. Whether an
+with the fastest oscillation: this locates events. Whether an
 orbit is admissible is decided by the guaranteed search.
 """
 
@@ -13,10 +13,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonsmooth.runtime.events.guaranteed_maxima import falling_zeros
+
 __all__ = ["Ends", "PhaseWaves", "ends_of", "interior_maxima"]
 
 _LEAST_CELLS, _CELLS_PER_RADIAN, _MOST_CELLS = 16, 3, 600
-_POLISHING = 12  # steps of Newton's method, or of bisection where it leaves its cell
 _EDGE = 1e-7  # of a dwell time: a maximum nearer to the ends is no interior one
 
 
@@ -68,8 +69,7 @@ def ends_of(waves: PhaseWaves) -> Ends:
 def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:
     """Largest local maximum inside the phase, and its time; arrays (k, b), NaN for none.
 
-    Newton's method, kept within a bracket by bisection, finds the zeros of the rates. Times
-    are in the system's unit.
+    Times are in the system's unit.
     """
     count, boundaries = waves.coefficients.shape[1:3]
     angle = waves.fastest * float(np.max(waves.durations, initial=0.0))
@@ -80,22 +80,13 @@ def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:
     functions = waves.basis(points, times.ravel()).reshape(count, cells + 1, -1)
     slopes = np.einsum("kbf,kmf->kbm", waves.coefficients[1], functions)
     point, boundary, cell = np.nonzero((slopes[..., :-1] > 0) & (slopes[..., 1:] <= 0))
-    low, high = times[point, cell], times[point, cell + 1]
-    first, last = slopes[point, boundary, cell], slopes[point, boundary, cell + 1]
     value, slope, curvature = waves.coefficients[:, point, boundary]
-    time = low + (high - low) * first / (first - last)
-    for _ in range(_POLISHING):
-        here = waves.basis(point, time)
-        rate, change = (slope * here).sum(axis=-1), (curvature * here).sum(axis=-1)
-        low, high = np.where(rate > 0, time, low), np.where(rate > 0, high, time)
-        with np.errstate(all="ignore"):
-            newton = time - rate / change
-        inside = (newton >= low) & (newton <= high)
-        following = np.where(inside, newton, 0.5 * (low + high))
-        settled = np.abs(following - time) <= 1e-15 * np.abs(time)
-        time = following
-        if settled.all():
-            break
+
+    def rates(times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        functions = waves.basis(point, times)
+        return (slope * functions).sum(axis=-1), (curvature * functions).sum(axis=-1)
+
+    time = falling_zeros(rates, times[point, cell], times[point, cell + 1])
     found = (value * waves.basis(point, time)).sum(axis=-1)
     length = waves.durations[point]
     kept = (time > _EDGE * length) & (time < (1 - _EDGE) * length)

@@ -8,7 +8,7 @@ that nearly meet, or the series of more. `nonsmooth.runtime.model.modes` chooses
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import NamedTuple
 
@@ -22,10 +22,12 @@ __all__ = [
     "Cluster",
     "cluster_terms",
     "eigenvectors_apart",
+    "groupings",
+    "is_real",
     "leads",
-    "linked_groups",
     "precise_candidates",
-    "smallest_distance",
+    "real_parts_of",
+    "smallest_distances",
     "smallest_projectors",
     "snapped",
 ]
@@ -54,7 +56,7 @@ def eigenvectors_apart(values: np.ndarray, right: np.ndarray, scale: float) -> l
     `scale`, the largest modulus of an eigenvalue, is the unit of their distances. None if some
     eigenvalues are close to each other or a projector is large.
     """
-    if smallest_distance(values) <= _NEARNESS[0] * scale:
+    if smallest_distances(values[None])[0] <= _NEARNESS[0] * scale:
         return None
     left = np.linalg.inv(right)
     found = _singles(values, right, left, scale)
@@ -70,12 +72,7 @@ def smallest_projectors(
     the unit of distances. None if the powers end for no grouping.
     """
     best: list[Cluster] | None = None
-    groupings: list[list[list[complex]]] = []
-    for nearness in _NEARNESS:
-        groups = linked_groups(values.tolist(), nearness * scale if scale else math.inf)
-        if groups in groupings:
-            continue
-        groupings.append(groups)
+    for groups in groupings(values.tolist(), _NEARNESS, scale):
         found = list(_clusters(matrix, groups, scale))
         if all(cluster.terms is not None for cluster in found):
             if best is None or _worst(found) < 0.1 * _worst(best):
@@ -97,12 +94,7 @@ def precise_candidates(
     if single is not None:
         yield single
     yield from _chains(matrix, scale)
-    known: list[list[list[complex]]] = []
-    for nearness in _NEARNESS:
-        groups = linked_groups(values, nearness * scale if scale else math.inf)
-        if groups in known:
-            continue
-        known.append(groups)
+    for groups in groupings(values, _NEARNESS, scale):
         found = [_exact_cluster(matrix, group, groups, scale) for group in groups
                  if leads(group)]  # fmt: skip
         if all(cluster.terms is not None for cluster in found):
@@ -132,12 +124,9 @@ def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
         complex(p.real if abs(p.real) > tiny else 0.0, p.imag if abs(p.imag) > tiny else 0.0)
         for p in poles_of(matrix)
     ]
-    known: list[list[list[complex]]] = []
-    for nearness in _NEARNESS:
-        groups = linked_groups(poles, nearness * scale if scale else math.inf)
-        if groups in known or max(map(len, groups)) > _LONGEST_NEWTON:
+    for groups in groupings(poles, _NEARNESS, scale):
+        if max(map(len, groups)) > _LONGEST_NEWTON:
             continue
-        known.append(groups)
         try:
             yield [_newton_cluster(matrix, group, groups) for group in groups if leads(group)]
         except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
@@ -165,7 +154,7 @@ def _exact_cluster(
     silent, norm = 0, 0.0
     try:
         for k, (centre, term) in enumerate(
-            islice(chain(matrix, group, others, _is_real(group), constant), _LONGEST_CHAIN)
+            islice(chain(matrix, group, others, is_real(group), constant), _LONGEST_CHAIN)
         ):
             centre = snapped(centre, len(matrix), scale)
             size = float(np.abs(term).max())
@@ -219,13 +208,30 @@ def _worst(clusters: list[Cluster]) -> float:
     return max(cluster.norm for cluster in clusters)
 
 
-def smallest_distance(values: np.ndarray) -> float:
-    """Smallest distance between two of the eigenvalues (N,); inf for a single one."""
-    gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
-    return float(gaps.min())
+def smallest_distances(values: np.ndarray) -> np.ndarray:
+    """Smallest distances (n,) between two of the eigenvalues (n, N); inf for a single one."""
+    gaps = np.abs(values[:, :, None] - values[:, None, :])
+    gaps[:, range(values.shape[1]), range(values.shape[1])] = np.inf
+    return np.asarray(gaps.min(axis=(-2, -1)))
 
 
-def linked_groups(values: list[complex], distance: float) -> list[list[complex]]:
+def groupings(
+    values: list[complex], nearness: Iterable[float], scale: float
+) -> Iterator[list[list[complex]]]:
+    """Distinct ways to take eigenvalues together that are linked by steps of some nearness.
+
+    Steps are in units of `scale`, the largest modulus of an eigenvalue; where that is 0, all of
+    them are together.
+    """
+    known: list[list[list[complex]]] = []
+    for step in nearness:
+        groups = _linked_groups(values, step * scale if scale else math.inf)
+        if groups not in known:
+            known.append(groups)
+            yield groups
+
+
+def _linked_groups(values: list[complex], distance: float) -> list[list[complex]]:
     """Groups of eigenvalues that are linked by steps of at most `distance`.
 
     Conjugate eigenvalues are in one group, or in two groups that are conjugate to each other.
@@ -240,10 +246,11 @@ def linked_groups(values: list[complex], distance: float) -> list[list[complex]]
 
 def leads(group: list[complex]) -> bool:
     """Whether a group is real or is, of two conjugate groups, the one that is kept."""
-    return _is_real(group) or sum(group).imag > 0
+    return is_real(group) or sum(group).imag > 0
 
 
-def _is_real(group: list[complex]) -> bool:
+def is_real(group: list[complex]) -> bool:
+    """Whether a group has the conjugate of each of its eigenvalues."""
     return {v.conjugate() for v in group} == set(group)
 
 
@@ -251,7 +258,7 @@ def _clusters(matrix: np.ndarray, groups: list[list[complex]], scale: float) -> 
     """The clusters of the groups, one for each pair of conjugate groups."""
     for group in groups:
         if leads(group):
-            yield _cluster(matrix, group, _is_real(group), scale)
+            yield _cluster(matrix, group, is_real(group), scale)
 
 
 def _cluster(matrix: np.ndarray, group: list[complex], real: bool, scale: float) -> Cluster:
@@ -327,3 +334,12 @@ def _largest(k: int, rate: float, longest: float) -> float:
     if peak == math.inf:
         return math.inf
     return math.exp(k * math.log(peak) - math.lgamma(k + 1) + min(rate, 0.0) * peak)
+
+
+def real_parts_of(terms: list[np.ndarray], *, oscillates: bool) -> list[np.ndarray]:
+    """The real matrices of the functions t^k e^(st) of a cluster, or of their cosines and sines."""
+    found = []
+    for k, term in enumerate(terms):
+        part = term / math.factorial(k)
+        found += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
+    return found

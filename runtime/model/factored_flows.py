@@ -6,7 +6,8 @@ v; of a pair of complex ones, with right and left eigenvectors r and l,
     2 Re(e^(mu t) r l) = phi_c (u_0 v_0 + u_1 v_1) + phi_s (u_1 v_0 - u_0 v_1),
     u_0, u_1 = 2 Re r, -2 Im r,    v_0, v_1 = Re l, Im l.
 
-N states have about N functions of time, so that factors are 2 N^2 numbers, and matrices N^3.
+N states have about N functions of time, so that factors are 2 N^2 numbers, and matrices N^3. They
+are what `large_modes` gives.
 """
 
 from __future__ import annotations

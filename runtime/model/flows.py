@@ -1,4 +1,4 @@
-"""States inside a configuration from its closed-form flow, for many times at once."""
+"""States inside a configuration from its closed-form flow, and times at which means need them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["flow_states", "functions_of", "parts_of"]
+__all__ = ["composite_rule", "flow_states", "functions_of", "parts_of"]
 
 
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
@@ -47,3 +47,20 @@ def parts_of(system: PiecewiseLinear, configuration: int, starts: np.ndarray) ->
     if isinstance(flows, FactoredFlows):
         return flows.parts(extended)
     return np.asarray(np.einsum("fij,nj->nfi", flows, extended))
+
+
+def composite_rule(count: int, pieces: int) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights (count * pieces,) of an integral over [0, 1].
+
+    A piece has `count` nodes, which integrate polynomials of degree 2 count - 1 exactly.
+    Nodes are ascending, and symmetric to 1/2.
+
+    Examples
+    --------
+    >>> nodes, weights = composite_rule(2, 3)
+    >>> round(float(weights @ nodes**3), 15)
+    0.25
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    begins = np.arange(pieces)[:, None]
+    return ((begins + (nodes + 1) / 2) / pieces).ravel(), np.tile(weights / (2 * pieces), pieces)

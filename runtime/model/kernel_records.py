@@ -14,8 +14,8 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.core.vectorised import filled, vectorised
 from nonsmooth.runtime.model.loading.growing import JoinedKernel
+from nonsmooth.runtime.model.vectorised import filled, vectorised
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 
@@ -124,36 +124,6 @@ class SystemKernels:
         if any(map(np.iscomplexobj, arrays)):
             return self._on_numpy(kernel, outputs)(*arrays)
         return self.function(kernel, outputs)(*arrays)
-
-    def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
-        """State (..., N) after a time (...) in one configuration, from a state (..., N).
-
-        States are physical coordinates, nondimensional; the parameters (..., p) are in the order of
-        `parameters`. Raises `InputError` for an unknown configuration.
-        """
-        if configuration not in self.configurations:
-            raise unknown_name("configuration", configuration, self.configurations)
-        parameters = np.asarray(parameters, dtype=float)
-        kernel = f"flow_{configuration.replace('-', '_')}"
-        if kernel not in self.module.KERNELS:
-            return self._exponential(configuration, parameters, time, state)
-        names = [p.name for p in self.parameters]
-        places = [names.index(name) for name in self.table["spectrum_parameters"]]
-        spectrum = self.evaluate("spectrum", parameters[..., places], outputs=1)
-        return self.evaluate(kernel, parameters, spectrum, time, state)
-
-    def _exponential(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
-        """The flow without a closed form: exp(t [[A, b], [0, 0]]) applied to (y, 1)."""
-        from scipy.linalg import expm
-
-        size, place = len(self.table["states"]), self.configurations.index(configuration)
-        fields = self.evaluate("fields", parameters)
-        field = fields[..., place * size : (place + 1) * size, :]
-        matrix = np.concatenate([field, np.zeros_like(field[..., :1, :])], axis=-2)
-        state = np.asarray(state, dtype=float)
-        extended = np.concatenate([state, np.ones_like(state[..., :1])], axis=-1)
-        propagator = expm(matrix * np.asarray(time, dtype=float)[..., None, None])
-        return (propagator @ extended[..., None])[..., :size, 0]
 
     @cache  # noqa: B019 - as long as `loading.load.remember` keeps the system
     def function(self, kernel: str, outputs: int | None = None) -> Callable[..., Any]:

@@ -227,7 +227,7 @@ def key_of_many(orbit: OrbitKernels) -> str | None:
     return many_points_key(orbit.system.module)
 
 
-def kernels_of_many(orbit: OrbitKernels, key: str | None = None) -> OrbitKernels | None:
+def kernels_of_many(orbit: OrbitKernels, key: str | None) -> OrbitKernels | None:
     """Compiled kernels of a composed orbit's own equations, for many points.
 
     The first call waits until they are derived and compiled: which way an orbit is solved is a

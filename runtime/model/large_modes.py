@@ -18,13 +18,16 @@ import numpy as np
 
 from nonsmooth.runtime.model.eigenvalue_clusters import (
     cluster_terms,
+    groupings,
+    is_real,
     leads,
-    linked_groups,
+    real_parts_of,
     snapped,
 )
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
-from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
+from nonsmooth.runtime.model.simple_modes import NumericModes
+from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = ["LARGE", "large_modes"]
 
@@ -53,14 +56,12 @@ class _ModeParts(NamedTuple):
     matrices: list[np.ndarray]
 
 
-def large_modes(
-    matrix: np.ndarray, units: np.ndarray, depends: np.ndarray
-) -> tuple[tuple[ModeShape, ...], np.ndarray, FactoredFlows] | None:
+def large_modes(matrix: np.ndarray, units: np.ndarray, depends: np.ndarray) -> NumericModes | None:
     """Modes in which all simple eigenvalues have factors, for a matrix with few multiple ones.
 
     `matrix` (N + 1, N + 1) is the field above a row of zeros, in the units (N + 1,) of its
-    coordinates, powers of two; `depends` is its `dependence`. The result has the shapes, the
-    exponents (modes, 2) and the flows; it is None if the modes do not add up to the motion.
+    coordinates, powers of two; `depends` is its `dependence`. The result is None if the modes do
+    not add up to the motion.
     """
     values, vectors = np.linalg.eig(matrix)
     scale = float(np.abs(values).max())
@@ -70,12 +71,7 @@ def large_modes(
     snug = [complex(v) if abs(v) > tiny else 0j for v in values.tolist()]
     # modes that nearly cancel each other are taken only where no grouping leaves none of them
     for norm in (_NORM * len(matrix), _LARGEST):
-        known: list[list[list[complex]]] = []
-        for nearness in _NEARNESS:
-            groups = linked_groups(snug, nearness * scale)
-            if groups in known:
-                continue
-            known.append(groups)
+        for groups in groupings(snug, _NEARNESS, scale):
             try:
                 bases = [
                     _Subspace(group, _basis(matrix, snug, vectors, group))
@@ -121,7 +117,7 @@ def _modes_of(
     parts = [
         part
         for values, basis in groups
-        for part in ((basis,) if _is_real(values) else (basis, basis.conj()))
+        for part in ((basis,) if is_real(values) else (basis, basis.conj()))
     ]
     right = np.hstack(parts)
     if right.shape[1] != size:
@@ -132,7 +128,7 @@ def _modes_of(
     modes, place, blocks = [], 0, np.zeros((size, size), dtype=complex)
     largest = _NORM * size
     for values, basis in groups:
-        count, twice = basis.shape[1], 1 if _is_real(values) else 2
+        count, twice = basis.shape[1], 1 if is_real(values) else 2
         for first in range(place, place + twice * count, count):
             inside = slice(first, first + count), slice(first, first + count)
             blocks[inside] = moved[inside]
@@ -161,10 +157,6 @@ def _modes_of(
     return modes if sound else None
 
 
-def _is_real(group: list[complex]) -> bool:
-    return {v.conjugate() for v in group} == set(group)
-
-
 def _factors(
     centre: complex, column: np.ndarray, row: np.ndarray, units: np.ndarray, depends: np.ndarray
 ) -> _ModeParts:
@@ -181,17 +173,15 @@ def _powers(
     centre: complex, terms: list[np.ndarray], units: np.ndarray, depends: np.ndarray
 ) -> _ModeParts:
     """Matrices of the powers of time of a group of eigenvalues."""
-    size, matrices = len(units) - 1, []
-    for k, term in enumerate(terms):
-        part = units[:, None] * term / units / math.factorial(k)
-        found = [2 * part.real, -2 * part.imag] if centre.imag else [part.real]
-        matrices += [np.where(depends, array, 0.0)[:size] for array in found]
+    size = len(units) - 1
+    found = real_parts_of(
+        [units[:, None] * term / units for term in terms], oscillates=centre.imag != 0
+    )
+    matrices = [np.where(depends, array, 0.0)[:size] for array in found]
     return _ModeParts(centre, np.empty((0, size)), np.empty((0, size + 1)), matrices)
 
 
-def _record(
-    modes: list[_ModeParts], size: int
-) -> tuple[tuple[ModeShape, ...], np.ndarray, FactoredFlows]:
+def _record(modes: list[_ModeParts], size: int) -> NumericModes:
     modes = sorted(modes, key=lambda m: (m.centre != 0, m.centre.imag, m.centre.real))
     parts = []
     for mode in modes:
@@ -201,13 +191,10 @@ def _record(
     shapes = mode_shapes(parts)
     matrices = [matrix for mode in modes for matrix in mode.matrices]
     exponents = np.array([(mode.centre.real, mode.centre.imag) for mode in modes])
-    return (
+    flows = FactoredFlows(
         shapes,
-        exponents,
-        FactoredFlows(
-            shapes,
-            np.array(matrices).reshape(-1, size, size + 1),
-            np.vstack([mode.left for mode in modes]),
-            np.vstack([mode.right for mode in modes]),
-        ),
+        np.array(matrices).reshape(-1, size, size + 1),
+        np.vstack([mode.left for mode in modes]),
+        np.vstack([mode.right for mode in modes]),
     )
+    return NumericModes(shapes, exponents, flows)

@@ -16,6 +16,11 @@ rounded once. A cluster of few eigenvalues is then Newton's interpolation of the
     sum_k e[p_0, ..., p_k] (B - p_0) ... (B - p_(k-1)) P,
 
 a chain of modes that is exact at all times; one of more is the series.
+
+The first of these ways that succeeds is taken: `simple_modes`, for a whole stack of fields at once;
+`driven_modes`, where only what drives the structure has equal eigenvalues; from `LARGE` states on
+`large_modes` in place of both; `eigenvalue_clusters` in doubles, and last in the many digits of
+`projectors`.
 """
 
 from __future__ import annotations
@@ -26,17 +31,17 @@ from functools import cache, lru_cache
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.balancing import balanced, dependence
 from nonsmooth.runtime.model.driven_modes import driven_modes
 from nonsmooth.runtime.model.eigenvalue_clusters import (
     Cluster,
     eigenvectors_apart,
     precise_candidates,
+    real_parts_of,
     smallest_projectors,
 )
-from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
+from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
 from nonsmooth.runtime.model.large_modes import LARGE, large_modes
-from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
+from nonsmooth.runtime.model.natural_units import balanced, dependence, fall_rates, natural_units
 from nonsmooth.runtime.model.projectors import exponentials_at
 from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, simple_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
@@ -44,6 +49,7 @@ from nonsmooth.runtime.model.time_functions import functions_at
 
 __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 
+_ONE = mode_shapes([(1, False)])
 _FEW = 4  # for fewer fields it pays to remember their modes
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
 _LARGEST = 1e-7
@@ -109,10 +115,7 @@ def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
 @cache
 def no_modes(size: int) -> NumericModes:
     """A placeholder for unknown modes of a configuration: one mode, and NaN."""
-    exponents, flows = np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan)
-    for array in (exponents, flows):
-        array.flags.writeable = False
-    return NumericModes(mode_shapes([(1, False)]), exponents, flows)
+    return _unchanging(np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan))
 
 
 @cache
@@ -121,18 +124,22 @@ def standing_modes(size: int) -> NumericModes:
 
     It has one mode, with which the state stays constant.
     """
-    exponents, flows = np.zeros((1, 2)), np.eye(size, size + 1)[None]
-    for array in (exponents, flows):
+    return _unchanging(np.zeros((1, 2)), np.eye(size, size + 1)[None])
+
+
+def _unchanging(
+    exponents: np.ndarray, flows: Flows, shapes: tuple[ModeShape, ...] = _ONE
+) -> NumericModes:
+    """Modes that are shared, by default one: nobody may write into their arrays."""
+    for array in (exponents, *arrays_of(flows)):
         array.flags.writeable = False
-    return NumericModes(mode_shapes([(1, False)]), exponents, flows)
+    return NumericModes(shapes, exponents, flows)
 
 
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
 def _numeric_modes(content: bytes, size: int, rate: float) -> NumericModes:
     found = _found(np.frombuffer(content).reshape(size, size + 1), rate)
-    for array in (found.exponents, *arrays_of(found.flows)):
-        array.flags.writeable = False
-    return found
+    return _unchanging(found.exponents, found.flows, found.shapes)
 
 
 def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
@@ -167,7 +174,7 @@ def _found_in_natural_units(field: np.ndarray) -> NumericModes:
     # a change of units keeps powers of two exact
     scaled, units = (part[0] for part in balanced(whole[None]))
     if size >= LARGE and (large := large_modes(scaled, units, dependence(whole[None])[0])):
-        return NumericModes(*large)
+        return large
     shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
     flows = np.where(dependence(whole[None])[0], units[:, None] * terms / units, 0.0)[:, :size]
     return NumericModes(shapes, exponents, flows)
@@ -186,9 +193,7 @@ def _modes_of(clusters: list[Cluster]) -> NumericModes:
             terms += factors
             continue
         oscillates = cluster.centre.imag > 0
-        for k, term in enumerate(cluster.terms):
-            part = term / math.factorial(k)
-            terms += [2 * part.real, -2 * part.imag] if oscillates else [part.real]
+        terms += real_parts_of(cluster.terms, oscillates=oscillates)
         exponents.append(cluster.centre)
         shapes.append((len(cluster.terms), oscillates, False, False))
     pairs = np.array([(pole.real, pole.imag) for pole in exponents])

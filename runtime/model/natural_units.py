@@ -7,6 +7,8 @@ drive has the unit of its response, and a state that drives others the largest u
 them respond by no more than theirs. So the modes of a motion, and all comparisons on the way to
 them, are the same in whatever units of length, time and mass a system is declared, but for a
 factor below two; a change of units by powers of two changes no bit of them.
+
+Which states depend on which, and the balancing of matrices alone, stand here too.
 """
 
 from __future__ import annotations
@@ -16,14 +18,66 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.balancing import balanced, dependence
-from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows, arrays_of
 from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.model.time_functions import function_orders
 
-__all__ = ["NaturalUnits", "fall_rates", "natural_units"]
+__all__ = ["NaturalUnits", "balanced", "dependence", "fall_rates", "natural_units"]
 
+_SWEEPS = 40  # of balancing
 _LARGEST = 2.0**500  # a unit beyond it, or below its inverse, is none
+
+
+def balanced(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Balance matrices (n, m, m): the scaled matrices and the units (n, m) of their coordinates.
+
+    The units are powers of two, ``scaled = matrices * units[:, None] / units[:, :, None]``, and
+    make rows and columns similar in size (Parlett and Reinsch, 1969), for all matrices at once.
+    """
+    scaled, units = matrices.copy(), np.ones(matrices.shape[:2])
+    for _ in range(_SWEEPS):
+        sizes = np.abs(scaled)
+        if (_factors(sizes.max(axis=1), sizes.max(axis=2)) == 1).all():
+            break
+        for i in range(matrices.shape[-1]):
+            column, row = np.abs(scaled[:, :, i]).max(axis=1), np.abs(scaled[:, i]).max(axis=1)
+            factor = _factors(column, row)
+            if (factor != 1).any():
+                units[:, i] *= factor
+                scaled[:, i] /= factor[:, None]
+                scaled[:, :, i] *= factor[:, None]
+    return scaled, units
+
+
+def _factors(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Powers of two by which a unit grows, from the largest entries of its columns and rows."""
+    told = (columns > 0) & (rows > 0) & np.isfinite(columns) & np.isfinite(rows)
+    # a factor f turns them into f column and row / f: of like size for f^2 = row / column
+    exponents = np.frexp(np.where(told, rows / np.where(told, columns, 1.0), 1.0))[1]
+    factors = np.where(told, np.ldexp(1.0, exponents // 2), 1.0)
+    better = factors * columns + rows / factors < 0.95 * (columns + rows)
+    return np.asarray(np.where(better, factors, 1.0))
+
+
+def dependence(matrices: np.ndarray) -> np.ndarray:
+    """A bool (n, m, m) for each entry: whether polynomials of the matrix may be nonzero there.
+
+    Where it is False, one state does not depend on the other (a forcing on the structure, for
+    example), and the entry is exactly zero, not only up to rounding.
+    """
+    patterns = matrices != 0
+    if (patterns == patterns[:1]).all():
+        return np.broadcast_to(_closure(patterns[0].tobytes(), len(patterns[0])), patterns.shape)
+    return np.stack([_closure(pattern.tobytes(), len(pattern)) for pattern in patterns])
+
+
+@lru_cache(maxsize=4096)
+def _closure(content: bytes, size: int) -> np.ndarray:
+    pattern = np.frombuffer(content, dtype=bool).reshape(size, size)
+    reached = (pattern | np.eye(size, dtype=bool)).astype(np.float32)  # for the products' sake
+    for _ in range(size.bit_length()):
+        reached = (reached @ reached > 0).astype(np.float32)
+    return np.asarray(reached > 0)
 
 
 class NaturalUnits(NamedTuple):
@@ -66,10 +120,9 @@ class NaturalUnits(NamedTuple):
 
     def flows_of_one(self, shapes: tuple[ModeShape, ...], flows: Flows) -> Flows:
         """Flows of a single motion in natural units, converted to the units of its field."""
-        if isinstance(flows, FactoredFlows):
-            arrays = (flows.matrices[None], flows.left[None], flows.right[None])
-            return FactoredFlows(shapes, *(part[0] for part in self.flows(shapes, arrays)))
-        return np.asarray(self.flows(shapes, (flows[None],))[0][0])
+        found = self.flows(shapes, tuple(part[None] for part in arrays_of(flows)))
+        matrices, *factors = (part[0] for part in found)
+        return FactoredFlows(shapes, matrices, *factors) if factors else matrices
 
 
 class _Blocks(NamedTuple):

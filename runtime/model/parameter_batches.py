@@ -24,7 +24,6 @@ from nonsmooth.runtime.model.parameters import (
 
 __all__ = [
     "Batch",
-    "check_arrays",
     "complete_arrays",
     "complete_batch",
     "parameter_array",
@@ -124,20 +123,6 @@ def parameter_array(name: str, given: Any) -> np.ndarray:
         raise InputError(f"parameter {name}: {error}") from None
 
 
-def check_arrays(kernels: SystemKernels, parameters: Mapping[str, Any]) -> None:
-    """Raise the errors of `parameter_points` early, before work that takes long."""
-    check_names(kernels, parameters)
-    _common_shape({name: parameter_array(name, given) for name, given in parameters.items()})
-
-
-def _common_shape(arrays: Mapping[str, np.ndarray]) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
-    except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
-        raise InputError(f"the parameters do not broadcast: {shapes}") from None
-
-
 def parameter_points(
     kernels: SystemKernels, parameters: Mapping[str, Any]
 ) -> tuple[np.ndarray, tuple[int, ...]]:
@@ -157,7 +142,11 @@ def parameter_points(
         arrays[name] = np.where(in_domains(table, array), array, np.nan)
     if not arrays:  # a declaration in numbers alone
         return np.empty((1, 0)), ()
-    shape = _common_shape(arrays)
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise InputError(f"the parameters do not broadcast: {shapes}") from None
     joined = [np.broadcast_to(array, shape) for array in arrays.values()]
     points = np.stack([array.ravel() for array in joined], axis=-1)
     columns = dict(zip(tables, points.T, strict=True))

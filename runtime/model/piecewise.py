@@ -87,23 +87,15 @@ def piecewise_at(
     `InputError` where double precision does not tell the modes from each other.
     """
     values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
-    fields, rows, resets = (part[0] for part in _evaluated(kernels, point[None]))
+    tables = [part[0] for part in _evaluated(kernels, point[None])]
     structure = structure_of(kernels)
     if structure.modes is not None:
-        exponents, flows = (part[0] for part in _closed_modes(kernels, point[None]))
-        return _record(structure, values, fields, rows, resets, exponents, flows)
-    found = _numeric(structure, fields, rows, visited)
+        stacked = (part[0] for part in _closed_modes(kernels, point[None]))
+        return _record(structure, values, tables, *_cut(structure, *stacked))
+    found = _numeric(structure, tables[0], tables[1], visited)
+    _, exponents, flows = zip(*found, strict=True)
     structure = structure.with_modes(tuple(modes.shapes for modes in found))
-    size = len(structure.states)
-    return PiecewiseLinear(
-        structure,
-        values,
-        fields.reshape(-1, size, size + 1),
-        rows,
-        resets.reshape(-1, size, size + 1),
-        tuple(modes.exponents for modes in found),
-        tuple(modes.flows for modes in found),
-    )
+    return _record(structure, values, tables, exponents, flows)
 
 
 class PointGroup(NamedTuple):
@@ -234,20 +226,16 @@ def piecewise_in(
     values = system_parameters(kernels, parameters)
     numbers = {name: lib.number(value) for name, value in values.items()}
     point = list(numbers.values())
-    fields, rows, resets = (
+    tables = [
         _objects(kernels.source(kernel)(point, lib=lib)) for kernel in ("fields", "rows", "resets")
-    )
+    ]
     if structure.modes is None:
-        size = len(structure.states)
-        fields, resets = (part.reshape(-1, size, size + 1) for part in (fields, resets))
-        return PiecewiseLinear(structure, values, fields, rows, resets, (), ())
+        return _record(structure, values, tables)
     spectrum, _ = kernels.source("spectrum")(
         [numbers[name] for name in kernels.table["spectrum_parameters"]], lib=lib
     )
-    exponents, flows = (
-        _objects(part) for part in kernels.source("modes")(point, spectrum, lib=lib)
-    )
-    return _record(structure, values, fields, rows, resets, exponents, flows)
+    stacked = map(_objects, kernels.source("modes")(point, spectrum, lib=lib))
+    return _record(structure, values, tables, *_cut(structure, *stacked))
 
 
 def tables_at(
@@ -287,26 +275,28 @@ def _objects(rows: Sequence[Sequence[Any]]) -> np.ndarray:
     return array
 
 
+def _cut(
+    structure: Structure, exponents: np.ndarray, flows: np.ndarray
+) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Exponents and flows of each configuration, from arrays in which all of them are stacked."""
+    size = len(structure.states)
+    ends = np.cumsum([0, *map(len, structure.shapes)])
+    stops = np.cumsum([0, *structure.functions]) * size
+    return (
+        [exponents[a:b].copy() for a, b in pairwise(ends)],
+        [flows[a:b].copy().reshape(-1, size, size + 1) for a, b in pairwise(stops)],
+    )
+
+
 def _record(
     structure: Structure,
     values: dict[str, Value],
-    fields: np.ndarray,
-    rows: np.ndarray,
-    resets: np.ndarray,
-    exponents: np.ndarray,
-    flows: np.ndarray,
+    tables: Sequence[np.ndarray],
+    exponents: Iterable[np.ndarray] = (),
+    flows: Iterable[Flows] = (),
 ) -> PiecewiseLinear:
-    """The system at one point, from arrays in which all configurations are stacked."""
+    """The system at one point; fields and resets of all configurations are stacked in `tables`."""
     size = len(structure.states)
-    counts = [len(modes) for modes in structure.shapes]
-    ends = np.cumsum([0, *counts])
-    stops = np.cumsum([0, *structure.functions]) * size
-    return PiecewiseLinear(
-        structure,
-        values,
-        fields.reshape(-1, size, size + 1),
-        rows,
-        resets.reshape(-1, size, size + 1),
-        tuple(exponents[a:b].copy() for a, b in pairwise(ends)),
-        tuple(flows[a:b].copy().reshape(-1, size, size + 1) for a, b in pairwise(stops)),
-    )
+    fields, rows, resets = tables
+    fields, resets = (part.reshape(-1, size, size + 1) for part in (fields, resets))
+    return PiecewiseLinear(structure, values, fields, rows, resets, tuple(exponents), tuple(flows))

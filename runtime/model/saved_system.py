@@ -19,8 +19,9 @@ from types import ModuleType
 from typing import Any, Literal
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.model.contacts.law import ContactRows
+from nonsmooth.runtime.model.expressions import Function, written
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
     ParameterTable,
@@ -98,24 +99,10 @@ class ContactEntries:
 
 
 @dataclass(frozen=True, kw_only=True)
-class LawContactEntries:
-    """Rows of a contact of the law."""
-
-    name: str
-    friction: bool
-    relative: int
-    gap: int
-    static: int
-    kinetic: int
-    slipping: int
-    overshooting: int
-
-
-@dataclass(frozen=True, kw_only=True)
 class LawEntries:
     """The law of coupled contacts."""
 
-    contacts: tuple[LawContactEntries, ...]
+    contacts: tuple[ContactRows, ...]
     coupling: tuple[tuple[int, ...], ...]
     couples: tuple[tuple[bool, ...], ...]
     regimes: Mapping[str, tuple[str, ...]]

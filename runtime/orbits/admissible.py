@@ -21,9 +21,13 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import LONGEST_PHASE, BoundaryCurve
-from nonsmooth.runtime.events.linear_motions import AlongMotion, LinearMotion
-from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
+from nonsmooth.runtime.events.guaranteed_maxima import (
+    LONGEST_PHASE,
+    AlongMotion,
+    BoundaryCurve,
+    LinearMotion,
+    TrigonometricSum,
+)
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit

@@ -19,7 +19,6 @@ from nonsmooth.runtime.model.completion import check_names
 from nonsmooth.runtime.model.kernel_records import OrbitKernels, ParameterTable, SavedTable
 from nonsmooth.runtime.model.kernels import kernels_of_many
 from nonsmooth.runtime.model.parameter_batches import (
-    check_arrays,
     parameter_array,
     parameter_points,
 )
@@ -382,7 +381,7 @@ def solve_declared_many(
     """
     _check(kernels, ": give its system, the itinerary and a guess")
     values = {**kernels.table["reference"]["parameters"], **parameters}
-    check_arrays(kernels.system, values)  # kernels are not compiled for a slip of the pen
+    parameter_points(kernels.system, values)  # kernels are not compiled for a slip of the pen
     own = declared_kernels(kernels)
     options: Any = {"admissibility": admissibility, "threads": threads}
     if own is None:

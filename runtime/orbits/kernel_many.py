@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.threads import in_parallel
+from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, compiled_for
 from nonsmooth.runtime.model.parameter_batches import Batch, complete_arrays, complete_batch
 from nonsmooth.runtime.model.parameters import constrained, in_domains

@@ -14,8 +14,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.quadrature import composite_rule
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_maxima
+from nonsmooth.runtime.model.flows import composite_rule
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.impact_losses import impact_losses

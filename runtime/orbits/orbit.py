@@ -12,8 +12,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.orbits.derivatives import (

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:

@@ -18,6 +18,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.first_crossing import first_crossing
+from nonsmooth.runtime.events.guaranteed_maxima import largest_between
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
 from nonsmooth.runtime.events.phase_numbers import ConfigurationTable
 from nonsmooth.runtime.events.transition_choice import Decider, choose
@@ -26,7 +27,6 @@ from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, numbers_at, piecewise_at
-from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.orbits.admissible import (
     MOST_MISSED,
     NEITHER,
@@ -49,7 +49,6 @@ from nonsmooth.runtime.simulation.engines import run_motions
 __all__ = ["CHUNK", "assess_cycle", "first_limits", "limits_at"]
 
 _EPSILON = float(np.finfo(float).eps)
-_SAMPLES, _MOST_SAMPLES = 16, 20_000  # a radian, and altogether
 _SLOWEST = float(np.finfo(float).tiny)
 _SIZES = 9  # instants of a phase at which the sizes of its states are taken
 CHUNK = 1 << 11  # points whose numbers are in memory at once
@@ -95,7 +94,7 @@ def assess_cycle(
             floor = rounding + float(noise[shape.row])
             crossing = first_crossing(function.raised(-floor), duration)
             if crossing.time is not None:
-                time, excess = _maximum(function, crossing.time, duration)
+                excess, time = largest_between(function, crossing.time, duration)
                 found = Violation(place, name, shape.name, float(begins[place]) + time, excess)
                 violations.append(found)
         for reached in sorted(cycle.transitions[place].boundaries):
@@ -108,25 +107,6 @@ def assess_cycle(
             last = cycle.itinerary[place][1]
             violations.append(Violation(place, name, last, float(begins[place + 1]), 0.0))
     return Admissibility(not violations, tuple(violations), ())
-
-
-def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[float, float]:
-    """Return where a function that has crossed zero is largest, and its value there."""
-    from scipy.optimize import minimize_scalar
-
-    angle = function.fastest * (last - first)
-    times = np.linspace(first, last, int(min(64 + _SAMPLES * angle, _MOST_SAMPLES)))
-    values = [function(time) for time in times.tolist()]
-    best = int(np.argmax(values))
-    low, high = times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)]
-    if low < high:
-        found = minimize_scalar(
-            lambda time: -function(time), bounds=(low, high), method="bounded",
-            options={"xatol": 1e-12 * high},
-        )  # fmt: skip
-        if -found.fun > values[best]:
-            return float(found.x), float(-found.fun)
-    return float(times[best]), float(values[best])
 
 
 def _noise(

@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import eigenvalues
-from nonsmooth.runtime.core.threads import in_parallel
+from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at

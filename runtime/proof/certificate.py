@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure

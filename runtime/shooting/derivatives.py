@@ -13,9 +13,9 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.matrices import exponentials
-from nonsmooth.runtime.model.balancing import balanced
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.kernels import compiled_engine
+from nonsmooth.runtime.model.natural_units import balanced
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, shooting_map
 

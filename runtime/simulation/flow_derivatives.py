@@ -18,9 +18,8 @@ from typing import Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.core.quadrature import composite_rule
 from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
-from nonsmooth.runtime.model.flows import functions_of, parts_of
+from nonsmooth.runtime.model.flows import composite_rule, functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.showing import Shown
-from nonsmooth.runtime.core.threads import thread_pool
+from nonsmooth.runtime.core.parallel import thread_pool
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, grown, kernels_of

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from nonsmooth import InputError
-from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 
 GRID = BoxGrid((-2, -1), (-3, 2), (7, 5))
 

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 
 
 def divided(seed, exponents=(-1, 0), first=(-3, 2), counts=(4, 3), times=3):

@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
-from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.expressions import Function, written
 from tests.exponentials import Factor, error, exact, forced, largest_root, periods, repeated
 
 BALLS = Balls()

@@ -28,7 +28,7 @@ from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.core.vectorised import vectorised
+from nonsmooth.runtime.model.kernels import SystemKernels
 from tests.latex_reader import written_of
 from tests.places import CHECKOUT
 
@@ -257,8 +257,7 @@ def test_compiled_kernels_are_the_numpy_ones(system: str, kernel: str) -> None:
     arrays = arrays_for(system, kernel, 7)
     module = MODULES[system]
     shapes = [shape for _, shape in module.KERNELS[kernel][1]]
-    inputs = [shape for shape, _ in module.KERNELS[kernel][0]]
-    plain = vectorised(getattr(module, kernel), inputs, shapes)(*arrays)
+    plain = SystemKernels(system, module, None).function(kernel)(*arrays)
     compiled = outputs(built(system, kernel)(*arrays))
     for a, b in zip(outputs(plain), compiled, strict=True):
         close_in_ulps(a, b)

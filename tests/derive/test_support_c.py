@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
+from nonsmooth.runtime.events.guaranteed_maxima import TrigonometricSum
 from tests.places import CHECKOUT
 
 compiler = shutil.which("gcc") or shutil.which("cc")

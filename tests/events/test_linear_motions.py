@@ -12,8 +12,7 @@ import pytest
 from flint import arb, arb_mat, ctx
 
 from nonsmooth import InputError
-from nonsmooth.runtime.events.linear_motions import AlongMotion, LinearMotion
-from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
+from nonsmooth.runtime.events.guaranteed_maxima import AlongMotion, LinearMotion, TrigonometricSum
 from tests.places import CHECKOUT
 
 compiler = shutil.which("gcc") or shutil.which("cc")

@@ -9,8 +9,12 @@ from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.events.guaranteed_maxima import CurveSamples, largest
-from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
+from nonsmooth.runtime.events.guaranteed_maxima import (
+    Cells,
+    CurveSamples,
+    TrigonometricSum,
+    largest,
+)
 
 amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
 laws = settings(deadline=None, derandomize=True, max_examples=200)
@@ -256,6 +260,6 @@ def test_a_maximum_is_exceeded_by_no_more_than_the_slack(slack, cells):
         values, slopes, _ = (np.array(part) for part in zip(*map(jet, times), strict=True))
         excess = np.full(cells, (3 / cells) ** 4 / 144)
         samples = CurveSamples(values, times, slopes)
-        found = largest(samples, excess, lambda cell, jet=jet: jet, slack, -math.inf)
+        found = largest(Cells(samples, excess, lambda cell, jet=jet: jet), slack, -math.inf)
         assert 1 - slack <= found.value <= 1
         assert found.value == jet(found.time)[0]

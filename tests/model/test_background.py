@@ -62,7 +62,8 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache folder of the test's own, and a process that knows nothing yet."""
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
-    for name in ("_MODULES", "_FILES", "_LIBRARIES"):
+    monkeypatch.setattr(loading, "_MODULES", caching.Modules(9))
+    for name in ("_FILES", "_LIBRARIES"):
         monkeypatch.setattr(loading, name, {})
     loading._file.cache_clear()
     return tmp_path / "cache"

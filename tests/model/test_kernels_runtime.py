@@ -127,17 +127,10 @@ def test_an_unknown_orbit_is_answered_with_those_that_exist(name):
     assert "\n" not in str(caught.value)
 
 
-def test_an_unknown_configuration_is_answered_with_the_nearest():
-    with pytest.raises(InputError, match="'slip-stuck'; did you mean 'slip-stick'"):
-        load_system(SYSTEM).flow("slip-stuck", np.ones(7) / 2, 1.0, np.ones(4))
-
-
-@pytest.mark.parametrize(
-    ("parameters", "state"), [(np.ones(6) / 2, np.ones(4)), (np.ones(7) / 2, np.ones(3))]
-)
-def test_arrays_of_a_wrong_length_are_refused(parameters, state):
-    with pytest.raises(ValueError, match=r"7|4"):
-        load_system(SYSTEM).flow("slip-slip", parameters, 1.0, state)
+@pytest.mark.parametrize("count", [6, 8])
+def test_arrays_of_a_wrong_length_are_refused(count):
+    with pytest.raises(ValueError, match="7"):
+        load_system(SYSTEM).evaluate("fields", np.ones(count) / 2)
 
 
 # --- generated files that are not what was generated
@@ -240,6 +233,15 @@ def drawn_flows(name, configuration):
         yield [*values.values()], state, *times, stop_generator(configuration, values)
 
 
+def flowed(system, configuration, parameters, time, state):
+    """The state after a time in a configuration, by the kernel of its flow."""
+    names = [p.name for p in system.parameters]
+    places = [names.index(name) for name in system.table["spectrum_parameters"]]
+    spectrum = system.evaluate("spectrum", parameters[..., places], outputs=1)
+    kernel = f"flow_{configuration.replace('-', '_')}"
+    return system.evaluate(kernel, parameters, spectrum, time, state)
+
+
 @pytest.mark.parametrize(
     ("name", "configuration"),
     [
@@ -255,7 +257,7 @@ def test_flows_are_matrix_exponentials_and_form_a_group(name, configuration):
     for parameters, state, first, second, matrix in drawn_flows(name, configuration):
 
         def flow(time, start, parameters=parameters):
-            return system.flow(configuration, np.array(parameters), time, start)
+            return flowed(system, configuration, np.array(parameters), time, start)
 
         found = flow(first, state)
         expected = expm(matrix * first) @ [*state, 1]
@@ -285,11 +287,11 @@ def test_flows_broadcast():
     system, (values, state, _, _) = load_system(SYSTEM), next(draws(33, 1))
     parameters = np.array([values[n] for n in PHYSICAL])
     times = np.linspace(0, 3, 7)
-    together = system.flow("slip-slip", parameters, times, state)
+    together = flowed(system, "slip-slip", parameters, times, state)
     assert together.shape == (7, 4)
     for time, row in zip(times, together, strict=True):
-        assert_allclose(system.flow("slip-slip", parameters, time, state), row, atol=1e-15)
-    stacked = system.flow("slip-slip", np.stack([parameters] * 3)[:, None], times, state)
+        assert_allclose(flowed(system, "slip-slip", parameters, time, state), row, atol=1e-15)
+    stacked = flowed(system, "slip-slip", np.stack([parameters] * 3)[:, None], times, state)
     assert stacked.shape == (3, 7, 4)
     assert_allclose(stacked, np.broadcast_to(together, (3, 7, 4)), atol=1e-15)
 

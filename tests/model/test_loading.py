@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import gc
+import itertools
 import linecache
 import math
 import os
@@ -18,7 +19,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import nonsmooth
 from nonsmooth import InputError, simulate, solve
@@ -30,7 +30,6 @@ from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.loading import caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.declared import declaration_in
-from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
 from tests.user_systems import DAMPED, KICKED, declare
 
 
@@ -45,7 +44,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def forget(monkeypatch: pytest.MonkeyPatch) -> None:
     """As in a new process."""
-    monkeypatch.setattr(loading, "_MODULES", {})
+    monkeypatch.setattr(loading, "_MODULES", caching.Modules(9))
     monkeypatch.setattr(loading, "_FILES", {})
     loading._file.cache_clear()
 
@@ -181,18 +180,6 @@ def test_a_damped_system_has_flows_and_no_table_of_modes(tmp_path: Path) -> None
     fields = kernels.evaluate("fields", [[3.0, 0.5], [7.0, 0.5]]).reshape(2, 2, 2, 3)
     expected = [[0, 1, 0], [-3, -1, 0]], [[0, 1, 0], [-4, 0, 0]]
     np.testing.assert_array_equal(fields[0], expected)
-
-
-def test_a_flow_without_a_closed_form_is_the_integrated_one(tmp_path: Path) -> None:
-    kernels = load_system(str(declare(tmp_path, DAMPED)))
-    start, times = [0.3, -1.2], [0.4, 2.5]
-    for configuration, damping, stiffness in (("right", 1, 3), ("left", 0, 4)):
-        found = kernels.flow(configuration, [3.0, 0.5], times, start)
-        motion = solve_ivp(
-            lambda _, y, c=damping, k=stiffness: [y[1], -c * y[1] - k * y[0]],
-            (0, 3), start, "DOP853", t_eval=times, rtol=1e-12, atol=1e-14,
-        )  # fmt: skip
-        np.testing.assert_allclose(found, motion.y.T, rtol=1e-10)
 
 
 def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -> None:
@@ -526,18 +513,20 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
 def test_memory_does_not_grow_with_what_was_loaded() -> None:
     """Sixteen systems more take less than their texts: these are kept packed."""
     text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))
-    known, lines = Modules(4), len(linecache.cache)
+    known, lines, numbers = caching.Modules(4), len(linecache.cache), itertools.count()
 
     def held(count: int) -> int:
         """Bytes that so many more of them take, the last four among them; not other threads'."""
         gc.collect()
         tracemalloc.start()
-        for number in range(len(known), len(known) + count):
-            known[str(number)] = module_of_text(text.replace("{0}", str(number)), f"<m{number}>")
+        for _ in range(count):
+            number = str(next(numbers))
+            known.add(number, text.replace("{0}", number), f"<m{number}>")
+            assert int(number) == known[number].VALUE
         gc.collect()
         snapshot = tracemalloc.take_snapshot()
         tracemalloc.stop()
-        places = (str(sys.modules[Modules.__module__].__file__), __file__, "<m*>")
+        places = (str(sys.modules[caching.Modules.__module__].__file__), __file__, "<m*>")
         taken = snapshot.filter_traces([tracemalloc.Filter(True, place) for place in places])
         return sum(trace.size for trace in taken.traces)
 
@@ -550,7 +539,7 @@ def test_memory_does_not_grow_with_what_was_loaded() -> None:
 def test_what_is_packed_solves_and_tells_its_lines(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(loading, "_MODULES", Modules(1))
+    monkeypatch.setattr(loading, "_MODULES", caching.Modules(1))
     one, other = (read(declare(tmp_path, text, f"{k}.py")).system
                   for k, text in (("one", KICKED), ("other", DAMPED)))  # fmt: skip
     name = load_system(one).name

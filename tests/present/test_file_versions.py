@@ -14,8 +14,8 @@ import pytest
 
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.explore.charting.held_orbits import HeldOrbit
 from nonsmooth.runtime.explore.charting.store import FORMAT
-from nonsmooth.runtime.model.saved_orbit import HeldOrbit
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system

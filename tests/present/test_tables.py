@@ -9,8 +9,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from tests.cli.terminal import on_terminal
 from tests.cli.test_cli import run
 from tests.places import GALLERY

@@ -11,8 +11,15 @@ from flint import arb
 
 import nonsmooth as ns
 from nonsmooth import CertifiedDoubling, InputError, Interrupted
-from nonsmooth.runtime.core.taylor_averages import AT_BOTH_ENDS, BENT_MEAN, MEAN, averaged, lifted
-from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
+from nonsmooth.runtime.core.taylor_models import (
+    AT_BOTH_ENDS,
+    BENT_MEAN,
+    MEAN,
+    TaylorModel,
+    averaged,
+    lifted,
+    space_of,
+)
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.doubling.beside_flip import flip_with_direction

@@ -7,8 +7,7 @@ import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.checker.switching import StatedSection
-from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph

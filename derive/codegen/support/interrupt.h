@@ -21,7 +21,7 @@ static inline int nonsmooth_called_off(void)
     if (PyErr_CheckSignals() != 0)
         return 1;
     /* where the package is in use it knows which threads are called off */
-    PyObject *const name = PyUnicode_FromString("nonsmooth.runtime.core.threads");
+    PyObject *const name = PyUnicode_FromString("nonsmooth.runtime.core.parallel");
     PyObject *const module = name ? PyImport_GetModule(name) : NULL;
     Py_XDECREF(name);
     if (!module)

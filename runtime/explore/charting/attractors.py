@@ -11,14 +11,14 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS
 from nonsmooth.runtime.explore.charting.grid import Block, Grid
+from nonsmooth.runtime.explore.charting.held_orbits import held_text, kernels_held
 from nonsmooth.runtime.explore.charting.problem import MISSING, Variable, fixed_values, table_hash
 from nonsmooth.runtime.explore.finding.settled import settled, settled_texts
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, load_system
-from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
+from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 

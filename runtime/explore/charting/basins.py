@@ -24,9 +24,9 @@ from nonsmooth.runtime.explore.finding.basins import (
 from nonsmooth.runtime.explore.finding.found import Found, label_names
 from nonsmooth.runtime.explore.finding.outcomes import Attractors
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
+from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.units import units_of
 
 __all__ = ["BasinProblem", "basin_problem", "held_basin_problem", "is_found"]
 

@@ -12,6 +12,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS
 from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts, solve_block
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
+from nonsmooth.runtime.explore.charting.held_orbits import held_text, kernels_held
 from nonsmooth.runtime.explore.charting.problem import (
     MISSING,
     Variable,
@@ -26,9 +27,8 @@ from nonsmooth.runtime.model.kernels import (
     load_orbit,
     uncompiled,
 )
-from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
+from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_system import named
-from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
 from nonsmooth.runtime.orbits.declared_many import (
     DeclaredKernels,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from itertools import islice
 
-from nonsmooth.runtime.core.threads import thread_pool
+from nonsmooth.runtime.core.parallel import thread_pool
 
 __all__ = ["run_threads"]
 

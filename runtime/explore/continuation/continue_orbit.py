@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.locating import (

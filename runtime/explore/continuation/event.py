@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
 __all__ = ["Event"]

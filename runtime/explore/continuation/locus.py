@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.orbits.orbit import Orbit
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
 from nonsmooth.runtime.explore.design.largest import is_largest_of_several

@@ -10,8 +10,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyTable, BlankDigits, BlankText, Integers, Row
-from nonsmooth.runtime.core.resuming import check_same_question
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.explore.finding.outcomes import Outcome

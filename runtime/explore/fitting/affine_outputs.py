@@ -15,7 +15,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.expressions import Function
+from nonsmooth.runtime.model.expressions import Function
 from nonsmooth.runtime.model.structure import Structure
 
 __all__ = ["Output", "affine_row", "output_of"]

@@ -11,8 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Row, Table
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.fitting.measurements import MeasuredSeries
 from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing, nearest

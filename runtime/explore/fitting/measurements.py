@@ -14,7 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyRow, Integers, Row
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
 from nonsmooth.runtime.explore.fitting.response_quantities import KINDS, response_quantity
 from nonsmooth.runtime.explore.fitting.tables import TIMES, read_table

@@ -18,11 +18,11 @@ import numpy as np
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
-from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
 from nonsmooth.runtime.explore.fitting.table_changes import table_changes
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
+from nonsmooth.runtime.simulation.extremes import local_maxima
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

@@ -13,10 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.archives import DAMAGED, array_in
 from nonsmooth.runtime.core.errors import InputError, missing_extra
 from nonsmooth.runtime.core.files import read_file
-from nonsmooth.runtime.core.result_files import naming
+from nonsmooth.runtime.core.result_files import DAMAGED, array_in, naming
 
 __all__ = ["ENDINGS", "TIMES", "read_table"]
 

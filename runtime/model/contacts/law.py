@@ -13,7 +13,8 @@ HOLDING = ("stick", "contact")
 Regimes = tuple[str, ...]
 
 
-class ContactRows(NamedTuple):
+@dataclass(frozen=True, kw_only=True)
+class ContactRows:
     """A contact: its name, whether it has friction, and the rows of its functions."""
 
     name: str

@@ -38,8 +38,7 @@ from nonsmooth.runtime.model.loading.caching import (
     stored,
     stored_library,
 )
-from nonsmooth.runtime.model.loading.compiling import compile_files, compiler
-from nonsmooth.runtime.model.loading.extensions import load_extension
+from nonsmooth.runtime.model.loading.compiling import compile_files, compiler, load_extension
 
 __all__ = ["KernelLibrary", "build", "lacking"]
 

@@ -1,33 +1,41 @@
-"""What was derived and compiled, kept in the user's cache folder from one process to the next.
+"""What was derived and compiled, kept in a process, and in a cache folder from one to the next.
 
-What is kept is executed: a folder is used only if it belongs to the user and nobody else can
-write to it or put another in its place. The environment variable NONSMOOTH_CACHE names another
-folder; empty, it switches this off. The folder is kept below `MOST_BYTES`: what was not used for
-longest is removed.
+`Modules` are those that a process knows. What the user's folder keeps is executed: a folder is
+used only if it belongs to the user and nobody else can write to it or put another in its place.
+The environment variable NONSMOOTH_CACHE names another folder; empty, it switches this off. The
+folder is kept below `MOST_BYTES`: what was not used for longest is removed.
 """
 
 from __future__ import annotations
 
 import hashlib
+import linecache
 import os
 import re
 import shutil
 import stat
 import sys
 import time
+import weakref
+import zlib
 from collections.abc import Callable
 from contextlib import suppress
+from functools import lru_cache
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
+from threading import RLock
+from types import ModuleType
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import PARTIAL, read_file, write_file
 
 __all__ = [
     "MOST_BYTES",
+    "Modules",
     "cache_folder",
     "cached",
     "made_folder",
+    "module_of_text",
     "store_library",
     "stored",
     "stored_library",
@@ -215,3 +223,59 @@ def _checksum(text: str) -> str:
 
 def _digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()[:32]
+
+
+def module_of_text(text: str, file: str) -> ModuleType:
+    """Execute emitted text as a module; tracebacks call it `file` and show its lines."""
+    module = ModuleType("nonsmooth_emitted")
+    module.__file__ = file
+    lines = (len(text), None, text.splitlines(keepends=True), file)
+    linecache.cache[file] = lines
+    weakref.finalize(module, _forget, file, lines).atexit = False
+    exec(compile(text, file, "exec"), module.__dict__)
+    return module
+
+
+def _forget(file: str, lines: object) -> None:
+    """Drop the cached lines of a module that is gone, unless it was made again."""
+    if linecache.cache.get(file) is lines:
+        del linecache.cache[file]
+
+
+class Modules:
+    """Modules of emitted text by key: of those that were not used for longest the packed text.
+
+    None is forgotten, because a record may hold its key alone; a packed text takes a twentieth
+    of the module that it becomes again. At most `most` are kept as they are, and all those that
+    have no text.
+    """
+
+    def __init__(self, most: int) -> None:
+        self._lock = RLock()
+        self._packed: dict[str, tuple[str, bytes]] = {}
+        self._without_text: dict[str, ModuleType] = {}
+        self._made = lru_cache(most)(self._executed)
+
+    def __getitem__(self, key: str) -> ModuleType:
+        """The module of a key, executed again if only its text was kept."""
+        with self._lock:
+            return self._without_text.get(key) or self._made(key)
+
+    def __contains__(self, key: object) -> bool:
+        """Whether a key is known; no module is executed for the answer."""
+        return key in self._packed or key in self._without_text
+
+    def add(self, key: str, text: str, file: str) -> None:
+        """Keep a text, which `file` names in tracebacks."""
+        self._packed[key] = file, zlib.compress(text.encode())
+
+    def setdefault(self, key: str, module: ModuleType) -> ModuleType:
+        """The module of a key; if there is none, keep the given one, which has no text."""
+        with self._lock:
+            if key not in self:
+                self._without_text[key] = module
+            return self[key]
+
+    def _executed(self, key: str) -> ModuleType:
+        file, packed = self._packed[key]
+        return module_of_text(zlib.decompress(packed).decode(), file)

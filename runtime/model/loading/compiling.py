@@ -1,22 +1,24 @@
-"""Compiled kernels of emitted files."""
+"""Compiled kernels: made of emitted files, found in a folder, loaded."""
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import shlex
 import subprocess
 import sys
 import sysconfig
 from collections.abc import Mapping, Sequence
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import ModuleType
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, MissingExtra
-from nonsmooth.runtime.model.loading.extensions import extension_in
 
-__all__ = ["compile_files", "compiler"]
+__all__ = ["compile_files", "compiler", "extension_in", "load_extension"]
 
 # No contraction into fused multiply-adds: every build gives the same bits. No traps: loops that
 # choose between two results use vectors.
@@ -99,3 +101,22 @@ def _failure(command: Sequence[str], work: Path) -> str | None:
         raise MissingExtra("setuptools is not installed: pip install setuptools")
     wrong = [line for line in said if "error" in line] or said
     return wrong[-1] if wrong else f"{command[0]} fails"
+
+
+def extension_in(folder: Path) -> Path | None:
+    """The compiled kernels in a folder, if there are any."""
+    places = (folder / f"_kernels{suffix}" for suffix in EXTENSION_SUFFIXES)
+    return next((path for path in places if path.is_file()), None)
+
+
+def load_extension(library: Path) -> ModuleType | None:
+    """The compiled kernels in a file; None where this Python cannot load them."""
+    spec = importlib.util.spec_from_file_location("nonsmooth_compiled._kernels", library)
+    if spec is None or spec.loader is None:
+        return None
+    try:
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+    except ImportError:
+        return None
+    return module

@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.files import (
     write_files,
 )
 from nonsmooth.runtime.core.result_files import parsed
-from nonsmooth.runtime.model.loading.extensions import extension_in
+from nonsmooth.runtime.model.loading.compiling import extension_in
 
 __all__ = ["COMMAND", "check_own_folder", "write_folder"]
 
@@ -42,7 +42,7 @@ def check_own_folder(folder: Path) -> None:
 
 
 def write_folder(
-    folder: Path, files: Mapping[str, str], library: Mapping[str, bytes] | None = None
+    folder: Path, files: Mapping[str, str], library: Mapping[str, bytes] | None
 ) -> list[Path]:
     """Write files into their folder and return those that changed.
 

@@ -21,9 +21,8 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.loading.caching import cached, stored
+from nonsmooth.runtime.model.loading.caching import cached, module_of_text, stored
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.loading.modules import module_of_text
 
 __all__ = [
     "NOT_VISITED",

@@ -18,14 +18,14 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.background import KernelLibrary
-from nonsmooth.runtime.model.loading.caching import cached, stored
+from nonsmooth.runtime.model.loading.caching import Modules, cached, module_of_text, stored
+from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
 from nonsmooth.runtime.model.loading.declared import (
     Declared,
     DeclaredOrbit,
     DeclaredSystem,
     declaration_in,
 )
-from nonsmooth.runtime.model.loading.extensions import extension_in, load_extension
 from nonsmooth.runtime.model.loading.growing import (
     GrowingDeclaration,
     Growth,
@@ -33,7 +33,6 @@ from nonsmooth.runtime.model.loading.growing import (
     growth_for,
     growth_of,
 )
-from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
 
 __all__ = [
     "Loaded",
@@ -73,11 +72,11 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
     key = system.fingerprint(tuple(orbits))
     name = f"{system.name}@{key}"
     if key not in _MODULES:
-        text = cached(key, lambda: system.source(tuple(orbits)))
-        _MODULES[key] = module_of_text(text, f"<{name}>")
-    for library in _libraries(key, _MODULES[key]):
+        _MODULES.add(key, cached(key, lambda: system.source(tuple(orbits))), f"<{name}>")
+    module = _MODULES[key]
+    for library in _libraries(key, module):
         library.declare(system, tuple(orbits))
-    return Loaded(name, _MODULES[key])
+    return Loaded(name, module)
 
 
 def _joined(
@@ -87,7 +86,7 @@ def _joined(
     return remember(Loaded(f"{name}@{key}", module))
 
 
-def load_grown(loaded: Loaded, visits: Iterable[Visit] = ()) -> Loaded:
+def load_grown(loaded: Loaded, visits: Iterable[Visit]) -> Loaded:
     """A system whose configurations are made at their first visit, with the given visits added.
 
     A visit is a configuration and the boundaries that are reached together in it. All other
@@ -125,7 +124,7 @@ def many_points_key(module: ModuleType) -> str | None:
     return None if library is None else library.key
 
 
-def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Loaded | None:
+def load_many_points(loaded: Loaded, orbit: str, key: str | None) -> Loaded | None:
     """Compiled kernels that solve a composed orbit at many points.
 
     If they do not exist yet it waits while they are derived and compiled. `loaded` is the
@@ -143,7 +142,7 @@ def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Load
         text = stored(library.key)
         if text is None:
             return None
-        _MODULES[library.key] = module_of_text(text, f"<{loaded.name}, many points>")
+        _MODULES.add(library.key, text, f"<{loaded.name}, many points>")
     module = _MODULES[library.key]
     whole = getattr(compiled, f"derivation_{library.stem}") == module.DERIVATION
     return Loaded(loaded.name, module, compiled) if whole and orbit in module.ORBITS else None
@@ -192,7 +191,7 @@ def load_named(name: str) -> Loaded | None:
                 f"the system {name} was declared in Python and is not known here:"
                 " hand over the System itself first, or declare it in a FILE.py"
             )
-        _MODULES[key] = module_of_text(text, f"<{name}>")
+        _MODULES.add(key, text, f"<{name}>")
     module = _MODULES[key]
     if not hasattr(module, "SAVED"):
         _libraries(key, module)

@@ -30,9 +30,9 @@ from nonsmooth.runtime.checker import (
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.json_codec import encode
-from nonsmooth.runtime.core.processes import check_workers
+from nonsmooth.runtime.core.parallel import check_workers
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.result_files import WRONG_SHAPE, FileFormat, parsed
-from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system

@@ -10,9 +10,16 @@ from typing import Annotated, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import AnyDigits, AnyTable, Digits, Table, encode, one_of
+from nonsmooth.runtime.core.json_codec import (
+    AnyDigits,
+    AnyTable,
+    Digits,
+    Table,
+    encode,
+    nan_as_null,
+    one_of,
+)
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.core.valid_json import nan_as_null
 from nonsmooth.runtime.explore.design.optimum import AIMS, ActiveLimit, Design, DesignCondition
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 

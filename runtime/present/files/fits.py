@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.core.json_codec import encode, nan_as_null
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.core.valid_json import nan_as_null
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import DividedGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.result_files import FileFormat

@@ -21,11 +21,10 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.archives import DAMAGED, array_in
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, read_file, write_file
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
-from nonsmooth.runtime.core.result_files import FileFormat, naming, parsed
+from nonsmooth.runtime.core.result_files import DAMAGED, FileFormat, array_in, naming, parsed
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type, members_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 

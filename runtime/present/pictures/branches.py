@@ -17,8 +17,7 @@ from nonsmooth.runtime.explore.continuation.response import (
     system_of,
     usual_quantities,
 )
-from nonsmooth.runtime.model.naming import shown_name, symbol
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, symbol, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
     check_picture,

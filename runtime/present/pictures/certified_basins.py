@@ -8,8 +8,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import unknown_name
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.present.pictures.proven_maps import COLORS
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch

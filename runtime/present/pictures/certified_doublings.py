@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import unknown_name
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.certified_branches import draw_tiles, mark_events
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.present.pictures.proven_maps import COLORS

@@ -8,8 +8,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.classes import Part, parts_of, title_of
-from nonsmooth.runtime.model.naming import symbol
-from nonsmooth.runtime.model.units import with_unit
+from nonsmooth.runtime.model.naming import symbol, with_unit
 from nonsmooth.runtime.present.pictures.drawing import check_picture, finish
 
 if TYPE_CHECKING:

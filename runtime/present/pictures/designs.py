@@ -8,8 +8,7 @@ import numpy as np
 
 from nonsmooth.runtime.explore.continuation.response import system_of
 from nonsmooth.runtime.explore.design.around import along, along_branch
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
     check_picture,

@@ -12,8 +12,7 @@ from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
 from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedSeries
 from nonsmooth.runtime.explore.fitting.response_curves import response_curves
 from nonsmooth.runtime.model.kernels import known_system
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, finish
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

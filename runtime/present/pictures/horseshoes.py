@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 

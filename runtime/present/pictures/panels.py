@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.model.naming import shown_name, symbol
-from nonsmooth.runtime.model.units import NO_UNIT, Units, units_of, with_unit
+from nonsmooth.runtime.model.naming import NO_UNIT, Units, shown_name, symbol, units_of, with_unit
 from nonsmooth.runtime.orbits.motion import Motion, Samples
 from nonsmooth.runtime.present.pictures.drawing import (
     band_style,

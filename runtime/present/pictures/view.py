@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.naming import shown_name, symbol
-from nonsmooth.runtime.model.units import Units, units_of
+from nonsmooth.runtime.model.naming import Units, shown_name, symbol, units_of
 from nonsmooth.runtime.simulation.phase_functions import fastest
 
 if TYPE_CHECKING:

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.chaos.h_sets import HSet

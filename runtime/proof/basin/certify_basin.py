@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
-from nonsmooth.runtime.core.processes import check_workers, in_processes
-from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.parallel import check_workers, in_processes
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.start_box import start_box

@@ -9,8 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from nonsmooth.runtime.checker.exact import exact
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.proof.boxes.regions import (
     EventCurve,

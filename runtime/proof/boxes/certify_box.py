@@ -11,7 +11,7 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import DIGITS, BoxCertificate, Tile

@@ -8,8 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
 
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.branch.look import NOT_ADMISSIBLE, UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json

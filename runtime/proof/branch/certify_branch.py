@@ -10,7 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit

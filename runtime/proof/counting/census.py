@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.certificate import Certificate, orbit_json

@@ -19,14 +19,17 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.core.jets import jet, part_of
-from nonsmooth.runtime.core.taylor_averages import (
+from nonsmooth.runtime.core.taylor_models import (
     AT_BOTH_ENDS,
     BENT_MEAN,
     MEAN,
+    TaylorModel,
     averaged,
     lifted,
+    matrix,
+    middle_of,
+    space_of,
 )
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, space_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.branch.curve import (
     OrbitCurve,

@@ -8,8 +8,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.certificate import Stated, Unknown, balls_json, orbit_json
 

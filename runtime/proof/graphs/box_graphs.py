@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import DividedGrid
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.proof.sets.branching import Leaves
 

@@ -10,12 +10,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
-from nonsmooth.runtime.core.processes import check_workers, in_processes
-from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.parallel import check_workers, in_processes
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem

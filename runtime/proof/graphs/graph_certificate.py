@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 
 if TYPE_CHECKING:

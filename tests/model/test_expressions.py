@@ -14,10 +14,10 @@ from flint import fmpq
 
 from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
-from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.expressions import Function, written
 from nonsmooth.runtime.model.kernels import load_system
 from tests.two_masses import SYSTEMS
 

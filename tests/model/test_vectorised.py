@@ -1,9 +1,22 @@
 """Kernels over any arithmetic as functions of arrays."""
 
+from types import ModuleType
+
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.vectorised import filled, vectorised
+from nonsmooth.runtime.model.kernels import SystemKernels
+
+
+def function_of(kernel, inputs, outputs, compiled=None):
+    """A kernel as a function of arrays: that of a system made by hand, compiled or not."""
+    module, extension = ModuleType("by_hand"), ModuleType("compiled")
+    module.SYSTEM, module.kernel = {"name": "by-hand"}, kernel
+    module.KERNELS = {
+        "kernel": ([(shape, 0) for shape in inputs], [("result", shape) for shape in outputs])
+    }
+    setattr(extension, f"by_hand_kernel_{len(outputs)}", compiled)
+    return SystemKernels("by-hand", module, extension).function("kernel")
 
 
 def kernel(point, lib):
@@ -14,7 +27,7 @@ def kernel(point, lib):
 
 @pytest.fixture
 def function():
-    return vectorised(kernel, [(2,)], [(2, 3), ()])
+    return function_of(kernel, [(2,)], [(2, 3), ()])
 
 
 @pytest.mark.parametrize("shape", [(), (1,), (4,), (2, 3), (0,)])
@@ -55,14 +68,14 @@ def test_an_argument_of_another_shape_is_refused(function) -> None:
 )
 def test_one_result_is_no_tuple(result, shape) -> None:
     points = np.array([[0.5, 2.0], [3.0, -1.0], [0.25, 8.0]])
-    results = vectorised(lambda point, lib: result(*point), [(2,)], [shape])(points)
+    results = function_of(lambda point, lib: result(*point), [(2,)], [shape])(points)
     assert results.shape == (3, *shape)
     for point, one in zip(points, results, strict=True):
         np.testing.assert_array_equal(one, result(*point))
 
 
 def test_one_of_two_results_may_be_the_same_everywhere() -> None:
-    function = vectorised(lambda point, lib: ([1, 2], [point[0]]), [(1,)], [(2,), (1,)])
+    function = function_of(lambda point, lib: ([1, 2], [point[0]]), [(1,)], [(2,), (1,)])
     same, varying = function(np.array([[5.0], [6.0], [7.0]]))
     np.testing.assert_array_equal(same, [[1, 2]] * 3)
     np.testing.assert_array_equal(varying, [[5], [6], [7]])
@@ -70,7 +83,7 @@ def test_one_of_two_results_may_be_the_same_everywhere() -> None:
 
 @pytest.mark.parametrize("order", [slice(None), slice(None, None, -1), slice(None, None, 2)])
 def test_results_never_lie_in_the_memory_of_arguments(order) -> None:
-    function = vectorised(lambda point, lib: (point, point[0]), [(2,)], [(2,), ()])
+    function = function_of(lambda point, lib: (point, point[0]), [(2,)], [(2,), ()])
     points = np.random.default_rng(3).normal(size=(6, 2))
     before = points.copy()
     state, first = function(points[order])
@@ -86,8 +99,8 @@ def test_compiled_kernels_take_and_give_no_arrays_without_entries() -> None:
 
     x, y, nothing = np.ones((4, 2)), np.zeros((4, 3)), np.empty((4, 0))
     shapes = [(2,), (0,), (3,)]
-    first, none, second = filled(compiled, shapes, shapes)(x, nothing, y)
+    first, none, second = function_of(None, shapes, shapes, compiled)(x, nothing, y)
     assert first is x
     assert second is y
     assert none.shape == (4, 0)
-    assert filled(compiled, [(2,), (), (3,)], [()]) is compiled
+    assert function_of(None, [(2,), (), (3,)], [()], compiled) is compiled

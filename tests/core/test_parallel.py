@@ -5,7 +5,7 @@ import os
 import pytest
 
 from nonsmooth import InputError, NoConvergence
-from nonsmooth.runtime.core.processes import check_workers, in_processes
+from nonsmooth.runtime.core.parallel import check_workers, in_processes
 
 MULTIPLY = "(7).__mul__"
 PID = "lambda _: __import__('os').getpid()"

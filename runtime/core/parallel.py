@@ -1,7 +1,7 @@
-"""Work in processes beside this one: batches go out, and what is found comes back in their order.
+"""Work in threads and in processes, which ends when its caller is interrupted.
 
-A process is a new interpreter that is told by pickles what to do, so that nothing of the caller's
-program is run again in it.
+Compiled loops in threads end too. A process is a new interpreter that is told by pickles what to
+do, so that nothing of the caller's program is run again in it.
 """
 
 from __future__ import annotations
@@ -12,16 +12,71 @@ import subprocess
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from typing import IO, Any, NamedTuple, TypeVar
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 
-__all__ = ["check_workers", "in_processes", "serve"]
+__all__ = [
+    "check_called_off",
+    "check_workers",
+    "in_parallel",
+    "in_processes",
+    "serve",
+    "thread_pool",
+]
 
-_CHILD = "from nonsmooth.runtime.core.processes import serve; serve()"
+Part = TypeVar("Part")
+Result = TypeVar("Result")
+
+_here = threading.local()  # `ends`: events that call off the work of this thread
+
+
+@contextmanager
+def thread_pool(threads: int | None) -> Iterator[ThreadPoolExecutor]:
+    """Give a pool of threads whose work is called off when an exception leaves the block.
+
+    Work that is under way ends too: loops in C ask `check_called_off` every 30 ms. Python
+    chooses the number of threads if it is None.
+    """
+    ends = threading.Event()
+    all_ends = (*getattr(_here, "ends", ()), ends)  # those of the pools around this one too
+    pool = ThreadPoolExecutor(threads, initializer=_begin, initargs=(all_ends,))
+    try:
+        yield pool
+    except BaseException:
+        ends.set()
+        pool.shutdown(cancel_futures=True)
+        raise
+    pool.shutdown()
+
+
+def in_parallel(
+    work: Callable[[Part], Result], parts: Sequence[Part], threads: int | None
+) -> list[Result]:
+    """Return what `work` gives for each part, in their order; in threads where that pays.
+
+    Python chooses the number of threads if it is None.
+    """
+    if threads == 1 or len(parts) < 2:
+        return [work(part) for part in parts]
+    with thread_pool(threads) as pool:
+        return list(pool.map(work, parts))
+
+
+def _begin(ends: tuple[threading.Event, ...]) -> None:
+    _here.ends = ends
+
+
+def check_called_off() -> None:
+    """Raise KeyboardInterrupt if the work of this thread is called off."""
+    if any(event.is_set() for event in getattr(_here, "ends", ())):
+        raise KeyboardInterrupt
+
+
+_CHILD = "from nonsmooth.runtime.core.parallel import serve; serve()"
 _MOST = 1024
 _AHEAD = 1  # batches beyond those that are worked on
 
