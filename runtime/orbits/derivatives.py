@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.orbits.local_extremes import LocalExtreme, local_extremes
 from nonsmooth.runtime.shooting.multipliers import (
     MultiplierDerivatives,
     multiplier_derivatives,
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.directions import Directions
     from nonsmooth.runtime.orbits.motion_derivatives import (
         BoundaryMargin,
+        LocalExtreme,
         OrbitMotionDerivatives,
         Transversality,
     )
@@ -195,7 +195,7 @@ class OrbitDerivatives:
         if name not in self._extremes:
             self._extremes[name] = tuple(
                 each._replace(rates=self._by_what_was_given(each.rates))
-                for each in local_extremes(self._along[0], name)
+                for each in self._along[0].local_extremes(name)
             )
         return self._extremes[name]
 

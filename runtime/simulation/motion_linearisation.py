@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,9 +15,19 @@ from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, foll
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import Transitions, transitions_behind
 
-__all__ = ["MotionLinearisation", "input_names"]
+__all__ = ["MotionChanges", "MotionLinearisation", "input_names"]
 
 _ERROR = 64 * np.finfo(float).eps
+
+
+class MotionChanges(NamedTuple):
+    """Derivatives of a motion with n - 1 transitions by q numbers."""
+
+    states: np.ndarray  # (m, N, q), at times that stay
+    event_times: np.ndarray  # (n - 1, q), NaN without a derivative
+    before: np.ndarray  # (n, N, q), in front of the transitions, which move; the start comes first
+    behind: np.ndarray  # (n, N, q), behind them
+    beginnings: np.ndarray  # (n, N, q), where phases begin, at fixed times
 
 
 class MotionLinearisation:
@@ -119,12 +130,8 @@ class MotionLinearisation:
         found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
         return found
 
-    def forward(self, tables: TableDerivatives, starts: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Derivatives of states at `times`, of transitions' times, and of the states around these.
-
-        Their shapes are (m, N, q), (n - 1, q) and, before and behind transitions, twice (n, N,
-        q). The start counts as the first of the n entries. A time without a derivative has NaN.
-        """
+    def forward(self, tables: TableDerivatives, starts: np.ndarray) -> MotionChanges:
+        """Derivatives of the motion along changes of the tables and of the start (N, q)."""
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
         added = np.empty((len(self.phases), size, q))
@@ -156,14 +163,14 @@ class MotionLinearisation:
         after[1:] += found.behind[..., None] * events[:, None]
         own = self.phases[count - 1 :]
         states = self.matrices[count - 1 :] @ beginnings[own] + added[count - 1 :]
-        return states, events, before, after
+        return MotionChanges(states, events, before, after, beginnings)
 
     def reverse(
         self, states: np.ndarray, event_times: np.ndarray, before: np.ndarray, behind: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Gradients of a combination of results by fields, rows, resets and the start.
 
-        The arguments are the factors of what `forward` returns, without the axis of directions.
+        The arguments are the factors of what `forward` gives, without the axis of directions.
         """
         trajectory, found = self.trajectory, self.transitions
         system, count, size = trajectory.system, *trajectory.states.shape

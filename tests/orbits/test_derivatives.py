@@ -272,7 +272,7 @@ def test_extremes_have_derivatives_of_all_digits():
     orbit = ns.solve(ALONG[2])
     precise = ns.refine(orbit, 30)
     along, _ = precise.evaluation.along(precise.derivatives("r"))
-    extreme = along.largest(along.row_of("minimum", "x"), -1)
+    extreme = along.quantity("minimum:x")
     (state,), _ = along.states([extreme.time])
     assert abs(state[1]) < 1e-28  # its velocity
     rate = extreme.rates[0]

@@ -18,7 +18,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds
 from nonsmooth.runtime.simulation.phase_functions import Panels, Phases, panels
 
-__all__ = ["LocalMaximum", "local_maxima"]
+__all__ = ["LocalMaximum", "boundary_rows", "local_maxima"]
 
 _ANGLE = 0.6  # radians of the fastest oscillation in a panel
 _HALVINGS = 40  # then a slope that touches zero is none that crosses it
@@ -57,6 +57,16 @@ def local_maxima(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> l
         for function in range(rows.shape[1])
         for maximum in _on_panels(system, found, function)
     ]
+
+
+def boundary_rows(system: PiecewiseLinear) -> np.ndarray:
+    """Boundary functions (configurations, K, N + 1); zero behind those of a configuration."""
+    boundaries = system.structure.boundaries
+    width = max(map(len, boundaries), default=0)
+    found = np.zeros((len(boundaries), width, system.rows.shape[1]))
+    for configuration, shapes in enumerate(boundaries):
+        found[configuration, : len(shapes)] = system.rows[[shape.row for shape in shapes]]
+    return found
 
 
 def _on_panels(system: PiecewiseLinear, found: Panels, function: int) -> Iterator[LocalMaximum]:
