@@ -15,7 +15,7 @@ from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.impact_losses import impact_losses
 from nonsmooth.runtime.orbits.table_directions import numbers_along, relative_changes, working
 from nonsmooth.runtime.shooting.table_newton import sizes
-from nonsmooth.runtime.simulation.local_maxima import boundary_rows, local_maxima
+from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
 from nonsmooth.runtime.simulation.observables import observed_rows
 from nonsmooth.runtime.simulation.phase_functions import Phases

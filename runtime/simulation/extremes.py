@@ -1,9 +1,11 @@
 """Guaranteed extremes of affine functions of the state along a motion.
 
-On a panel a function g lies below its cubic Hermite interpolant by its values and slopes at
-both ends, plus M h^4/144 of the middle Bernstein polynomial where |g''''| <= M; the largest
-coefficient in Bernstein form bounds that. Panels whose bound exceeds the largest value that
-is known are split at the zero of the slope until none is left, so no peak hides.
+On a panel of width h a function lies within M h^4/384 of its cubic Hermite interpolant by values
+and slopes at both ends, where |f''''| <= M, and that lies between the least and the largest of its
+coefficients in Bernstein form. So the slope of a function has no zero on a panel where these have
+one sign, and at most one where those of the curvature have; other panels are halved. An extreme
+is at the end of a panel, or it is a local one on a panel whose bound exceeds all ends: no peak
+hides.
 """
 
 from __future__ import annotations
@@ -17,11 +19,13 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds
 from nonsmooth.runtime.simulation.phase_functions import Panels, Phases, panels
 
-__all__ = ["Extreme", "extremes"]
+__all__ = ["Extreme", "LocalMaximum", "boundary_rows", "extremes", "local_maxima"]
 
 _ANGLE = 0.6  # radians of the fastest oscillation in a panel
-_ROUNDS = 200  # of splitting; a few are enough
+_HALVINGS = 40  # then a slope that touches zero is none that crosses it
+_POLISHING = 60  # steps of Newton's method, or of bisection where it leaves its bracket
 _ROUNDING = 2.0**-50
+_ORDERS = 7  # derivatives from that of order 0
 
 
 class Extreme(NamedTuple):
@@ -31,18 +35,48 @@ class Extreme(NamedTuple):
     time: float
 
 
-class _WaitingPanels(NamedTuple):
-    """One function g on n panels that are still to be split.
+class LocalMaximum(NamedTuple):
+    """A local maximum inside a phase."""
 
-    The weights (n, functions) are those of the functions of time in g, g' and g''.
+    phase: int
+    function: int  # number of the function
+    since: float  # time since the beginning of the phase
+    value: float
+
+
+class _Slopes(NamedTuple):
+    """One function on n panels: factors (7, n, functions) of its derivatives, and their bounds."""
+
+    factors: np.ndarray
+    sizes: np.ndarray
+
+    def at(self, places: np.ndarray) -> _Slopes:
+        return _Slopes(self.factors[:, places], self.sizes[:, places])
+
+
+def local_maxima(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> list[LocalMaximum]:
+    """All local maxima inside phases of K affine functions of the state.
+
+    `rows` (configurations, K, N + 1) are the functions ``n y + c``: n, then c.
     """
+    return [
+        LocalMaximum(owner, function, time, value)
+        for found in panels(system, phases, rows, _ANGLE)
+        for function in range(rows.shape[1])
+        for owner, time, value in zip(
+            *(part.tolist() for part in _maxima_on(system, found, function)), strict=True
+        )
+    ]
 
-    configuration: int
-    weights: tuple[np.ndarray, np.ndarray, np.ndarray]
-    constants: np.ndarray  # (n,) added to the sum for g
-    begins: np.ndarray  # (n,) times at which the phases begin
-    bounds: np.ndarray  # (n,) of the fourth derivative, divided by 144
-    slack: np.ndarray  # (n,) rounding errors of g
+
+def boundary_rows(system: PiecewiseLinear) -> np.ndarray:
+    """Boundary functions (configurations, K, N + 1); zero behind those of a configuration."""
+    boundaries = system.structure.boundaries
+    width = max(map(len, boundaries), default=0)
+    found = np.zeros((len(boundaries), width, system.rows.shape[1]))
+    for configuration, shapes in enumerate(boundaries):
+        found[configuration, : len(shapes)] = system.rows[[shape.row for shape in shapes]]
+    return found
 
 
 def extremes(
@@ -58,139 +92,56 @@ def extremes(
     best = np.full(2 * count, -np.inf)
     times = np.full(2 * count, np.nan)
     for found in panels(system, phases, signed, _ANGLE):
-        _search(system, phases, signed, found, best, times)
+        _raise_on(system, phases, signed[found.configuration], found, best, times)
     every = [
         Extreme(value, time) for value, time in zip(best.tolist(), times.tolist(), strict=True)
     ]
     return [Extreme(0.0 - value, time) for value, time in every[:count]], every[count:]
 
 
-def _search(
+def _raise_on(
     system: PiecewiseLinear,
     phases: Phases,
-    signed: np.ndarray,
+    row: np.ndarray,
     found: Panels,
     best: np.ndarray,
     times: np.ndarray,
 ) -> None:
     """Raise the best values, and their times, to the maxima of all functions on some panels."""
-    turned = _derivative(system, found.configuration).T
+    derivative = derivative_matrix(
+        system.structure.shapes[found.configuration], system.exponents[found.configuration]
+    ).T
     tower = [found.weights]
     for _ in range(4):
-        tower.append(turned @ tower[-1])
-    ends = [functions_of(system, found.configuration, t) for t in (found.left, found.right)]
-    left, right = ([np.einsum("nf,nfk->nk", phi, weights) for weights in tower[:2]] for phi in ends)
+        tower.append(derivative @ tower[-1])
+    functions = [functions_of(system, found.configuration, t) for t in (found.left, found.right)]
+    left, right = (
+        np.stack([np.einsum("nf,nfk->nk", phi, weights) for weights in tower[:2]])
+        for phi in functions
+    )
     sizes = _sizes(system, found)
     slack = _ROUNDING * (np.einsum("nf,nfk->nk", sizes, abs(tower[0])) + abs(found.constants))
-    fourth = np.einsum("nf,nfk->nk", sizes, abs(tower[4])) / 144
+    fourth = np.einsum("nf,nfk->nk", sizes, abs(tower[4]))
     begins = phases.begins[found.phases]
     left[0] += found.constants
     right[0] += found.constants
     # times are sums: the state in front of a transition is known better than its time
-    row = signed[found.configuration]
     right[0][found.last] = phases.ends[found.phases[found.last]] @ row[:, :-1].T + row[:, -1]
-    for side, at in ((left, found.left), (right, found.right)):
-        top = np.argmax(side[0], axis=0)
-        _raise(
-            best, times, np.arange(len(best)), side[0][top, range(len(best))], (begins + at)[top]
-        )
-    width = found.right - found.left
-    upper = _upper(left, right, width[:, None], fourth)
+    _, upper = _range(left, right, (found.right - found.left)[:, None], fourth)
     for k in range(len(best)):
+        for side, at in ((left, found.left), (right, found.right)):
+            _raise(best, times, k, side[0][:, k], begins + at)
         kept = np.flatnonzero(upper[:, k] > best[k] + slack[:, k])
         if kept.size:
-            waiting = _WaitingPanels(
-                found.configuration,
-                (tower[0][kept, :, k], tower[1][kept, :, k], tower[2][kept, :, k]),
-                np.full(kept.size, found.constants[k]),
-                begins[kept],
-                fourth[kept, k],
-                slack[kept, k],
-            )
-            sides = [np.array([t[kept], g[kept, k], s[kept, k]]) for t, (g, s) in (
-                (found.left, left), (found.right, right))]  # fmt: skip
-            _split(system, waiting, sides[0], sides[1], k, best, times)
+            owners, since, values = _maxima_on(system, found.at(kept), k)
+            if values.size:
+                _raise(best, times, k, values, phases.begins[owners] + since)
 
 
-def _split(
-    system: PiecewiseLinear,
-    search: _WaitingPanels,
-    left: np.ndarray,
-    right: np.ndarray,
-    k: int,
-    best: np.ndarray,
-    times: np.ndarray,
-) -> None:
-    """Split panels until none can hold a value of function `k` above its best one.
-
-    `left` and `right` (3, n) are the time, the value and the slope at the ends of the
-    panels.
-    """
-    for turn in range(_ROUNDS):
-        middle = (left[0] + right[0]) / 2
-        if turn % 2 == 0:
-            peaks = (left[2] > 0) & (right[2] < 0)
-            for _ in range(8):
-                slope, curvature = (_sum(system, search, order, middle) for order in (1, 2))
-                with np.errstate(divide="ignore", invalid="ignore"):
-                    newton = np.nan_to_num(middle - slope / curvature, nan=0.0)
-                middle = np.where(peaks, np.clip(newton, left[0], right[0]), middle)
-        value = _sum(system, search, 0, middle) + search.constants
-        split = np.array([middle, value, _sum(system, search, 1, middle)])
-        top = int(np.argmax(value))
-        _raise(best, times, np.array([k]), value[[top]], (search.begins + middle)[[top]])
-        left, right = np.hstack([left, split]), np.hstack([split, right])
-        width = right[0] - left[0]
-        upper = _upper(left[1:], right[1:], width, np.tile(search.bounds, 2))
-        places = np.flatnonzero(upper > best[k] + np.tile(search.slack, 2))
-        if not places.size:
-            return
-        left, right = left[:, places], right[:, places]
-        half = places % len(search.begins)
-        search = _WaitingPanels(
-            search.configuration,
-            (search.weights[0][half], search.weights[1][half], search.weights[2][half]),
-            search.constants[half],
-            search.begins[half],
-            search.bounds[half],
-            search.slack[half],
-        )
-
-
-def _raise(
-    best: np.ndarray, times: np.ndarray, which: np.ndarray, values: np.ndarray, at: np.ndarray
-) -> None:
-    better = values > best[which]
-    best[which[better]], times[which[better]] = values[better], at[better]
-
-
-def _sum(
-    system: PiecewiseLinear, search: _WaitingPanels, order: int, times: np.ndarray
-) -> np.ndarray:
-    functions = functions_of(system, search.configuration, times)
-    return np.asarray((functions * search.weights[order]).sum(axis=1))
-
-
-def _upper(
-    left: list[np.ndarray] | np.ndarray,
-    right: list[np.ndarray] | np.ndarray,
-    width: np.ndarray,
-    fourth: np.ndarray,
-) -> np.ndarray:
-    """Upper bounds on panels from the values and slopes at both ends.
-
-    `fourth` bounds the fourth derivative, divided by 144.
-    """
-    (g, slope), (h, slope_end) = left, right
-    middle = (g + h) / 2 + width * (slope - slope_end) / 6 + fourth * width**4
-    controls = [g, g + width * slope / 4, middle, h - width * slope_end / 4, h]
-    return np.asarray(np.maximum.reduce(controls))
-
-
-def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
-    """Matrix (functions, functions) that gives the derivatives of the functions of time."""
-    shapes = system.structure.shapes[configuration]
-    return derivative_matrix(shapes, system.exponents[configuration])
+def _raise(best: np.ndarray, times: np.ndarray, k: int, values: np.ndarray, at: np.ndarray) -> None:
+    top = int(np.argmax(values))
+    if values[top] > best[k]:
+        best[k], times[k] = values[top], at[top]
 
 
 def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
@@ -199,3 +150,98 @@ def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
     exponents = system.exponents[found.configuration]
     bounds = function_bounds(shapes, exponents, found.left, found.right)
     return np.stack(np.broadcast_arrays(*bounds), axis=-1)
+
+
+def _maxima_on(
+    system: PiecewiseLinear, found: Panels, function: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Local maxima of one function on panels: phases, times since their start, and values."""
+    configuration = found.configuration
+    shapes, exponents = system.structure.shapes[configuration], system.exponents[configuration]
+    derivative = derivative_matrix(shapes, exponents)
+    tower = [found.weights[..., function]]
+    for _ in range(_ORDERS - 1):
+        tower.append(tower[-1] @ derivative)
+    factors = np.array(tower)
+    sizes = np.einsum("nf,onf->on", _sizes(system, found), abs(factors))
+    # where a function is constant or has one slope, rounding alone gives it maxima
+    moving = np.flatnonzero(sizes[1] > 0)
+    whole = _Slopes(factors, sizes)
+    places, begins, ends = _brackets(system, configuration, whole, moving, found.left, found.right)
+    times = _zeros(system, configuration, whole.at(places), begins, ends)
+    functions = functions_of(system, configuration, times)
+    values = (functions * factors[0, places]).sum(axis=1) + found.constants[function]
+    return found.phases[places], times, values
+
+
+def _brackets(
+    system: PiecewiseLinear,
+    configuration: int,
+    whole: _Slopes,
+    places: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Panels on which the slope falls through zero once, and intervals that contain the zero."""
+    left, right = low[places], high[places]
+    kept: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
+    for turn in range(_HALVINGS + 1):
+        if not places.size:
+            break
+        here, width = whole.at(places), right - left
+        ends = [
+            np.einsum("nf,onf->on", functions_of(system, configuration, t), here.factors[1:4])
+            for t in (left, right)
+        ]
+        least, most = _range(ends[0][:2], ends[1][:2], width, here.sizes[5])
+        slack = _ROUNDING * here.sizes[1]
+        flat = (most <= slack) & (least >= -slack)
+        crossing = ~flat & (least <= slack) & (most >= -slack)
+        bent = _range(ends[0][1:], ends[1][1:], width, here.sizes[6])
+        slack = _ROUNDING * here.sizes[2]
+        single = (bent[1] < -slack) | (bent[0] > slack) | (turn == _HALVINGS)
+        falls = crossing & single & (ends[0][0] > 0) & (ends[1][0] <= 0)
+        kept.append((places[falls], left[falls], right[falls]))
+        rest = crossing & ~single
+        places, left, right = places[rest], left[rest], right[rest]
+        middle = (left + right) / 2
+        places = np.concatenate([places, places])
+        left, right = np.concatenate([left, middle]), np.concatenate([middle, right])
+    if not kept:
+        return places, left, right
+    first, second, third = (np.concatenate(part) for part in zip(*kept, strict=True))
+    return first, second, third
+
+
+def _range(
+    left: np.ndarray, right: np.ndarray, width: np.ndarray, fourth: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Bounds (n, ...) of functions on panels, from values and slopes (2, n, ...) at their ends."""
+    (f, slope), (g, slope_end) = left, right
+    controls = np.array([f, f + width * slope / 3, g - width * slope_end / 3, g])
+    missed = fourth * width**4 / 384
+    return controls.min(axis=0) - missed, controls.max(axis=0) + missed
+
+
+def _zeros(
+    system: PiecewiseLinear,
+    configuration: int,
+    here: _Slopes,
+    low: np.ndarray,
+    high: np.ndarray,
+) -> np.ndarray:
+    """Zeros (n,) of slopes that fall through zero in intervals."""
+    times = (low + high) / 2
+    for _ in range(_POLISHING):
+        functions = functions_of(system, configuration, times)
+        slope, bend = np.einsum("nf,onf->on", functions, here.factors[1:3])
+        low, high = np.where(slope > 0, times, low), np.where(slope > 0, high, times)
+        with np.errstate(all="ignore"):
+            newton = times - slope / bend
+        inside = (newton >= low) & (newton <= high)
+        following = np.where(inside, newton, (low + high) / 2)
+        settled = np.abs(following - times) <= 2 * np.spacing(np.abs(times))
+        times = following
+        if settled.all():
+            break
+    return np.asarray(times)

@@ -25,7 +25,7 @@ from nonsmooth.runtime.model.flows import functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.phase_functions import fastest
 
-__all__ = ["ConfigurationFlows", "configuration_flows", "rule_on", "rule_pieces"]
+__all__ = ["ConfigurationFlows", "configuration_flows", "flow_matrices", "rule_on", "rule_pieces"]
 
 _NODES = 20  # of an integral, in a piece
 _ANGLE = 10.0  # radians in a piece
@@ -64,8 +64,7 @@ class _DenseFlows:
         starts: np.ndarray,
     ) -> None:
         flows = matrices_of(system.flows[configuration])[:, :, :-1]
-        functions = functions_of(system, configuration, durations)
-        self.matrices = np.tensordot(functions, flows, axes=1)
+        self.matrices = flow_matrices(system, configuration, durations)
         # (functions, N, N) as one matrix (N, functions N) that adds up
         self._size = flows.shape[1]
         self._flows = flows.transpose(1, 0, 2).reshape(self._size, -1)
@@ -99,7 +98,7 @@ class _FactoredFlows:
     ) -> None:
         flows = system.flows[configuration]
         assert isinstance(flows, FactoredFlows)
-        self.matrices = flows.at(functions_of(system, configuration, durations))[..., :-1]
+        self.matrices = flow_matrices(system, configuration, durations)
         places, self._columns, rows = flows.terms()
         self._rows = rows[:, :-1]
         weights = starts @ rows[:, :-1].T + rows[:, -1]
@@ -124,6 +123,14 @@ class _FactoredFlows:
         linear = self._rows.T @ turned @ self._columns
         constant = (factors * self._integrals).sum(axis=0) @ self._rows
         return np.concatenate([linear, constant[:, None]], axis=1)
+
+
+def flow_matrices(system: PiecewiseLinear, configuration: int, durations: np.ndarray) -> np.ndarray:
+    """Derivatives (n, N, N) of the states after durations (n,) by the states at the beginning."""
+    functions, flows = functions_of(system, configuration, durations), system.flows[configuration]
+    if isinstance(flows, FactoredFlows):
+        return flows.at(functions)[..., :-1]
+    return np.asarray(np.tensordot(functions, flows[:, :, :-1], axes=1))
 
 
 def configuration_flows(

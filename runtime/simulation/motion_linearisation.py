@@ -94,11 +94,7 @@ class MotionLinearisation:
         system, found = self.trajectory.system, self.transitions
         size = len(self.trajectory.names)
         linear = system.resets[found.resets][..., :-1]
-        rates = np.zeros(len(linear))
-        np.divide(-1.0, found.speeds, out=rates, where=(found.speeds != 0) & ~self.instants)
-        late = np.empty((len(linear), size + 1))
-        late[:, :size] = np.where(found.smooth[:, None], 0.0, -found.jumps * rates[:, None])
-        late[:, size] = rates
+        late = found.late(self.instants)
         steps = np.zeros((len(linear), size + 1, size + 1))
         steps[..., :size] = late[..., None] * system.rows[found.rows][:, None, :-1]
         steps[:, :size, :size] += linear
