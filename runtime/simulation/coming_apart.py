@@ -64,13 +64,6 @@ class DirectedMotion:
         """The linearisation of this motion, also at `times` (m,), which are held fixed."""
         return MotionLinearisation(self.trajectory, times, self.apart)
 
-    @property
-    def alone(self) -> DirectedMotion:
-        """The same motion as an original one, in which each transition stands for itself."""
-        count = len(self.apart)
-        own, none = np.arange(count), np.zeros(count, dtype=bool)
-        return replace(self, columns=np.arange(len(self.columns)), first=own, last=own, open=none)
-
 
 def directed_motions(
     trajectory: Trajectory, by: tuple[str, ...], directions: np.ndarray, side: str | None

@@ -10,7 +10,7 @@ number of parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -98,12 +98,16 @@ class MotionDerivatives:
         )
 
     @cached_property
-    def _forward(self) -> MotionChanges:
-        found = [
+    def _changes(self) -> tuple[MotionChanges, ...]:
+        """Derivatives of each part."""
+        return tuple(
             linear.forward(*directions)
             for linear, directions in zip(self._linearisations, self._directions, strict=True)
-        ]
-        return gathered(self.parts, found, len(self.by))
+        )
+
+    @cached_property
+    def _forward(self) -> MotionChanges:
+        return gathered(self.parts, self._changes, len(self.by))
 
     @property
     def states(self) -> np.ndarray:
@@ -144,14 +148,19 @@ class MotionDerivatives:
         InputError
             If it ended where it cannot go on.
         """
+        return self._end(self._forward)
+
+    def _end(self, changes: MotionChanges) -> np.ndarray:
+        """Derivatives of the end by the numbers of `changes`; see `end`."""
         if self.trajectory.status in CUT:
             raise InputError(
                 f"the motion ends at t = {self.trajectory.end!r}: {self.trajectory.message};"
                 " that time has no derivative"
             )
-        if self.trajectory.status == Status.UNTIL or not len(self.event_times):
-            return np.zeros(len(self.by))
-        return np.asarray(self.event_times[-1])
+        events = changes.event_times
+        if self.trajectory.status == Status.UNTIL or not len(events):
+            return np.zeros(events.shape[1])
+        return np.asarray(events[-1])
 
     def jvp(self, direction: Mapping[str, float] | Any) -> dict[str, np.ndarray]:
         """Differentiate along one direction (forward mode).
@@ -278,17 +287,41 @@ class MotionDerivatives:
         InputError
             As for `nonsmooth.observe`, or where the motion ended where it cannot go on.
         """
-        trajectory, changes = self.trajectory, self._forward
+        found = self._moved(self.trajectory, self._forward, self.numbers, since)
+        for part in self.parts:
+            several = (part.first != part.last)[len(part.first) + 1 - len(found.phases.begins) :]
+            found.rates[0, :, 1:][:, several] = np.nan
+        return found
+
+    def moved_parts(self, since: float) -> Iterator[tuple[np.ndarray, str | None, MovedPhases]]:
+        """Yield indices of numbers, the side, and the phases that the moved motions have in turn.
+
+        The side is None where no boundaries come apart. An `InputError` is raised where they do
+        and their times have other derivatives on the other side.
+        """
+        for part, changes in zip(self.parts, self._changes, strict=True):
+            if part.open.any():
+                reached = self.trajectory.boundaries[1 + int(np.argmax(part.open))]
+                raise InputError(
+                    f"{' and '.join(reached)} are reached together: observables have derivatives on"
+                    " one side there; ask for them by one_sided"
+                )
+            if part.columns.size:
+                own = Numbers(*(numbers[part.columns] for numbers in self.numbers[:3]))
+                moved = self._moved(part.trajectory, changes, own, since)
+                yield part.columns, self.one_sided if part.apart.any() else None, moved
+
+    def _moved(
+        self, trajectory: Trajectory, changes: MotionChanges, numbers: Numbers, since: float
+    ) -> MovedPhases:
+        """The phases of a motion from a time on that stays, as they move."""
         phases = phases_of(trajectory, since)
         first = len(trajectory.times) - len(phases.begins)
-        rates = np.zeros((2, len(self.by), len(phases.begins)))
+        rates = np.zeros((2, changes.event_times.shape[1], len(phases.begins)))
         rates[1, :, :-1] = rates[0, :, 1:] = changes.event_times[first:].T
-        rates[1, :, -1] = self.end
-        for part in self.parts:
-            several = part.first[first:] != part.last[first:]
-            rates[0, :, 1:][:, several] = np.nan
+        rates[1, :, -1] = self._end(changes)
         beginnings = changes.beginnings[first:].copy()
-        found = MovedPhases(trajectory.system, self.numbers, phases, beginnings, rates)
+        found = MovedPhases(trajectory.system, numbers, phases, beginnings, rates)
         passed = float(phases.begins[0] - trajectory.times[first])
         if passed:
             whole = replace(phases, starts=trajectory.states[first:])

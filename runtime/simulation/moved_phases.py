@@ -219,6 +219,13 @@ class MovedPhases:
             chosen.append(best)
         return chosen[: len(minima)], chosen[len(minima) :]
 
+    @property
+    def spent(self) -> np.ndarray:
+        """Times (q, configurations), with steps, in each configuration; in double precision."""
+        waits = stepped(self.phases.durations, self.rates[1] - self.rates[0], None)
+        every = np.arange(len(self.system.structure.configurations))
+        return np.asarray(waits @ (self.phases.configurations[:, None] == every))
+
     def moments(self, rows: np.ndarray) -> np.ndarray:
         """Integrals (q, K, K + 1), with steps, of all products of K affine functions.
 
