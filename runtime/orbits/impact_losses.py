@@ -32,19 +32,16 @@ class ImpactLoss(NamedTuple):
     energy: np.ndarray  # (q,), with a step in each of q directions
 
 
-def impact_losses(
-    cycle: ItineraryShape, moved: MovedPhases, starts: np.ndarray
-) -> Iterator[ImpactLoss]:
+def impact_losses(cycle: ItineraryShape, moved: MovedPhases) -> Iterator[ImpactLoss]:
     """Yield the energy that each impact of an orbit takes from it, in double precision.
 
-    `starts` (q, p, N) are the states where phases begin, with steps.
     `InputError` is raised for impacts at several stops at once, and where the tables do
     not tell the mass.
     """
     structure, rows = cycle.structure, moved.numbers.rows
     velocities = [velocity for _, velocity in structure.coordinates]
     for phase, configuration in enumerate(cycle.configurations):
-        front, behind = moved.ends[:, phase], starts[:, (phase + 1) % len(cycle)]
+        front, behind = moved.ends[:, phase], moved.starts[:, (phase + 1) % len(cycle)]
         jump = np.abs((behind - front)[0, velocities].real)
         if not (jump > _STILL * np.abs(front[0].real).max()).any():
             continue

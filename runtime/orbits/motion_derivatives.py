@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.directions import Directions
@@ -101,13 +102,22 @@ class OrbitMotionDerivatives:
         rates = np.array([shifted - directions.dwell, shifted])
         fields = real_parts(self.numbers.fields[0])[configurations]
         velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
-        self._starts = directions.starts
         changes = directions.starts - velocities * rates[0][..., None]
         plain = self.lib is None
         system = tables.piecewise if plain else piecewise(orbit.system, orbit.parameters)
         self.moved = MovedPhases(
             system, self.numbers, phases, np.moveaxis(changes, 0, -1), rates, self.lib
         )
+
+    def turned(self, by: Sequence[str], directions: np.ndarray) -> OrbitMotionDerivatives:
+        """Return the orbit as it moves with numbers of which the present ones move by shares.
+
+        `directions` (q, r) has the rates of the q present numbers by the r others.
+        """
+        found = copy(self)
+        found.by, found.moved = tuple(by), self.moved.turned(directions)
+        found.numbers = found.moved.numbers
+        return found
 
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
         """Return states (m, N) at times of the period, since the start, and derivatives (m, N, q).
@@ -239,8 +249,7 @@ class OrbitMotionDerivatives:
             for place in places:
                 force, velocity, surface = range(3 * place, 3 * place + 3)
                 total += moments[:, force, surface] - moments[:, force, velocity]
-        starts = stepped(self.moved.phases.starts, self._starts, None)
-        for loss in impact_losses(self.cycle, self.moved, starts):
+        for loss in impact_losses(self.cycle, self.moved):
             if loss.contact in [every[place] for place in places]:
                 total += loss.energy
         return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))

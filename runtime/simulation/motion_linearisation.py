@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives, stepped_tables
 from nonsmooth.runtime.simulation.flow_derivatives import ConfigurationFlows, configuration_flows
 from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, following_changes
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -70,18 +71,19 @@ class MotionLinearisation:
     def directions(self, by: tuple[str, ...]) -> tuple[TableDerivatives, np.ndarray]:
         """Changes of the tables (q, ...) and of the start (N, q) by the numbers `by`."""
         system, run = self.trajectory.system, self.trajectory.run
-        point = np.array([float(value) for value in system.parameters.values()])
         names, starts = input_names(self.trajectory)
-        tables = table_derivatives(self.kernels, point)
+        point = np.array([[float(value) for value in system.parameters.values()]])
+        steps = np.zeros((len(by), len(names)))
+        for row, name in enumerate(by):
+            steps[row] = [name == other for other in names]
+        moved = stepped_tables(self.kernels, point, steps, None)
+        tables = TableDerivatives(*(imaginary_parts(part, None) for part in moved))
         configuration, start = int(run.configurations[0]), run.states[0]
-        moved = following_changes(system, configuration, start, tables.rows)
+        changes = following_changes(system, configuration, start, tables.rows)
         allowed = allowed_changes(system, configuration, start)
-        columns = dict(zip((*names, *starts), np.hstack([moved, allowed]).T, strict=True))
-        places = [names.index(name) if name in names else len(names) for name in by]
-        padded = TableDerivatives(
-            *(np.concatenate([part, np.zeros((1, *part.shape[1:]))])[places] for part in tables)
-        )
-        return padded, np.array([columns[name] for name in by]).reshape(len(by), -1).T
+        own = [column for column, name in enumerate(by) if name in starts]
+        changes[:, own] = allowed[:, [starts.index(by[column]) for column in own]]
+        return tables, changes
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:

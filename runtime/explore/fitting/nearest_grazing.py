@@ -85,7 +85,7 @@ def nearest_grazing_of_response(
     """
 
     def moved() -> MovedPhases:
-        return orbit.orbit.evaluation.along(orbit)[0].moved
+        return orbit.along.moved
 
     return _nearest(orbit.orbit.trajectory(), moved, columns, covariance)
 

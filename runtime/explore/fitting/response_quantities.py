@@ -40,8 +40,7 @@ class ResponseQuantity(NamedTuple):
 
         Raises `InputError` if there is no derivative.
         """
-        along, _ = derivatives.orbit.evaluation.along(derivatives)
-        return KINDS[self.kind](along, self.output, self.text)
+        return KINDS[self.kind](derivatives.along, self.output, self.text)
 
 
 def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
