@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
@@ -17,11 +17,9 @@ __all__ = [
     "TableDerivatives",
     "TableRates",
     "relative_rates",
-    "table_derivatives",
+    "stepped_tables",
     "table_rates",
 ]
-
-_IMAGINARY = 1e-30  # of a parameter, in units of max(1, |it|)
 
 
 class TableDerivatives(NamedTuple):
@@ -94,27 +92,35 @@ def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int
     )
 
 
-def table_derivatives(kernels: SystemKernels, point: np.ndarray) -> TableDerivatives:
-    """Derivatives of fields, rows and resets by every parameter at a point (q,), to full precision.
+def stepped_tables(
+    kernels: SystemKernels, points: np.ndarray, steps: np.ndarray, lib: Mpmath | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Fields, rows and resets (k q, ...) at points (k, p), each with q steps (q, p).
 
-    Each parameter gets a tiny imaginary part (Squire and Trapp, SIAM Review 40, 1998); they are
-    in the system's order.
+    Points are in the system's order. `lib` is None in double precision; an `Mpmath` works with
+    twice the digits that derivatives need.
 
     Examples
     --------
     >>> from nonsmooth.runtime.model.kernels import load_system
     >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
-    >>> found = table_derivatives(kernels, np.array([1.0, 2.0, 1.0, 5.0, 0.5]))
-    >>> float(found.resets[4].min())  # by the coefficient of restitution: v1 = -r v1 in front
+    >>> point = np.array([[1.0, 2.0, 1.0, 5.0, 0.5]])
+    >>> _, _, resets = stepped_tables(kernels, point, np.eye(5)[[4]], None)
+    >>> float(imaginary_parts(resets, None).min())  # by the restitution: v1 = -r v1 in front
     -1.0
     """
-    tiny = _IMAGINARY * np.maximum(1.0, np.abs(point))
-    moved = np.vstack(
-        [point, point + 1j * np.diag(tiny)]
-    )  # some row, where there are no parameters
-    return TableDerivatives(
-        *(
-            part[1:].imag / tiny.reshape(-1, *[1] * (part.ndim - 1))
-            for part in tables_at(kernels, moved)
-        )
+    every = stepped(points[:, None], steps, lib).reshape(len(points) * len(steps), len(points.T))
+    if lib is None:
+        return tables_at(kernels, every)
+    parts: list[list[Any]] = [[], [], []]
+    size = len(kernels.table["states"])
+    for row in every:
+        for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
+            found = kernels.source(kernel)(row.tolist(), lib=lib)
+            part.append([[lib.mp.convert(x) for x in line] for line in found])
+    shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
+    fields, rows, resets = (
+        np.array(part, dtype=object).reshape(len(every), *shape)
+        for part, shape in zip(parts, shapes, strict=True)
     )
+    return fields, rows, resets

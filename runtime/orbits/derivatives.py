@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.orbits.local_extremes import LocalExtreme, local_extremes
 from nonsmooth.runtime.shooting.multipliers import (
     MultiplierDerivatives,
     multiplier_derivatives,
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.directions import Directions
     from nonsmooth.runtime.orbits.motion_derivatives import (
         BoundaryMargin,
+        LocalExtreme,
         OrbitMotionDerivatives,
         Transversality,
     )
@@ -124,15 +124,10 @@ class OrbitDerivatives:
         return self.section.spectral_radius_rates
 
     @cached_property
-    def _along(self) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
-        """The orbit by tables as it moves, and the rates of its parameters by the q numbers."""
-        along, rates = self.orbit.evaluation.along(self)
-        return along, rates
-
-    def _by_what_was_given(self, rates: np.ndarray) -> np.ndarray:
-        """Return derivatives (..., q) by what was given, from those by the tables' parameters."""
-        _, chain = self._along
-        return rates if chain is None else np.asarray(rates @ chain)
+    def along(self) -> OrbitMotionDerivatives:
+        """The orbit by the tables of its system, as it moves."""
+        found, shares = self.orbit.evaluation.along(self)
+        return found if shares is None else found.turned(self.by, shares)
 
     def states(self, times: Sequence[Any]) -> np.ndarray:
         """Of the states (m, N, q) at times since the start that stay what they are.
@@ -153,23 +148,17 @@ class OrbitDerivatives:
         InputError
             For a time outside of the period.
         """
-        return self._by_what_was_given(self._along[0].states(times)[1])
+        return self.along.states(times)[1]
 
-    @cached_property
+    @property
     def margins(self) -> tuple[BoundaryMargin, ...]:
         """How far each boundary stays away along each phase, with derivatives (q,)."""
-        return tuple(
-            margin._replace(rates=self._by_what_was_given(margin.rates))
-            for margin in self._along[0].margins
-        )
+        return self.along.margins
 
-    @cached_property
+    @property
     def transversalities(self) -> tuple[Transversality, ...]:
         """With which speed each phase reaches the boundary that ends it, and derivatives (q,)."""
-        return tuple(
-            each._replace(rates=self._by_what_was_given(each.rates))
-            for each in self._along[0].transversalities
-        )
+        return self.along.transversalities
 
     def local_extremes(self, name: str) -> tuple[LocalExtreme, ...]:
         """Local extremes of which a quantity is the largest, with derivatives (q,).
@@ -193,10 +182,7 @@ class OrbitDerivatives:
             For another name, and with many digits.
         """
         if name not in self._extremes:
-            self._extremes[name] = tuple(
-                each._replace(rates=self._by_what_was_given(each.rates))
-                for each in local_extremes(self._along[0], name)
-            )
+            self._extremes[name] = self.along.local_extremes(name)
         return self._extremes[name]
 
     @cached_property
@@ -206,7 +192,7 @@ class OrbitDerivatives:
     @property
     def names(self) -> tuple[str, ...]:
         """Quantities that `quantity` knows."""
-        return (*self.unknowns, *_GIVEN, *self._along[0].names)
+        return (*self.unknowns, *_GIVEN, *self.along.names)
 
     def quantity(self, name: str) -> tuple[Any, np.ndarray]:
         """Value of a quantity, and its derivatives.
@@ -241,10 +227,10 @@ class OrbitDerivatives:
             return self.section.determinant, self.determinant
         if name == "spectral_radius":
             return self.section.spectral_radius, self.spectral_radius
-        found = self._along[0].quantity(name) if ":" in name or name in _ALONG else None
+        found = self.along.quantity(name) if ":" in name or name in _ALONG else None
         if found is None:
             raise unknown_name("quantity", name, self.names)
-        return found.value, self._by_what_was_given(found.rates)
+        return found.value, found.rates
 
     def jvp(self, direction: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
         """Differentiate unknowns, period and trace along a direction (forward mode).

@@ -9,15 +9,14 @@ it. Both are affine functions of the state, and proportional to each other.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.structure import ContactShape
-
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
+from nonsmooth.runtime.simulation.moved_phases import MovedPhases
 
 __all__ = ["ImpactLoss", "impact_losses"]
 
@@ -33,23 +32,22 @@ class ImpactLoss(NamedTuple):
     energy: np.ndarray  # (q,), with a step in each of q directions
 
 
-def impact_losses(orbit: OrbitMotionDerivatives) -> Iterator[ImpactLoss]:
+def impact_losses(cycle: ItineraryShape, moved: MovedPhases) -> Iterator[ImpactLoss]:
     """Yield the energy that each impact of an orbit takes from it, in double precision.
 
     `InputError` is raised for impacts at several stops at once, and where the tables do
     not tell the mass.
     """
-    structure, rows = orbit.structure, orbit.numbers.rows
-    pairs = [[velocity] for _, velocity in structure.coordinates]
-    for phase, configuration in enumerate(orbit.cycle.configurations):
-        front = orbit.state(phase, orbit.dwell[phase], orbit.waits[:, phase])
-        behind = orbit.starts[:, (phase + 1) % len(orbit.cycle)]
-        jump = np.abs((behind - front)[0, np.ravel(pairs).astype(int)].real)
+    structure, rows = cycle.structure, moved.numbers.rows
+    velocities = [velocity for _, velocity in structure.coordinates]
+    for phase, configuration in enumerate(cycle.configurations):
+        front, behind = moved.ends[:, phase], moved.starts[:, (phase + 1) % len(cycle)]
+        jump = np.abs((behind - front)[0, velocities].real)
         if not (jump > _STILL * np.abs(front[0].real).max()).any():
             continue
-        field = orbit.numbers.fields[:, configuration]
+        field = moved.numbers.fields[:, configuration]
         shapes = structure.boundaries[configuration]
-        reached = [shapes[place] for place in sorted(orbit.cycle.transitions[phase].boundaries)]
+        reached = [shapes[place] for place in sorted(cycle.transitions[phase].boundaries)]
         struck = []
         for boundary in reached:
             row, now = rows[0, boundary.row].real, rows[0].real
@@ -71,7 +69,7 @@ def impact_losses(orbit: OrbitMotionDerivatives) -> Iterator[ImpactLoss]:
             raise InputError(f"{names}: what each of several impacts at once takes is not told")
         (contact,) = struck
         relative = rows[:, contact.velocity] - rows[:, contact.surface]
-        mass = _mass(orbit, contact, configuration, relative)
+        mass = _mass(moved.numbers, contact, configuration, relative)
         if mass is None:
             raise InputError(
                 f"what is lost at {names} is not told: {contact.name} has no lasting contact that"
@@ -93,13 +91,12 @@ def _proportional(row: np.ndarray, other: np.ndarray) -> bool:
 
 
 def _mass(
-    orbit: OrbitMotionDerivatives, contact: ContactShape, source: int, relative: np.ndarray
+    numbers: Numbers, contact: ContactShape, source: int, relative: np.ndarray
 ) -> np.ndarray | None:
     """Return the effective mass (q,) at a contact, by its reaction in lasting contact.
 
     It is None where no lasting contact tells it.
     """
-    numbers = orbit.numbers
     field = numbers.fields[:, source]
     acceleration = np.einsum("qi,qij->qj", relative[:, :-1], field)
     for force in contact.forces.values():

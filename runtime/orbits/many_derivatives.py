@@ -15,13 +15,12 @@ from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.table_derivatives import TableRates, table_rates
+from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables, table_rates
 from nonsmooth.runtime.orbits.directions import solve_linear
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.table_directions import (
     moved_cycles,
     section_along,
-    stepped_numbers,
 )
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.derivatives import cycle_maps
@@ -231,7 +230,8 @@ def _in_python(
 ) -> ManyDirections:
     """Return derivatives of orbits by complex steps."""
     (k, size), q = start.shape, len(places)
-    numbers = stepped_numbers(system, points, np.eye(points.shape[1])[list(places)], None)
+    steps = np.eye(points.shape[1])[list(places)]
+    numbers = Numbers(*stepped_tables(system, points, steps, None))
     period = np.repeat(dwell.sum(axis=-1), q) + 0j if timed else None
     moved = moved_cycles(cycle, numbers, dwell, start, None, period)
     with np.errstate(all="ignore"):

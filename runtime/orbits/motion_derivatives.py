@@ -1,59 +1,51 @@
-"""Derivatives of what is seen along an orbit: states, extremes, margins, dissipation.
-
-An extreme is found by the guaranteed search; its derivative is that of the function at the
-place where it is attained (J. Danskin, 1967, the envelope theorem).
-"""
+"""Derivatives of what is seen along an orbit: states, extremes, margins, dissipation."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
+from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_maxima
-from nonsmooth.runtime.model.flows import composite_rule
-from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.impact_losses import impact_losses
-from nonsmooth.runtime.orbits.local_extremes import KINDS
-from nonsmooth.runtime.orbits.table_directions import (
-    numbers_along,
-    passed,
-    relative_changes,
-    working,
-)
-from nonsmooth.runtime.orbits.table_phase_functions import phase_waves
-from nonsmooth.runtime.shooting.derivatives import flows_over
-from nonsmooth.runtime.shooting.shooting_map import numbers_in
+from nonsmooth.runtime.orbits.table_directions import numbers_along, relative_changes, working
 from nonsmooth.runtime.shooting.table_newton import sizes
-from nonsmooth.runtime.simulation.extremes import extremes
-from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
+from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
+from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
+from nonsmooth.runtime.simulation.observables import observed_rows
+from nonsmooth.runtime.simulation.phase_functions import Phases
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["BoundaryMargin", "Differentiated", "OrbitMotionDerivatives", "Transversality"]
+__all__ = [
+    "KINDS",
+    "BoundaryMargin",
+    "LocalExtreme",
+    "OrbitMotionDerivatives",
+    "Transversality",
+]
+
+# what has extremes, and the signs of those that count: 1 of maxima, -1 of minima
+KINDS = {
+    "maximum": (1,),
+    "minimum": (-1,),
+    "peak": (1, -1),
+    "peak_acceleration": (1, -1),
+    "peak_force": (1, -1),
+}
 
 _TOUCH = 1e-9  # relative size below which a boundary function is zero at a phase's end
+_INSIDE = 1e-7  # of a dwell time: a maximum nearer to the ends is no interior one
+_ROUNDING = 64 * np.finfo(float).eps
 _TIED = 1e-9  # relative difference of extremes that are as large as each other
 _SAME = 1e-6  # relative difference of rates that are the same but for rounding
-_EDGE = 1e-9  # of a phase: an extreme nearer to its end is taken at the end
-_NODES = 12  # of an integral, in a piece
-_ANGLE = 2.0  # radians in a piece
-
-Row = Callable[[int], np.ndarray]  # of a configuration: (q, N + 1) with steps
-
-
-class Differentiated(NamedTuple):
-    """A number, its derivatives (q,), and the time since the start at which it is attained."""
-
-    value: Any
-    rates: np.ndarray
-    time: Any
 
 
 class BoundaryMargin(NamedTuple):
@@ -76,8 +68,21 @@ class Transversality(NamedTuple):
     rates: np.ndarray
 
 
+class LocalExtreme(NamedTuple):
+    """A local maximum of a function within a phase, or of minus the function."""
+
+    phase: int  # counted from 0
+    sign: int  # 1 for a maximum, -1 for a minimum
+    value: float  # of the function times the sign
+    rates: np.ndarray  # (q,), of that value
+    time: float  # since the start of the orbit
+
+
 class OrbitMotionDerivatives:
-    """An orbit by tables as it moves in q directions, with derivatives as complex steps."""
+    """An orbit by tables as it moves in q directions: a closed chain of phases.
+
+    Affine functions of the state are arrays (q, configurations, N + 1), with steps.
+    """
 
     def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:
         self.orbit, self.by = orbit, tuple(by)
@@ -85,167 +90,69 @@ class OrbitMotionDerivatives:
         self.cycle, self.lib = tables.cycle, working(orbit)
         self.structure = self.cycle.structure
         self.numbers = numbers_along(orbit, by, self.lib)
-        starts, dwell = tables.states_up_to_shift, orbit.dwell_times
+        starts, dwell, ends = tables.states_up_to_shift, orbit.dwell_times, tables.shooting.ends
         if self.lib is not None:
             lift = np.frompyfunc(self.lib.mp.mpf, 1, 1)
-            starts, dwell = lift(starts), lift(dwell)
-        self.dwell, self.waits = dwell, directions.dwell
-        self.starts = stepped(starts[None], directions.starts, self.lib)
-        self.begins = np.concatenate([[0 * dwell[0]], np.cumsum(dwell)])
-        self.shifted = np.concatenate(
-            [np.zeros((len(self.by), 1), dtype=int), np.cumsum(directions.dwell, axis=1)], axis=1
+            starts, dwell, ends = lift(starts), lift(dwell), lift(ends)
+        breaks = np.concatenate([[0 * dwell[0]], np.cumsum(dwell)])
+        self.period = breaks[-1]
+        configurations = np.array(self.cycle.configurations)
+        phases = Phases(breaks[:-1], dwell, configurations, starts, ends)
+        shifted = np.cumsum(directions.dwell, axis=1)
+        rates = np.array([shifted - directions.dwell, shifted])
+        fields = real_parts(self.numbers.fields[0])[configurations]
+        velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
+        changes = directions.starts - velocities * rates[0][..., None]
+        plain = self.lib is None
+        system = tables.piecewise if plain else piecewise(orbit.system, orbit.parameters)
+        self.moved = MovedPhases(
+            system, self.numbers, phases, np.moveaxis(changes, 0, -1), rates, self.lib
         )
 
-    def state(self, phase: int, since: Any, rate: Any) -> np.ndarray:
-        """Return the state (q, N), with its steps, at a time since the start of a phase.
+    def turned(self, by: Sequence[str], directions: np.ndarray) -> OrbitMotionDerivatives:
+        """Return the orbit as it moves with numbers of which the present ones move by shares.
 
-        `rate` (q,) is the rate of that time.
+        `directions` (q, r) has the rates of the q present numbers by the r others.
         """
-        field = self.numbers.fields[:, self.cycle.configurations[phase]]
-        times = stepped(since, rate, self.lib)
-        flow = flows_over(field, times, self.lib)
-        return np.asarray((flow[..., :-1] @ self.starts[:, phase, :, None])[..., 0] + flow[..., -1])
+        found = copy(self)
+        found.by, found.moved = tuple(by), self.moved.turned(directions)
+        found.numbers = found.moved.numbers
+        return found
 
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
         """Return states (m, N) at times of the period, since the start, and derivatives (m, N, q).
 
         `InputError` is raised for a time outside of the period.
         """
-        found = []
-        for time in times:
-            at = float(time) if self.lib is None else self.lib.mp.mpf(time)
-            if not 0 <= at <= self.begins[-1]:
-                raise InputError(f"time = {float(at):g} is not within the period")
-            places = [k for k, begin in enumerate(self.begins[:-1]) if begin <= at]
-            last = places[-1]
-            since = at - self.begins[last]
-            found.append(self.state(last, since, -self.shifted[:, last]))
-        size = len(self.structure.states)
-        every = np.array(found).reshape(len(found), len(self.by), size)
-        values, rates = real_parts(every[:, 0]), imaginary_parts(every, self.lib)
-        return self._rounded(values), self._rounded(np.moveaxis(rates, 1, -1))
+        number = float if self.lib is None else self.lib.mp.mpf
+        every = np.array([number(time) for time in times])
+        for time in every:
+            if not 0 <= time <= self.period:
+                raise InputError(f"time = {float(time):g} is not within the period")
+        begins = self.moved.phases.begins
+        places = np.array([np.flatnonzero(begins <= time)[-1] for time in every], dtype=int)
+        found = self.moved.at(places, every - begins[places])
+        rates = np.moveaxis(imaginary_parts(found, self.lib), 0, -1)
+        return self._rounded(real_parts(found[0])), self._rounded(rates)
 
-    @cached_property
-    def _phases(self) -> Phases:
-        """The phases in double precision."""
-        tables = self.orbit.tables
-        return Phases(
-            self.begins[:-1].astype(float),
-            self.dwell.astype(float),
-            np.array(self.cycle.configurations),
-            tables.states_up_to_shift.astype(float),
-            tables.shooting.ends.astype(float),
-        )
+    def extremes(self, row: np.ndarray) -> tuple[Differentiated, Differentiated]:
+        """Return the maximum and the minimum of an affine function of the state over the period."""
+        (low,), (high,) = self.moved.extremes(row[:, :, None])
+        return self._told(high), self._told(low)
 
-    @cached_property
-    def _system(self) -> Any:
-        """The system in double precision, with modes."""
-        return piecewise(self.orbit.system, self.orbit.parameters)
-
-    def largest(self, row: Row, sign: int) -> Differentiated:
-        """Return the maximum, for sign 1, or minimum of an affine function over the period.
-
-        `row` gives for a configuration the function's rows (q, N + 1) with their steps.
-        """
-        return self.extremes(row)[0 if sign > 0 else 1]
-
-    def extremes(self, row: Row) -> tuple[Differentiated, Differentiated]:
-        """Return the maximum and the minimum of an affine function of the state over the period.
-
-        `row` gives for a configuration the function's rows (q, N + 1) with their steps.
-        """
-        minima, maxima = extremes(self._system, self._phases, self._rows(row))
-        high, low = (self._at(row, found[0].time, found[0].value) for found in (maxima, minima))
-        return high, low
-
-    def _rows(self, row: Row) -> np.ndarray:
-        count = len(self.structure.configurations)
-        return np.array([[real_parts(row(c))[0].astype(float)] for c in range(count)])
-
-    def _at(self, row: Row, time: float, value: float) -> Differentiated:
-        """Return the function where its extreme is, in the phase that attains it there."""
-        phases = self._phases
-        ends = phases.begins + phases.durations
-        slack = 1e-9 * float(self.begins[-1])
-        near = np.flatnonzero((phases.begins - slack <= time) & (time <= ends + slack))
-        best: tuple[float, int] | None = None
-        for phase in near.tolist():
-            since = min(max(time - phases.begins[phase], 0.0), phases.durations[phase])
-            at = since if self.lib is None else self.lib.mp.mpf(since)
-            state = real_parts(self.state(phase, at, 0 * self.shifted[:, 0]))[0].astype(float)
-            own = real_parts(row(self.cycle.configurations[phase]))[0].astype(float)
-            missed = abs(float(own[:-1] @ state + own[-1]) - value)
-            if best is None or missed < best[0]:
-                best = missed, phase
-        assert best is not None
-        return self.differentiated(row, best[1], time - float(phases.begins[best[1]]))
-
-    def differentiated(self, row: Row, phase: int, since: float) -> Differentiated:
-        """Return an affine function at an extreme of it in a phase: inside it, or at an end.
-
-        `row` gives the function's rows (q, N + 1) with their steps. The time `since` the
-        phase's start is approximate, and polished where the extreme is inside.
-        """
-        duration = float(self.dwell[phase])
-        rows = row(self.cycle.configurations[phase])
-        still = 0 * self.shifted[:, 0]
-        if since <= _EDGE * duration:
-            at, rate = 0 * self.dwell[phase], still
-        elif since >= (1 - _EDGE) * duration:
-            at, rate = self.dwell[phase], self.waits[:, phase]
-        else:
-            at, rate = self._polished(rows, phase, since), still
-        state = self.state(phase, at, rate)
-        values = (rows[:, :-1] * state).sum(axis=-1) + rows[:, -1]
-        time = self.begins[phase] + at
-        return Differentiated(
-            self._rounded(real_parts(values))[0],
-            self._rounded(imaginary_parts(values, self.lib)),
-            time if self.lib is not None else float(time),
-        )
-
-    def _polished(self, rows: np.ndarray, phase: int, since: float) -> Any:
-        """Return the zero of the function's slope near a time, by Newton's method."""
-        field = real_parts(self.numbers.fields[0, self.cycle.configurations[phase]])
-        slope = real_parts(rows[0])[:-1] @ field
-        bend = slope[:-1] @ field
-        at: Any = since if self.lib is None else self.lib.mp.mpf(since)
-        for _ in range(3 if self.lib is None else 8):
-            state = real_parts(self.state(phase, at, 0 * self.shifted[:, 0]))[0]
-            curvature = bend[:-1] @ state + bend[-1]
-            if not curvature:
-                break
-            step = (slope[:-1] @ state + slope[-1]) / curvature
-            if abs(float(step)) > 0.1 * float(self.dwell[phase]):
-                break  # flat, or an end: the place that the search has found stays
-            at = at - step
-        return at
-
-    def row_of(self, kind: str, of: str) -> Row:
+    def row_of(self, kind: str, of: str) -> np.ndarray:
         """Return the row of a quantity of one of the `KINDS`, of a state or a contact."""
-        if kind == "peak_acceleration":
-            return self._acceleration_row(of)
-        return self._force_row(of) if kind == "peak_force" else self._state_row(of)
+        size = len(self.structure.states)
+        if kind == "peak_force":
+            place = size + 3 * self._contact(of)
+        else:
+            place = self._place(of)
+            if kind == "peak_acceleration":  # of a velocity, or of a position
+                velocity = dict(self.structure.coordinates).get(place, place)
+                return np.asarray(self.numbers.fields[:, :, velocity])
+        return observed_rows(self.structure, self.numbers.rows)[:, :, place]
 
-    def _state_row(self, name: str) -> Row:
-        """Return the row of a state."""
-        place, size = self._place(name), len(self.structure.states)
-        unit = np.zeros((len(self.by), size + 1), dtype=self.numbers.fields.dtype)
-        unit[:, place] = 1
-        return lambda _: unit
-
-    def _acceleration_row(self, name: str) -> Row:
-        """Return the row of the rate of a velocity, which is named by itself or by its position."""
-        place = dict(self.structure.coordinates).get(self._place(name), self._place(name))
-        return lambda configuration: self.numbers.fields[:, configuration, place]
-
-    def _force_row(self, name: str) -> Row:
-        """Return the row of the force of a contact on the oscillator."""
-        contact = self._contact(name)
-        nothing = np.zeros_like(self.numbers.rows[:, 0])
-        return lambda c: self.numbers.rows[:, contact.forces[c]] if c in contact.forces else nothing
-
-    def peak(self, row: Row, name: str) -> Differentiated:
+    def peak(self, row: np.ndarray, name: str) -> Differentiated:
         """Return the largest absolute value of an affine function over the period.
 
         `InputError` is raised where the largest and the smallest value tie and change
@@ -264,28 +171,64 @@ class OrbitMotionDerivatives:
         rates, others = one.rates.astype(float), other.rates.astype(float)
         states = sizes(self.orbit.tables.shooting, self.orbit.dwell_times)
         by_numbers = relative_changes(self.numbers[:3], states, self.lib)
-        by_times = abs(self.shifted[:, -1].astype(float)) / float(self.begins[-1])
+        by_times = abs(self.moved.rates[1, :, -1].astype(float)) / float(self.period)
         usual = abs(float(one.value)) * np.maximum(by_numbers, by_times)
         size = np.maximum(np.maximum(abs(rates), abs(others)), usual)
         return bool((abs(rates - others) > _SAME * size).any())
 
-    def quadrature(self, phase: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return states (q, n, N + 1) at nodes of an integral over a phase, and weights (q, n).
+    def local_extremes(self, name: str) -> tuple[LocalExtreme, ...]:
+        """Return the local extremes of a quantity along each phase and at its ends.
 
-        The states have a 1 behind them; the weights' sum is the dwell time; both are in
-        double precision and have steps. The nodes move with the dwell time, so that
-        derivatives are exact.
+        The quantity is ``maximum:STATE``, ``minimum:STATE``, ``peak:STATE``,
+        ``peak_acceleration:STATE`` or ``peak_force:CONTACT``; it is the largest of these
+        extremes. None inside a phase is missed. They come by phases, maxima first, each in the
+        order of time. `InputError` is raised for another name, and for an orbit with many
+        digits.
         """
-        configuration = self.cycle.configurations[phase]
-        angle = fastest(self._system, configuration) * float(self.dwell[phase])
-        nodes, weights = composite_rule(_NODES, max(1, int(np.ceil(angle / _ANGLE))))
-        wait = stepped(self.dwell[phase], self.waits[:, phase, None], None)
-        times = wait * nodes
-        field = self.numbers.fields[:, None, configuration]
-        flow = flows_over(np.broadcast_to(field, (*times.shape, *field.shape[2:])), times)
-        states = flow[..., :-1] @ self.starts[:, None, phase, :, None] + flow[..., -1:]
-        ones = np.ones((*times.shape, 1))
-        return np.concatenate([states[..., 0], ones], axis=-1), wait * weights
+        kind, _, of = name.partition(":")
+        if kind not in KINDS or not of:
+            raise unknown_name("quantity with extremes", name, self.names)
+        if self.lib is not None:
+            raise InputError("local extremes are found in double precision only")
+        row, wanted = self.row_of(kind, of), KINDS[kind]
+        turns = [turn for turn in self._turns(real_parts(row[0])) if turn[2] in wanted]
+        found = [
+            LocalExtreme(phase, sign, sign * float(value), sign * rates, float(time))
+            for (phase, _, sign), (value, rates, time) in zip(
+                turns, self._differentiated(row, turns), strict=True
+            )
+        ]
+        return tuple(sorted(found, key=lambda each: (each.phase, -each.sign, each.time)))
+
+    def _turns(self, row: np.ndarray) -> Iterator[tuple[int, float, int]]:
+        """Yield phases, times since their start, and 1 for a maximum there, -1 for a minimum.
+
+        The end of a phase is both where the slope is zero there but for rounding. Of a constant
+        function it is a minimum, and the beginning a maximum.
+        """
+        phases, system = self.moved.phases, self.moved.system
+        for found in local_maxima(system, phases, np.stack([row, -row], axis=1)):
+            yield found.phase, found.since, 1 - 2 * found.function
+        slopes = (row[:, None, :-1] @ system.fields)[:, 0]
+        for phase, configuration in enumerate(self.cycle.configurations):
+            slope = slopes[configuration]
+            for since, state, outward in (
+                (0.0, phases.starts[phase], -1),
+                (float(phases.durations[phase]), phases.ends[phase], 1),
+            ):
+                rate = outward * (slope[:-1] @ state + slope[-1])
+                least = _ROUNDING * (abs(slope[:-1]) @ abs(state) + abs(slope[-1]))
+                signs = [sign for sign in (1, -1) if sign * rate > -least]
+                yield from ((phase, since, sign) for sign in signs or [-outward])
+
+    def _differentiated(
+        self, row: np.ndarray, turns: Sequence[tuple[int, float, int]]
+    ) -> Iterator[Differentiated]:
+        """Yield a function at its extremes: phases, times since their start, and signs."""
+        places = np.array([turn[0] for turn in turns], dtype=int)
+        since = np.array([turn[1] for turn in turns])
+        own = row[:, self.moved.phases.configurations[places]]
+        return self.moved.differentiated(own, places, since)
 
     def dissipation(self, name: str | None = None) -> Differentiated:
         """Return the energy lost over a period through one contact, or through all of them.
@@ -296,21 +239,18 @@ class OrbitMotionDerivatives:
         """
         if self.lib is not None:
             raise InputError("dissipation has derivatives in double precision only")
-        contacts = self.structure.contacts if name is None else (self._contact(name),)
+        every = self.structure.contacts
+        places = range(len(every)) if name is None else [self._contact(name)]
         total = np.zeros(len(self.by), dtype=complex)
-        for phase, configuration in enumerate(self.cycle.configurations):
-            acting = [c for c in contacts if configuration in c.forces]
-            if not acting:
-                continue
-            states, weights = self.quadrature(phase)
-            for contact in acting:
-                force, velocity, surface = (
-                    np.einsum("qi,qni->qn", self.numbers.rows[:, place], states)
-                    for place in (contact.forces[configuration], contact.velocity, contact.surface)
-                )
-                total += (force * (surface - velocity) * weights).sum(axis=1)
-        for loss in impact_losses(self):
-            if loss.contact in contacts:
+        if any(c in every[place].forces for place in places for c in self.cycle.configurations):
+            size = len(self.structure.states)
+            rows = observed_rows(self.structure, self.numbers.rows)[:, :, size:]
+            moments = self.moved.moments(rows)
+            for place in places:
+                force, velocity, surface = range(3 * place, 3 * place + 3)
+                total += moments[:, force, surface] - moments[:, force, velocity]
+        for loss in impact_losses(self.cycle, self.moved):
+            if loss.contact in [every[place] for place in places]:
                 total += loss.energy
         return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))
 
@@ -322,62 +262,51 @@ class OrbitMotionDerivatives:
         maximum inside, if there is one: a grazing to come. The speed at the end is among
         `transversalities`.
         """
-        found = []
-        for phase, configuration in enumerate(self.cycle.configurations):
-            for place, boundary in enumerate(self.structure.boundaries[configuration]):
+        places, since, rows, names = [], [], [], []
+        for phase, boundary, time in self._nearest():
+            shape = self.structure.boundaries[self.cycle.configurations[phase]][boundary]
+            places.append(phase)
+            since.append(time)
+            rows.append(shape.row)
+            names.append(shape.name)
+        found = self.moved.differentiated(
+            self.numbers.rows[:, np.array(rows, dtype=int)],
+            np.array(places, dtype=int),
+            np.array(since),
+        )
+        return tuple(
+            BoundaryMargin(phase, self.cycle.itinerary[phase][0], name, -t.value, -t.rates, t.time)
+            for phase, name, t in zip(places, names, map(self._told, found), strict=True)
+        )
 
-                def row(_: int, at: int = boundary.row) -> np.ndarray:
-                    return self.numbers.rows[:, at]
+    def _nearest(self) -> Iterator[tuple[int, int, float]]:
+        """Yield phases, places of boundaries, and times when a phase is nearest to one of them.
 
-                time = self._nearest(row, phase, configuration, place)
-                if time is None:
-                    continue
-                there = self.differentiated(row, phase, time)
-                found.append(
-                    BoundaryMargin(
-                        phase,
-                        self.structure.configurations[configuration],
-                        boundary.name,
-                        -there.value,
-                        -there.rates,
-                        there.time,
-                    )
-                )
-        return tuple(found)
-
-    def _nearest(self, row: Row, phase: int, configuration: int, place: int) -> float | None:
-        """Return when a phase is nearest to a boundary, inside if it touches it at an end.
-
-        None is returned where there is no such time.
+        They are inside if the boundary is touched at an end.
         """
-        phases, boundary = self._phases, self.structure.boundaries[configuration][place]
-        if place not in self.cycle.transitions[phase].boundaries:
-            parts = (phases.begins * 0, phases.durations, phases.configurations)
-            own = Phases(
-                *(part[phase : phase + 1] for part in (*parts, phases.starts, phases.ends))
-            )
-            _, maxima = extremes(self._system, own, self._rows(row))
-            normal = abs(real_parts(self.numbers.rows[0, boundary.row]).astype(float))
-            reach = np.maximum(abs(own.starts[0]), abs(own.ends[0]))
-            if abs(maxima[0].value) > _TOUCH * (normal @ np.append(reach, 1)):
-                return maxima[0].time
-        waves = self._waves[phase]
-        if boundary.name not in waves.names:
-            return None
-        time = float(interior_maxima(waves)[1][0, waves.names.index(boundary.name)])
-        return None if np.isnan(time) else time
-
-    @cached_property
-    def _waves(self) -> list[PhaseWaves]:
-        """Boundary functions along the phases, in double precision."""
-        point = np.array([[float(x) for x in self.orbit.parameters.values()]])
-        (group,) = numbers_at(self.orbit.system, point, self.cycle.configurations)
-        cycle = self.cycle.at(self.cycle.structure.with_modes(group.structure.shapes))
-        numbers, phases = numbers_in(group.structure, group.flat), self._phases
-        return [
-            phase_waves(cycle, numbers, phases.starts[None, k], phases.durations[None], k)
-            for k in range(len(cycle))
-        ]
+        phases, system = self.moved.searched, self.moved.system
+        rows = boundary_rows(system)
+        inside: dict[tuple[int, int], tuple[float, float]] = {}
+        for found in local_maxima(system, phases, rows):
+            duration = phases.durations[found.phase]
+            if _INSIDE * duration < found.since < (1 - _INSIDE) * duration:
+                key, seen = (found.phase, found.function), (found.value, found.since)
+                inside[key] = max(seen, inside.get(key, seen))
+        for phase, configuration in enumerate(self.cycle.configurations):
+            reach = np.maximum(abs(phases.starts[phase]), abs(phases.ends[phase]))
+            for place in range(len(self.structure.boundaries[configuration])):
+                row, best = rows[configuration, place], inside.get((phase, place))
+                if place not in self.cycle.transitions[phase].boundaries:
+                    ends = (
+                        (phases.starts[phase], 0.0),
+                        (phases.ends[phase], phases.durations[phase]),
+                    )
+                    every = [(float(row[:-1] @ y + row[-1]), float(t)) for y, t in ends]
+                    top = max(every if best is None else [best, *every])
+                    if abs(top[0]) > _TOUCH * (abs(row) @ np.append(reach, 1)):
+                        best = top
+                if best is not None:
+                    yield phase, place, best[1]
 
     def margin(self) -> Differentiated:
         """Return the least of all margins; `InputError` where no boundary could be reached."""
@@ -392,10 +321,9 @@ class OrbitMotionDerivatives:
     @cached_property
     def transversalities(self) -> tuple[Transversality, ...]:
         """The speed with which each phase reaches the boundary that ends it."""
-        moved = stepped(self.dwell, self.waits, self.lib)
-        now = passed(self.cycle, self.numbers, moved, self.starts[:, 0], self.lib)
-        values = self._rounded(real_parts(now.speeds[:, 0]))
-        rates = self._rounded(imaginary_parts(now.speeds, self.lib))
+        speeds = [self.moved.arrival(phase, row)[0] for phase, row in enumerate(self.cycle.rows)]
+        values = self._rounded(real_parts(np.array(speeds)[:, 0]))
+        rates = self._rounded(imaginary_parts(np.array(speeds), self.lib))
         return tuple(
             Transversality(k, self.cycle.itinerary[k][1], values[k], rates[k])
             for k in range(len(self.cycle))
@@ -409,14 +337,16 @@ class OrbitMotionDerivatives:
         kind, _, of = name.partition(":")
         if kind in KINDS and of:
             row, signs = self.row_of(kind, of), KINDS[kind]
-            return self.largest(row, *signs) if len(signs) == 1 else self.peak(row, name)
+            return self.peak(row, name) if len(signs) > 1 else self.extremes(row)[signs[0] < 0]
         if kind == "dissipation":
             return self.dissipation(of or None)
         if kind == "margin" and not of:
             return self.margin()
         if kind == "transversality" and not of:
             found = min(self.transversalities, key=lambda t: float(t.value))
-            return Differentiated(found.value, found.rates, self.begins[found.phase + 1])
+            phases = self.moved.phases
+            end = phases.begins[found.phase] + phases.durations[found.phase]
+            return Differentiated(found.value, found.rates, end)
         raise unknown_name("quantity", name, self.names)
 
     @property
@@ -433,11 +363,16 @@ class OrbitMotionDerivatives:
             raise unknown_name("state", name, self.structure.states)
         return self.structure.states.index(name)
 
-    def _contact(self, name: str) -> Any:
-        contacts = {contact.name: contact for contact in self.structure.contacts}
+    def _contact(self, name: str) -> int:
+        contacts = [contact.name for contact in self.structure.contacts]
         if name not in contacts:
             raise unknown_name("contact", name, contacts)
-        return contacts[name]
+        return contacts.index(name)
+
+    def _told(self, found: Differentiated) -> Differentiated:
+        """Return what was found, in the orbit's precision."""
+        (value,), rates = self._rounded(np.array([found.value])), self._rounded(found.rates)
+        return Differentiated(value, rates, found.time)
 
     def _rounded(self, values: np.ndarray) -> np.ndarray:
         """Return numbers rounded to the orbit's precision."""

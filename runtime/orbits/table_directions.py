@@ -12,9 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, step_of, stepped
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import tables_at
-from nonsmooth.runtime.model.table_derivatives import relative_rates
+from nonsmooth.runtime.model.table_derivatives import relative_rates, stepped_tables
 from nonsmooth.runtime.orbits.directions import SINGULAR, Directions, check_reasons, solve_linear
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
@@ -39,7 +37,6 @@ __all__ = [
     "passed",
     "relative_changes",
     "section_along",
-    "stepped_numbers",
     "table_directions",
     "working",
 ]
@@ -60,28 +57,7 @@ def numbers_along(orbit: Orbit, by: Sequence[str], lib: Mpmath | None) -> Number
     steps = np.array([[int(name == other) for name in names] for other in by])
     number = float if lib is None else lib.number
     point = np.array([number(orbit.parameters[name]) for name in names])
-    return stepped_numbers(orbit.system, point[None], steps, lib)
-
-
-def stepped_numbers(
-    system: SystemKernels, points: np.ndarray, steps: np.ndarray, lib: Mpmath | None
-) -> Numbers:
-    """Return fields, rows and resets (k q, ...) at points (k, p), with steps (q, p) at each."""
-    every = stepped(points[:, None], steps, lib).reshape(-1, points.shape[1])
-    if lib is None:
-        return Numbers(*tables_at(system, every))
-    parts: list[list[Any]] = [[], [], []]
-    size = len(system.table["states"])
-    for row in every:
-        for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
-            found = system.source(kernel)(row.tolist(), lib=lib)
-            part.append([[lib.mp.convert(x) for x in line] for line in found])
-    shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
-    fields, rows, resets = (
-        np.array(part, dtype=object).reshape(len(every), *shape)
-        for part, shape in zip(parts, shapes, strict=True)
-    )
-    return Numbers(fields, rows, resets)
+    return Numbers(*stepped_tables(orbit.system, point[None], steps, lib))
 
 
 def passed(

@@ -22,7 +22,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, relative_rates
-from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
+from nonsmooth.runtime.simulation.motion_linearisation import MotionChanges, MotionLinearisation
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.start_derivatives import nearest_start
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -64,13 +64,6 @@ class DirectedMotion:
         """The linearisation of this motion, also at `times` (m,), which are held fixed."""
         return MotionLinearisation(self.trajectory, times, self.apart)
 
-    @property
-    def alone(self) -> DirectedMotion:
-        """The same motion as an original one, in which each transition stands for itself."""
-        count = len(self.apart)
-        own, none = np.arange(count), np.zeros(count, dtype=bool)
-        return replace(self, columns=np.arange(len(self.columns)), first=own, last=own, open=none)
-
 
 def directed_motions(
     trajectory: Trajectory, by: tuple[str, ...], directions: np.ndarray, side: str | None
@@ -100,29 +93,33 @@ def directed_motions(
 
 
 def gathered(
-    parts: Sequence[DirectedMotion], found: Sequence[tuple[np.ndarray, ...]], directions: int
-) -> tuple[np.ndarray, ...]:
+    parts: Sequence[DirectedMotion], found: Sequence[MotionChanges], directions: int
+) -> MotionChanges:
     """Derivatives of the original motion along all directions, from those of its parts.
 
-    `found` has what `MotionLinearisation.forward` returns for each part; the result has the
-    same order. It is NaN where a transition of the original motion has no derivative.
+    `found` has those of each part. They are NaN where a transition of the original motion has
+    no derivative, but for the beginnings of phases.
     """
-    count, (states, _, behind, _) = len(parts[0].first), found[0]
+    count, states, behind = len(parts[0].first), found[0].states, found[0].behind
     if len(parts) == 1 and len(parts[0].apart) == count and not parts[0].open.any():
-        return tuple(found[0])
+        return found[0]
     shape = (count + 1, behind.shape[1], directions)
-    every = (
+    every = MotionChanges(
         np.empty((*states.shape[:2], directions)),
         np.empty((count, directions)),
+        np.empty(shape),
         np.empty(shape),
         np.empty(shape),
     )
     for part, own in zip(parts, found, strict=True):
         first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
-        kept = own[0], own[1][part.first], own[2][first], own[3][last]
+        kept = (
+            own.states, own.event_times[part.first], own.before[first], own.behind[last],
+            own.beginnings[last],
+        )  # fmt: skip
         for whole, piece in zip(every, kept, strict=True):
             whole[..., part.columns] = piece
-        for whole, skipped in zip(every[1:], (0, 1, 1), strict=True):
+        for whole, skipped in zip(every[1:4], (0, 1, 1), strict=True):
             whole[np.ix_(*_places(np.flatnonzero(part.open) + skipped, whole, part.columns))] = (
                 np.nan
             )
@@ -184,7 +181,8 @@ def _next_moment(
         return None
     linear = motion.linearisation(np.empty(0))
     tables, starts = along(linear, by, directions)
-    _, events, before, _ = linear.forward(tables, starts)
+    changes = linear.forward(tables, starts)
+    events, before = changes.event_times, changes.before
     found = linear.transitions
     for entry in several.tolist():
         source = int(run.configurations[entry - 1])
@@ -404,7 +402,8 @@ class _MovedPassage:
         except InputError as error:
             raise self._refused(str(error)) from None
         tables, starts = along(linear, self.by, self.direction[:, None])
-        _, events, _, behind = linear.forward(tables, starts)
+        changes = linear.forward(tables, starts)
+        events, behind = changes.event_times, changes.behind
         begin = self.moment.begin
         places = np.arange(begin - 1, begin - 1 + count)
         times = self.sign * events[places, 0]

@@ -10,17 +10,19 @@ number of parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
+from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.coming_apart import (
     DirectedMotion,
     along,
@@ -28,12 +30,18 @@ from nonsmooth.runtime.simulation.coming_apart import (
     gathered,
     scattered,
 )
-from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation, input_names
+from nonsmooth.runtime.simulation.motion_linearisation import (
+    MotionChanges,
+    MotionLinearisation,
+    input_names,
+)
+from nonsmooth.runtime.simulation.moved_phases import MovedPhases
 from nonsmooth.runtime.simulation.observable_derivatives import (
     ObservableDerivatives,
     observable_derivatives,
 )
 from nonsmooth.runtime.simulation.one_sided import CUT, check_sides, check_times
+from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["MotionDerivatives", "check_numbers", "motion_derivatives"]
@@ -90,17 +98,21 @@ class MotionDerivatives:
         )
 
     @cached_property
-    def _forward(self) -> tuple[np.ndarray, ...]:
-        found = [
+    def _changes(self) -> tuple[MotionChanges, ...]:
+        """Derivatives of each part."""
+        return tuple(
             linear.forward(*directions)
             for linear, directions in zip(self._linearisations, self._directions, strict=True)
-        ]
-        return gathered(self.parts, found, len(self.by))
+        )
+
+    @cached_property
+    def _forward(self) -> MotionChanges:
+        return gathered(self.parts, self._changes, len(self.by))
 
     @property
     def states(self) -> np.ndarray:
         """Derivatives (m, N, q) of the states at the times, which stay."""
-        return self._forward[0]
+        return self._forward.states
 
     @property
     def event_times(self) -> np.ndarray:
@@ -109,7 +121,7 @@ class MotionDerivatives:
         Of boundaries that come apart that of the first. NaN where the boundary is reached
         tangentially and nothing changes behind it, or both sides differ.
         """
-        return self._forward[1]
+        return self._forward.event_times
 
     @property
     def before(self) -> np.ndarray:
@@ -117,7 +129,7 @@ class MotionDerivatives:
 
         In front of the first of boundaries that come apart; NaN where both sides differ.
         """
-        return self._forward[2]
+        return self._forward.before
 
     @property
     def behind(self) -> np.ndarray:
@@ -125,7 +137,7 @@ class MotionDerivatives:
 
         Behind the last of boundaries that come apart; NaN where both sides differ.
         """
-        return self._forward[3]
+        return self._forward.behind
 
     @property
     def end(self) -> np.ndarray:
@@ -136,14 +148,19 @@ class MotionDerivatives:
         InputError
             If it ended where it cannot go on.
         """
+        return self._end(self._forward)
+
+    def _end(self, changes: MotionChanges) -> np.ndarray:
+        """Derivatives of the end by the numbers of `changes`; see `end`."""
         if self.trajectory.status in CUT:
             raise InputError(
                 f"the motion ends at t = {self.trajectory.end!r}: {self.trajectory.message};"
                 " that time has no derivative"
             )
-        if self.trajectory.status == Status.UNTIL or not len(self.event_times):
-            return np.zeros(len(self.by))
-        return np.asarray(self.event_times[-1])
+        events = changes.event_times
+        if self.trajectory.status == Status.UNTIL or not len(events):
+            return np.zeros(events.shape[1])
+        return np.asarray(events[-1])
 
     def jvp(self, direction: Mapping[str, float] | Any) -> dict[str, np.ndarray]:
         """Differentiate along one direction (forward mode).
@@ -181,13 +198,10 @@ class MotionDerivatives:
                 TableDerivatives(*turned), (starts @ factors)[:, None]
             )
         elif self.one_sided is None:
-            every = tuple(part @ factors[:, None] for part in self._forward)
+            every = MotionChanges(*(part @ factors[:, None] for part in self._forward))
         else:
             every = _directional(self, factors)
-        return {
-            name: part[..., 0]
-            for name, part in zip(("states", "event_times", "before", "behind"), every, strict=True)
-        }
+        return {name: getattr(every, name)[..., 0] for name in MotionChanges._fields[:4]}
 
     def vjp(
         self, *, states: Any = None, event_times: Any = None, before: Any = None, behind: Any = None
@@ -239,6 +253,81 @@ class MotionDerivatives:
                 + start @ starts
             )
         return gradient
+
+    @cached_property
+    def numbers(self) -> Numbers:
+        """Fields, rows and resets (q, ...) of the system, each with a step of one number."""
+        if len(self.parts) == 1:
+            tables, _ = self._directions[0]
+        else:
+            tables, _ = self._linearisations[0].directions(self.by)
+        system = self.trajectory.system
+        return Numbers(
+            stepped(system.fields, tables.fields, None),
+            stepped(system.rows, tables.rows, None),
+            stepped(system.resets, tables.resets, None),
+        )
+
+    def moved_phases(self, since: float = 0.0) -> MovedPhases:
+        """Give the motion's phases as they move with the numbers.
+
+        Where boundaries come apart, the times at which phases behind them begin are NaN.
+
+        Parameters
+        ----------
+        since : float
+            Where to begin; it stays.
+
+        Returns
+        -------
+        MovedPhases
+
+        Raises
+        ------
+        InputError
+            As for `nonsmooth.observe`, or where the motion ended where it cannot go on.
+        """
+        found = self._moved(self.trajectory, self._forward, self.numbers, since)
+        for part in self.parts:
+            several = (part.first != part.last)[len(part.first) + 1 - len(found.phases.begins) :]
+            found.rates[0, :, 1:][:, several] = np.nan
+        return found
+
+    def moved_parts(self, since: float) -> Iterator[tuple[np.ndarray, str | None, MovedPhases]]:
+        """Yield indices of numbers, the side, and the phases that the moved motions have in turn.
+
+        The side is None where no boundaries come apart. An `InputError` is raised where they do
+        and their times have other derivatives on the other side.
+        """
+        for part, changes in zip(self.parts, self._changes, strict=True):
+            if part.open.any():
+                reached = self.trajectory.boundaries[1 + int(np.argmax(part.open))]
+                raise InputError(
+                    f"{' and '.join(reached)} are reached together: observables have derivatives on"
+                    " one side there; ask for them by one_sided"
+                )
+            if part.columns.size:
+                own = Numbers(*(numbers[part.columns] for numbers in self.numbers[:3]))
+                moved = self._moved(part.trajectory, changes, own, since)
+                yield part.columns, self.one_sided if part.apart.any() else None, moved
+
+    def _moved(
+        self, trajectory: Trajectory, changes: MotionChanges, numbers: Numbers, since: float
+    ) -> MovedPhases:
+        """The phases of a motion from a time on that stays, as they move."""
+        phases = phases_of(trajectory, since)
+        first = len(trajectory.times) - len(phases.begins)
+        rates = np.zeros((2, changes.event_times.shape[1], len(phases.begins)))
+        rates[1, :, :-1] = rates[0, :, 1:] = changes.event_times[first:].T
+        rates[1, :, -1] = self._end(changes)
+        beginnings = changes.beginnings[first:].copy()
+        found = MovedPhases(trajectory.system, numbers, phases, beginnings, rates)
+        passed = float(phases.begins[0] - trajectory.times[first])
+        if passed:
+            whole = replace(phases, starts=trajectory.states[first:])
+            cut = replace(found, phases=whole).at(np.array([0]), np.array([passed]))
+            beginnings[0] = imaginary_parts(cut[:, 0], None).T
+        return found
 
     def observables(self, since: float = 0.0) -> ObservableDerivatives:
         """Differentiate what `nonsmooth.observe` tells of the motion.
@@ -306,7 +395,7 @@ def check_numbers(by: Iterable[str], states: Sequence[str], parameters: Sequence
             raise unknown_name("parameter or start", str(name), known)
 
 
-def _directional(found: MotionDerivatives, factors: np.ndarray) -> tuple[np.ndarray, ...]:
+def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges:
     """One-sided derivatives along a direction, which are no sum of those by single numbers."""
     direction = factors[:, None]
     (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)

@@ -14,6 +14,7 @@ is below h^40 3e-60 = 3e-20 for half of that, h = 10.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
@@ -21,9 +22,9 @@ import numpy as np
 from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.flows import composite_rule, functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
+from nonsmooth.runtime.simulation.phase_functions import fastest
 
-__all__ = ["ConfigurationFlows", "configuration_flows", "quadrature"]
+__all__ = ["ConfigurationFlows", "configuration_flows", "flow_matrices", "rule_on", "rule_pieces"]
 
 _NODES = 20  # of an integral, in a piece
 _ANGLE = 10.0  # radians in a piece
@@ -62,8 +63,7 @@ class _DenseFlows:
         starts: np.ndarray,
     ) -> None:
         flows = matrices_of(system.flows[configuration])[:, :, :-1]
-        functions = functions_of(system, configuration, durations)
-        self.matrices = np.tensordot(functions, flows, axes=1)
+        self.matrices = flow_matrices(system, configuration, durations)
         # (functions, N, N) as one matrix (N, functions N) that adds up
         self._size = flows.shape[1]
         self._flows = flows.transpose(1, 0, 2).reshape(self._size, -1)
@@ -97,7 +97,7 @@ class _FactoredFlows:
     ) -> None:
         flows = system.flows[configuration]
         assert isinstance(flows, FactoredFlows)
-        self.matrices = flows.at(functions_of(system, configuration, durations))[..., :-1]
+        self.matrices = flow_matrices(system, configuration, durations)
         places, self._columns, rows = flows.terms()
         self._rows = rows[:, :-1]
         weights = starts @ rows[:, :-1].T + rows[:, -1]
@@ -124,6 +124,14 @@ class _FactoredFlows:
         return np.concatenate([linear, constant[:, None]], axis=1)
 
 
+def flow_matrices(system: PiecewiseLinear, configuration: int, durations: np.ndarray) -> np.ndarray:
+    """Derivatives (n, N, N) of the states after durations (n,) by the states at the beginning."""
+    functions, flows = functions_of(system, configuration, durations), system.flows[configuration]
+    if isinstance(flows, FactoredFlows):
+        return flows.at(functions)[..., :-1]
+    return np.asarray(np.tensordot(functions, flows[:, :, :-1], axes=1))
+
+
 def configuration_flows(
     system: PiecewiseLinear, configurations: np.ndarray, durations: np.ndarray, starts: np.ndarray
 ) -> Iterator[tuple[int, np.ndarray, ConfigurationFlows]]:
@@ -144,23 +152,18 @@ def configuration_flows(
             yield configuration, part, make(system, configuration, durations[part], starts[part])
 
 
-def quadrature(
-    system: PiecewiseLinear, phases: Phases
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Nodes of a quadrature rule for products of two states along the phases.
+def rule_pieces(system: PiecewiseLinear, configuration: int, durations: np.ndarray) -> np.ndarray:
+    """Numbers of pieces (n,) on which products of two states have exact integrals."""
+    pieces = 1 + np.floor(fastest(system, configuration) * durations / _ANGLE).astype(int)
+    many = pieces > _FEW  # as many as a power of two
+    pieces[many] = 2 ** np.ceil(np.log2(pieces[many])).astype(int)
+    return np.asarray(pieces)
 
-    The three arrays (n,) are the phase's index of each node, its time in the motion, its
-    weight.
-    """
-    parts = []
-    for place, configuration in enumerate(phases.configurations.tolist()):
-        duration = phases.durations[place]
-        pieces = 1 + int(fastest(system, configuration) * duration / _ANGLE)
-        nodes, weights = composite_rule(_NODES, pieces)
-        times = phases.begins[place] + duration * nodes
-        parts.append((np.full(len(nodes), place), times, duration * weights))
-    places, times, weights = (np.concatenate(part) for part in zip(*parts, strict=True))
-    return places, times, weights
+
+@lru_cache(maxsize=64)
+def rule_on(pieces: int) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights of an integral over [0, 1] that is cut into equal pieces."""
+    return composite_rule(_NODES, pieces)
 
 
 def _convolutions(
@@ -170,11 +173,9 @@ def _convolutions(
     count = system.structure.functions[configuration]
     products = np.empty((len(durations), count, count))
     integrals = np.empty((len(durations), count))
-    pieces = 1 + np.floor(fastest(system, configuration) * durations / _ANGLE).astype(int)
-    many = pieces > _FEW  # as many as a power of two
-    pieces[many] = 2 ** np.ceil(np.log2(pieces[many])).astype(int)
+    pieces = rule_pieces(system, configuration, durations)
     for piece in np.unique(pieces).tolist():
-        nodes, weights = composite_rule(_NODES, piece)
+        nodes, weights = rule_on(piece)
         here = np.flatnonzero(pieces == piece)
         step = max(1, _CHUNK // (len(nodes) * max(1, count)))
         for low in range(0, len(here), step):

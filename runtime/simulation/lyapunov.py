@@ -22,21 +22,17 @@ error.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.flow_derivatives import flow_matrices
 from nonsmooth.runtime.simulation.phase_functions import phases_of
-from nonsmooth.runtime.simulation.tangent import (
-    TangentPhase,
-    earliest_entry,
-    flow_matrix,
-    tangent_phases,
-)
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from nonsmooth.runtime.simulation.transition_derivatives import field_at
+from nonsmooth.runtime.simulation.transition_derivatives import field_at, transitions_behind
 
 __all__ = ["Exponent", "lyapunov", "lyapunov_spectrum"]
 
@@ -68,6 +64,16 @@ class Exponent(NamedTuple):
     def positive(self) -> bool:
         """Whether it lies above zero by more than three standard errors: chaos."""
         return self.value > _SIGNIFICANT * self.error
+
+
+class _TangentPhase(NamedTuple):
+    """One phase of a motion, with the saltation matrix (N, N) at its end if there is one."""
+
+    begin: float
+    duration: float
+    configuration: int
+    start: np.ndarray
+    saltation: np.ndarray | None
 
 
 class _Growth(NamedTuple):
@@ -181,10 +187,10 @@ def _growth(trajectory: Trajectory, since: float) -> _Growth:
 
     Up to `since` the frame is filled up with all directions that the constraints allow.
     """
-    system, first = trajectory.system, earliest_entry(trajectory, since)
+    system = trajectory.system
     own = np.ix_(kept := _perturbed(trajectory), kept)
     forced = bool(trajectory.structure.forcing)
-    phases = list(tangent_phases(trajectory, first, since))
+    phases = list(_tangent_phases(trajectory, since))
     counts = _pieces(system, phases, since, trajectory.end)
     count = len(kept) - (not forced)
     generator = np.random.default_rng(_SEED)
@@ -198,7 +204,7 @@ def _growth(trajectory: Trajectory, since: float) -> _Growth:
             frame, _, _ = _orthonormal(every, np.arange(every.shape[1]), field, _DEPENDENT)
             alive = np.arange(frame.shape[1])
         for begin, length, number in _cut(phase, pieces, since):
-            flow = flow_matrix(system, phase.configuration, length)[own]
+            flow = flow_matrices(system, phase.configuration, np.array([length]))[0][own]
             for piece in range(number):
                 field = None if field is None else flow @ field
                 frame, alive, grown = _orthonormal(flow @ frame, alive, field, lost=0.0)
@@ -215,6 +221,36 @@ def _growth(trajectory: Trajectory, since: float) -> _Growth:
     return _Growth(phases[0].begin, np.array(middles), np.array(lengths), kept_logs)
 
 
+def _tangent_phases(trajectory: Trajectory, since: float) -> Iterator[_TangentPhase]:
+    """Yield the phases of a motion, from the earliest entry on from which it has a derivative.
+
+    An `InputError` is raised if it has none from the time `since` on: two boundaries are reached
+    at once, or one is touched.
+    """
+    run = trajectory.run
+    touched = [grazing.time for grazing in run.grazings]
+    for time in touched:
+        if time > since:
+            raise InputError(f"a boundary is reached tangentially at t = {time!r}")
+    together = run.times[(run.sets & (run.sets - 1)) != 0].tolist()
+    last = max(time for time in (0.0, *touched, *together) if time <= since)
+    latest = int(np.searchsorted(run.times, since, side="right")) - 1
+    first = min(int(np.searchsorted(run.times, last)), latest)
+    found = transitions_behind(trajectory, first)
+    normals = trajectory.system.rows[found.rows][:, None, :-1]
+    linear = trajectory.system.resets[found.resets][..., :-1]
+    saltations = linear + found.late()[:, :-1, None] * normals
+    for place, duration in enumerate(np.diff(run.times[first:], append=trajectory.end).tolist()):
+        entry = first + place
+        yield _TangentPhase(
+            float(run.times[entry]),
+            duration,
+            int(run.configurations[entry]),
+            run.states[entry],
+            saltations[place] if place < len(saltations) else None,
+        )
+
+
 def _placed(count: int, places: np.ndarray, values: np.ndarray) -> np.ndarray:
     found = np.zeros(count)
     found[places] = values
@@ -222,7 +258,7 @@ def _placed(count: int, places: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def _pieces(
-    system: PiecewiseLinear, phases: list[TangentPhase], since: float, end: float
+    system: PiecewiseLinear, phases: list[_TangentPhase], since: float, end: float
 ) -> list[float]:
     """The longest piece allowed in each phase, so short that no direction underflows."""
     longest = []
@@ -240,7 +276,7 @@ def _pieces(
     return longest
 
 
-def _cut(phase: TangentPhase, longest: float, since: float) -> list[tuple[float, float, int]]:
+def _cut(phase: _TangentPhase, longest: float, since: float) -> list[tuple[float, float, int]]:
     """Begin, length and number of the equal pieces of a phase, which is cut at `since` as well."""
     end = phase.begin + phase.duration
     parts = [(phase.begin, phase.duration)]
@@ -259,7 +295,7 @@ def _allowed(system: PiecewiseLinear, configuration: int, kept: list[int]) -> np
     return np.asarray(np.eye(len(kept)) - np.linalg.pinv(normals) @ normals)
 
 
-def _direction(system: PiecewiseLinear, phase: TangentPhase) -> np.ndarray:
+def _direction(system: PiecewiseLinear, phase: _TangentPhase) -> np.ndarray:
     """The motion's own direction at the start of a phase."""
     field = field_at(system, phase.configuration, phase.start)
     terms = np.abs(system.fields[phase.configuration]) @ np.append(np.abs(phase.start), 1.0)

@@ -3,20 +3,32 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives, stepped_tables
 from nonsmooth.runtime.simulation.flow_derivatives import ConfigurationFlows, configuration_flows
 from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, following_changes
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import Transitions, transitions_behind
 
-__all__ = ["MotionLinearisation", "input_names"]
+__all__ = ["MotionChanges", "MotionLinearisation", "input_names"]
 
 _ERROR = 64 * np.finfo(float).eps
+
+
+class MotionChanges(NamedTuple):
+    """Derivatives of a motion with n - 1 transitions by q numbers."""
+
+    states: np.ndarray  # (m, N, q), at times that stay
+    event_times: np.ndarray  # (n - 1, q), NaN without a derivative
+    before: np.ndarray  # (n, N, q), in front of the transitions, which move; the start comes first
+    behind: np.ndarray  # (n, N, q), behind them
+    beginnings: np.ndarray  # (n, N, q), where phases begin, at fixed times
 
 
 class MotionLinearisation:
@@ -59,18 +71,19 @@ class MotionLinearisation:
     def directions(self, by: tuple[str, ...]) -> tuple[TableDerivatives, np.ndarray]:
         """Changes of the tables (q, ...) and of the start (N, q) by the numbers `by`."""
         system, run = self.trajectory.system, self.trajectory.run
-        point = np.array([float(value) for value in system.parameters.values()])
         names, starts = input_names(self.trajectory)
-        tables = table_derivatives(self.kernels, point)
+        point = np.array([[float(value) for value in system.parameters.values()]])
+        steps = np.zeros((len(by), len(names)))
+        for row, name in enumerate(by):
+            steps[row] = [name == other for other in names]
+        moved = stepped_tables(self.kernels, point, steps, None)
+        tables = TableDerivatives(*(imaginary_parts(part, None) for part in moved))
         configuration, start = int(run.configurations[0]), run.states[0]
-        moved = following_changes(system, configuration, start, tables.rows)
+        changes = following_changes(system, configuration, start, tables.rows)
         allowed = allowed_changes(system, configuration, start)
-        columns = dict(zip((*names, *starts), np.hstack([moved, allowed]).T, strict=True))
-        places = [names.index(name) if name in names else len(names) for name in by]
-        padded = TableDerivatives(
-            *(np.concatenate([part, np.zeros((1, *part.shape[1:]))])[places] for part in tables)
-        )
-        return padded, np.array([columns[name] for name in by]).reshape(len(by), -1).T
+        own = [column for column, name in enumerate(by) if name in starts]
+        changes[:, own] = allowed[:, [starts.index(by[column]) for column in own]]
+        return tables, changes
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
@@ -83,11 +96,7 @@ class MotionLinearisation:
         system, found = self.trajectory.system, self.transitions
         size = len(self.trajectory.names)
         linear = system.resets[found.resets][..., :-1]
-        rates = np.zeros(len(linear))
-        np.divide(-1.0, found.speeds, out=rates, where=(found.speeds != 0) & ~self.instants)
-        late = np.empty((len(linear), size + 1))
-        late[:, :size] = np.where(found.smooth[:, None], 0.0, -found.jumps * rates[:, None])
-        late[:, size] = rates
+        late = found.late(self.instants)
         steps = np.zeros((len(linear), size + 1, size + 1))
         steps[..., :size] = late[..., None] * system.rows[found.rows][:, None, :-1]
         steps[:, :size, :size] += linear
@@ -119,12 +128,8 @@ class MotionLinearisation:
         found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
         return found
 
-    def forward(self, tables: TableDerivatives, starts: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Derivatives of states at `times`, of transitions' times, and of the states around these.
-
-        Their shapes are (m, N, q), (n - 1, q) and, before and behind transitions, twice (n, N,
-        q). The start counts as the first of the n entries. A time without a derivative has NaN.
-        """
+    def forward(self, tables: TableDerivatives, starts: np.ndarray) -> MotionChanges:
+        """Derivatives of the motion along changes of the tables and of the start (N, q)."""
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
         added = np.empty((len(self.phases), size, q))
@@ -156,14 +161,14 @@ class MotionLinearisation:
         after[1:] += found.behind[..., None] * events[:, None]
         own = self.phases[count - 1 :]
         states = self.matrices[count - 1 :] @ beginnings[own] + added[count - 1 :]
-        return states, events, before, after
+        return MotionChanges(states, events, before, after, beginnings)
 
     def reverse(
         self, states: np.ndarray, event_times: np.ndarray, before: np.ndarray, behind: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Gradients of a combination of results by fields, rows, resets and the start.
 
-        The arguments are the factors of what `forward` returns, without the axis of directions.
+        The arguments are the factors of what `forward` gives, without the axis of directions.
         """
         trajectory, found = self.trajectory, self.transitions
         system, count, size = trajectory.system, *trajectory.states.shape

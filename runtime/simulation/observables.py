@@ -7,7 +7,6 @@ error is far below rounding.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,12 +14,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.structure import ContactShape, Structure
+from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.extremes import Extreme, extremes
 from nonsmooth.runtime.simulation.phase_functions import Phases, panels, phases_of, values_at
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["ContactObservables", "Observables", "contact_rows", "observe", "sticking"]
+__all__ = ["ContactObservables", "Observables", "observe", "observed_rows", "sticking"]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _ANGLE = 2.0
@@ -131,13 +130,15 @@ class Observables:
         return np.asarray(force * (velocity - surface))
 
     def _contact(self, name: str, times: Any) -> tuple[np.ndarray, ...]:
-        system = self.trajectory.system
-        shapes = {contact.name: contact for contact in system.structure.contacts}
-        if name not in shapes:
-            raise unknown_name("contact", name, shapes)
+        system, structure = self.trajectory.system, self.trajectory.structure
+        names = [contact.name for contact in structure.contacts]
+        if name not in names:
+            raise unknown_name("contact", name, names)
         states = self.trajectory(times)
         phases = np.searchsorted(self.trajectory.times, np.asarray(times, float), side="right") - 1
-        rows = contact_rows(system, shapes[name])[self.trajectory.run.configurations[phases]]
+        first = len(structure.states) + 3 * names.index(name)
+        every = observed_rows(structure, system.rows)[:, first : first + 3]
+        rows = every[self.trajectory.run.configurations[phases]]
         found = (rows[..., :-1] @ states[..., None])[..., 0] + rows[..., -1]
         return found[..., 0], found[..., 1], found[..., 2]
 
@@ -174,10 +175,7 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     phases = phases_of(trajectory, since)
     duration = trajectory.end - float(since)
     size = len(structure.states)
-    identity = np.hstack([np.eye(size), np.zeros((size, 1))])
-    parts = [np.tile(identity, (len(structure.configurations), 1, 1))]
-    parts += [contact_rows(system, contact) for contact in structure.contacts]
-    rows = np.concatenate(parts, axis=1)
+    rows = observed_rows(structure, system.rows)
     forces = [size + 3 * i for i in range(len(structure.contacts))]
     minima, maxima = extremes(system, phases, rows[:, [*range(size), *forces]])
     moments = _moments(system, phases, rows)
@@ -213,28 +211,23 @@ def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
     return dict(zip(names, values, strict=True))
 
 
-def contact_rows(system: PiecewiseLinear, contact: ContactShape) -> np.ndarray:
-    """Rows (configurations, 3, N + 1) of a contact's force, velocity and surface velocity.
+def observed_rows(structure: Structure, rows: np.ndarray) -> np.ndarray:
+    """Affine functions (..., configurations, K, N + 1), from the rows (..., R, N + 1) of tables.
 
-    They are affine functions ``n y + c``: n, then c.
+    They are the states, then force, velocity and surface of each contact; where it has none the
+    force is zero. Each is ``n y + c``: n, then c.
     """
-    return np.array(
-        [
-            [
-                _force(system, contact.forces, configuration),
-                system.rows[contact.velocity],
-                system.rows[contact.surface],
-            ]
-            for configuration in range(len(system.structure.configurations))
-        ]
-    )
-
-
-def _force(system: PiecewiseLinear, forces: Mapping[int, int], configuration: int) -> np.ndarray:
-    """Row of the force; zero where the contact has none."""
-    if configuration not in forces:
-        return np.zeros(system.rows.shape[1])
-    return np.asarray(system.rows[forces[configuration]])
+    size, count = len(structure.states), len(structure.configurations)
+    width = size + 3 * len(structure.contacts)
+    found = np.zeros((*rows.shape[:-2], count, width, size + 1), dtype=rows.dtype)
+    found[..., :size, :] = np.eye(size, size + 1)
+    for place, contact in enumerate(structure.contacts):
+        at = size + 3 * place
+        for configuration, force in contact.forces.items():
+            found[..., configuration, at, :] = rows[..., force, :]
+        found[..., at + 1, :] = rows[..., None, contact.velocity, :]
+        found[..., at + 2, :] = rows[..., None, contact.surface, :]
+    return found
 
 
 def _moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.ndarray:

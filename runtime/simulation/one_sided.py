@@ -69,12 +69,13 @@ def check_sides(
     at = np.array([touch.time for touch in touches])
     linearisation = motion.linearisation(at)
     tables, starts = along(linearisation, by, own)
-    states, events, _, _ = linearisation.forward(tables, starts)
+    changes = linearisation.forward(tables, starts)
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
     smooth = linearisation.transitions.smooth
-    for touch, change, state in zip(touches, states, trajectory(at), strict=True):
+    for touch, change, state in zip(touches, changes.states, trajectory(at), strict=True):
         if touch.row is None:
-            rises = np.where(smooth[touch.transition], 0.0, events[touch.transition])
+            rises = changes.event_times[touch.transition]
+            rises = np.where(smooth[touch.transition], 0.0, rises)
         else:
             row = trajectory.system.rows[touch.row]
             rises = row[:-1] @ change + tables.rows[:, touch.row] @ extended(state)

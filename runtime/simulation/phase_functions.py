@@ -76,6 +76,12 @@ class Panels(NamedTuple):
     constants: np.ndarray  # (K,) added to the sums
     last: np.ndarray  # (n,) bool: whether it ends its phase
 
+    def at(self, places: np.ndarray) -> Panels:
+        """Those panels at some places (m,)."""
+        phases, left, right = self.phases[places], self.left[places], self.right[places]
+        weights, last = self.weights[places], self.last[places]
+        return Panels(self.configuration, phases, left, right, weights, self.constants, last)
+
 
 def panels(
     system: PiecewiseLinear, phases: Phases, rows: np.ndarray, angle: float

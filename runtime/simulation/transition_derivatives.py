@@ -8,7 +8,7 @@ F. Gantmakher, 1958). A transition without that jump of velocities is smooth.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,6 +33,17 @@ class Transitions(NamedTuple):
     jumps: np.ndarray  # (m, N) velocity behind, minus the reset's image of that before
     speeds: np.ndarray  # (m,) at which the boundary is reached
     smooth: np.ndarray  # (m,) bool: no jump within rounding
+
+    def late(self, together: Any = False) -> np.ndarray:
+        """What a unit of the boundary function in front adds (m, N + 1) at a fixed time behind.
+
+        The transition's own time comes last. It is none for those that are `together` with
+        another one, bool (m,), and for boundaries that are touched.
+        """
+        rates = np.zeros(len(self.speeds))
+        np.divide(-1.0, self.speeds, out=rates, where=(self.speeds != 0) & ~np.asarray(together))
+        moved = np.where(self.smooth[:, None], 0.0, -self.jumps * rates[:, None])
+        return np.concatenate([moved, rates[:, None]], axis=1)
 
 
 def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:

@@ -271,8 +271,8 @@ def test_extremes_have_derivatives_of_all_digits():
     """Where the extreme is has to be polished: a place in doubles leaves eight digits."""
     orbit = ns.solve(ALONG[2])
     precise = ns.refine(orbit, 30)
-    along, _ = precise.evaluation.along(precise.derivatives("r"))
-    extreme = along.largest(along.row_of("minimum", "x"), -1)
+    along = precise.derivatives("r").along
+    extreme = along.quantity("minimum:x")
     (state,), _ = along.states([extreme.time])
     assert abs(state[1]) < 1e-28  # its velocity
     rate = extreme.rates[0]

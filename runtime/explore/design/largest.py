@@ -21,7 +21,7 @@ from nonsmooth.runtime.explore.design.quantities import RADIUS, is_extreme
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
-    from nonsmooth.runtime.orbits.local_extremes import LocalExtreme
+    from nonsmooth.runtime.orbits.motion_derivatives import LocalExtreme
 
 __all__ = [
     "ExtremeKey",

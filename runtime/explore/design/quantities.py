@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.orbits.local_extremes import KINDS
+from nonsmooth.runtime.orbits.motion_derivatives import KINDS
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives

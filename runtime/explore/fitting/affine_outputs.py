@@ -43,42 +43,27 @@ class Output(NamedTuple):
     row: np.ndarray
     terms: tuple[_Term, ...]  # ``acceleration`` and a state, or ``force`` and a contact
 
-    @property
-    def steady(self) -> np.ndarray:
-        """The part (N + 1,) that does not depend on the configuration."""
-        size = len(self.row) - len(self.terms) - 1
-        return np.append(self.row[:size], self.row[-1])
-
-    def derived(
-        self, structure: Structure, fields: np.ndarray, rows: np.ndarray, configuration: int
-    ) -> np.ndarray:
-        """The part (..., N + 1) due to accelerations and forces in a configuration.
-
-        It is linear in the tables `fields` (..., configurations, N, N + 1) and `rows`
-        (..., R, N + 1), which are those of the system or their derivatives.
-        """
-        found = np.zeros_like(rows[..., 0, :])
-        size = len(self.row) - len(self.terms) - 1
-        for factor, term in zip(self.row[size:-1].tolist(), self.terms, strict=True):
-            if term.kind == _FORCE:
-                (contact,) = (each for each in structure.contacts if each.name == term.name)
-                if configuration in contact.forces:
-                    found = found + factor * rows[..., contact.forces[configuration], :]
-            else:
-                place = structure.states.index(term.name)
-                velocity = dict(structure.coordinates).get(place, place)
-                found = found + factor * fields[..., configuration, velocity, :]
-        return found
-
     def in_configurations(
         self, structure: Structure, fields: np.ndarray, rows: np.ndarray
     ) -> np.ndarray:
-        """The affine function in each configuration, (configurations, N + 1).
+        """The affine function in each configuration, (..., configurations, N + 1).
 
-        `fields` (configurations, N, N + 1) and `rows` (R, N + 1) are the tables of the system.
+        `fields` (..., configurations, N, N + 1) and `rows` (..., R, N + 1) are the tables of the
+        system, also with steps.
         """
-        every = range(len(structure.configurations))
-        return np.array([self.steady + self.derived(structure, fields, rows, c) for c in every])
+        size = len(self.row) - len(self.terms) - 1
+        found = np.zeros((*fields.shape[:-2], size + 1), dtype=fields.dtype)
+        found[...] = np.append(self.row[:size], self.row[-1])
+        for factor, term in zip(self.row[size:-1].tolist(), self.terms, strict=True):
+            if term.kind == _FORCE:
+                (contact,) = (each for each in structure.contacts if each.name == term.name)
+                for configuration, force in contact.forces.items():
+                    found[..., configuration, :] += factor * rows[..., force, :]
+            else:
+                place = structure.states.index(term.name)
+                velocity = dict(structure.coordinates).get(place, place)
+                found += factor * fields[..., velocity, :]
+        return found
 
 
 def output_of(text: str, structure: Structure) -> Output:

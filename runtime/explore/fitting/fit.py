@@ -34,7 +34,6 @@ from nonsmooth.runtime.explore.fitting.prediction import Prediction, times_of_ev
 from nonsmooth.runtime.explore.fitting.residuals import FitProblem
 from nonsmooth.runtime.explore.fitting.response_prediction import (
     SteadyPrediction,
-    differentiated_by,
     points_under,
 )
 from nonsmooth.runtime.explore.fitting.statistics import combination_text, statistics
@@ -340,7 +339,7 @@ def _responses(
     covariance: np.ndarray,
 ) -> tuple[FittedResponse, ...]:
     """The steady response of each row."""
-    columns = list(differentiated_by(unknowns, number).values())
+    columns = list(unknowns.columns(number).values())
     points = points_under(experiment, unknowns, number, found.point)
     return tuple(
         FittedResponse(

@@ -13,13 +13,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
-from nonsmooth.runtime.explore.fitting.table_changes import table_changes
-from nonsmooth.runtime.explore.fitting.unknowns import FreeNumber, MotionSettings, Unknowns
+from nonsmooth.runtime.explore.fitting.unknowns import MotionSettings, Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -58,14 +57,17 @@ def predict(
     outputs = [series for series in experiment.series if series.kind == "output"]
     clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
     times = np.minimum(clocks - condition.offset, motion.end)
-    by, columns, clock = _asked(motion, unknowns, number)
+    columns, clock = unknowns.columns(number), unknowns.clock(number)
+    by, free = [*columns], [*columns.values()]
     for series in outputs:
         own = times[np.searchsorted(clocks, series.times)]
         _check_jumps(
             experiment, series, output_of(series.expression, motion.structure), motion, own
         )
-    derivatives = motion.derivatives(by, times=times) if by else None
     states = motion(times)
+    derivatives = motion.derivatives(by, times=times) if by else None
+    if derivatives is not None:
+        stepped_states = stepped(states, np.moveaxis(derivatives.states, -1, 0), None)
     rates = _rates(motion, times, states) if clock is not None and len(times) else None
     phases = np.searchsorted(motion.times, times, side="right") - 1
     extended = np.concatenate([states, np.ones((len(times), 1))], axis=1)
@@ -79,23 +81,17 @@ def predict(
             rows = _rows(output, motion)[where]
             values.append(np.einsum("mn,mn->m", rows, extended[places]))
             if derivatives is not None:
-                changes = np.einsum("mn,mnq->mq", rows[:, :-1], derivatives.states[places])
-                if output.terms:
-                    tables = table_changes(motion, by)
-                    every = range(len(motion.structure.configurations))
-                    moved = [
-                        output.derived(motion.structure, tables.fields, tables.rows, c)
-                        for c in every
-                    ]
-                    changes += np.einsum("mqn,mn->mq", np.array(moved)[where], extended[places])
-                jacobian[:, columns] = changes
+                fields, moved, _ = derivatives.numbers[:3]
+                own = output.in_configurations(motion.structure, fields, moved)[:, where]
+                found = (own[..., :-1] * stepped_states[:, places]).sum(axis=-1) + own[..., -1]
+                jacobian[:, free] = imaginary_parts(found, None).T
             if clock is not None and rates is not None:
                 jacobian[:, clock] = -np.einsum("mn,mn->m", rows[:, :-1], rates[places])
         else:
             reached = times_of_events(motion, series.expression)[series.places]
             values.append(condition.offset + motion.times[reached])
             if derivatives is not None:
-                jacobian[:, columns] = derivatives.event_times[reached - 1]
+                jacobian[:, free] = derivatives.event_times[reached - 1]
             if clock is not None:
                 jacobian[:, clock] = 1.0
         if not (np.isfinite(values[-1]).all() and np.isfinite(jacobian).all()):
@@ -182,30 +178,6 @@ def _check_jumps(
                 f"{experiment.name}: {series.name} jumps at {clock:.12g}, at"
                 f" {' and '.join(motion.boundaries[entry])}: leave out what was measured there"
             )
-
-
-def _asked(
-    motion: Trajectory, unknowns: Unknowns, number: int
-) -> tuple[list[str], list[int], int | None]:
-    """Names by which the motion is differentiated, their columns, and that of the clock."""
-    names = start_names(motion.names, list(motion.parameters))
-    starts = dict(zip(motion.names, names, strict=True))
-    by: list[str] = []
-    columns: list[int] = []
-    clock = None
-    for column, entry in enumerate(unknowns.entries):
-        if not entry.concerns(number):
-            continue
-        if entry.kind == "offset":
-            clock = column
-        else:
-            by.append(_name(entry, starts))
-            columns.append(column)
-    return by, columns, clock
-
-
-def _name(entry: FreeNumber, starts: dict[str, str]) -> str:
-    return entry.target if entry.kind == "parameter" else starts[entry.target]
 
 
 def _rates(motion: Trajectory, times: np.ndarray, states: np.ndarray) -> np.ndarray:

@@ -12,7 +12,6 @@ from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSer
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
 from nonsmooth.runtime.explore.fitting.response_prediction import (
     SteadyPrediction,
-    differentiated_by,
     look,
     points_under,
     predict_steady,
@@ -94,7 +93,7 @@ class FitProblem:
         for number, each in enumerate(self.experiments):
             if each.steady:
                 points = points_under(each, self.unknowns, number, point)
-                by = list(differentiated_by(self.unknowns, number))
+                by = list(self.unknowns.columns(number))
                 look(self.kernels, each, number, points, by, self.responses)
         return any(each.steady for each in self.experiments)
 

@@ -30,7 +30,7 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["SteadyPrediction", "differentiated_by", "look", "points_under", "predict_steady"]
+__all__ = ["SteadyPrediction", "look", "points_under", "predict_steady"]
 
 _TURN = 2 * np.pi
 
@@ -51,15 +51,6 @@ def points_under(
     """All parameters of each row of an experiment (`number`, from 0) at unknowns `at` (q,)."""
     shared = unknowns.condition(at, number).parameters
     return [{**shared, **own} for own in experiment.points]
-
-
-def differentiated_by(unknowns: Unknowns, number: int) -> dict[str, int]:
-    """Free parameters of an experiment, with their columns."""
-    return {
-        entry.target: column
-        for column, entry in enumerate(unknowns.entries)
-        if entry.kind == "parameter" and entry.concerns(number)
-    }
 
 
 def look(
@@ -109,7 +100,7 @@ def predict_steady(
     has no derivative.
     """
     points = points_under(experiment, unknowns, number, point)
-    columns = differentiated_by(unknowns, number)
+    columns = unknowns.columns(number)
     if not known.known(number):
         look(kernels, experiment, number, points, list(columns), known)
     structure = structure_of(kernels)

@@ -1,7 +1,6 @@
 """What is measured of a steady response: peaks, amplitudes, averages and the first harmonic.
 
-Extremes are guaranteed, and differentiated where they are attained. Averages are integrals by
-Gauss and Legendre's rule, phase by phase.
+Extremes are guaranteed, and differentiated where they are attained.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.complex_steps import imaginary_parts
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
 from nonsmooth.runtime.model.naming import shown_name
@@ -41,8 +40,7 @@ class ResponseQuantity(NamedTuple):
 
         Raises `InputError` if there is no derivative.
         """
-        along, _ = derivatives.orbit.evaluation.along(derivatives)
-        return KINDS[self.kind](along, self.output, self.text)
+        return KINDS[self.kind](derivatives.along, self.output, self.text)
 
 
 def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
@@ -67,15 +65,9 @@ def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
 Value = tuple[float, np.ndarray]
 
 
-def _row(along: OrbitMotionDerivatives, output: Output) -> Callable[[int], np.ndarray]:
-    """The output (q, N + 1) as a function of the configuration, with complex steps."""
-    numbers = along.numbers
-
-    def row(configuration: int) -> np.ndarray:
-        moved = output.derived(along.structure, numbers.fields, numbers.rows, configuration)
-        return np.asarray(output.steady + moved)
-
-    return row
+def _row(along: OrbitMotionDerivatives, output: Output) -> np.ndarray:
+    """The output (q, configurations, N + 1), with complex steps."""
+    return output.in_configurations(along.structure, along.numbers.fields, along.numbers.rows)
 
 
 def _extremes(along: OrbitMotionDerivatives, output: Output) -> tuple[Value, Value]:
@@ -139,19 +131,14 @@ def _averages(along: OrbitMotionDerivatives, output: Output) -> np.ndarray:
 
     The angle is that of the first forcing; without one there are zeros.
     """
-    row, forcing = _row(along, output), along.structure.forcing
-    total = np.zeros((4, len(along.by)), dtype=complex)
-    period = np.zeros(len(along.by), dtype=complex)
-    for phase, configuration in enumerate(along.cycle.configurations):
-        states, weights = along.quadrature(phase)
-        values = np.einsum("qi,qni->qn", row(configuration), states)
-        parts = [values, values**2]
-        if forcing:
-            parts += [values * states[..., place] for place in forcing[0]]
-        for place, part in enumerate(parts):
-            total[place] += (part * weights).sum(axis=1)
-        period += weights.sum(axis=1)
-    return np.asarray(total / period)
+    row, forcing = _row(along, output)[:, :, None], along.structure.forcing
+    units = np.eye(row.shape[-1])[list(forcing[0] if forcing else ())]
+    angles = np.broadcast_to(units, (*row.shape[:2], *units.shape))
+    moments = along.moved.moments(np.concatenate([row, angles], axis=2))[:, 0]
+    parts = [moments[:, -1], moments[:, 0], *moments[:, 1:-1].T]
+    parts += [0 * parts[0]] * (4 - len(parts))
+    period = stepped(float(along.period), along.moved.rates[1, :, -1], None)
+    return np.asarray(np.array(parts) / period)
 
 
 _OF_FORCING = ("harmonic", "phase")

@@ -34,6 +34,11 @@ class FreeNumber:
     target: str  # the parameter, or the state that starts with it
     experiment: int | None  # to which it belongs, None for all
 
+    @property
+    def base(self) -> str:
+        """The name without its experiment, under which bounds and priors are given."""
+        return self.name.partition("@")[0]
+
     def concerns(self, experiment: int) -> bool:
         """Whether an experiment depends on it."""
         return self.experiment in (None, experiment)
@@ -64,6 +69,21 @@ class Unknowns:
     def names(self) -> tuple[str, ...]:
         """Names of the unknowns."""
         return tuple(entry.name for entry in self.entries)
+
+    def columns(self, experiment: int) -> dict[str, int]:
+        """Free parameters and starts of an experiment, with their places among the unknowns."""
+        return {
+            entry.base: column
+            for column, entry in enumerate(self.entries)
+            if entry.concerns(experiment) and entry.kind != "offset"
+        }
+
+    def clock(self, experiment: int) -> int | None:
+        """Place of an experiment's offset among the unknowns; None where it is fixed."""
+        for column, entry in enumerate(self.entries):
+            if entry.concerns(experiment) and entry.kind == "offset":
+                return column
+        return None
 
     def sizes(self, point: np.ndarray) -> np.ndarray:
         """A large change (q,) of each unknown at a point (q,): its own size, or that of its guess.
@@ -163,11 +183,11 @@ def unknowns_of(
                 float(as_value(each.offset if each.offset is not None else offset)),
             )
         )
-    ends = [_bounds(entry, base, bounds, tables, experiments) for entry, base in _based(entries)]
+    ends = [_bounds(entry, bounds, tables, experiments) for entry in entries]
     beliefs = tuple(
-        (place, *_prior(base, priors[base]))
-        for place, (_, base) in enumerate(_based(entries))
-        if base in priors
+        (place, *_prior(entry.base, priors[entry.base]))
+        for place, entry in enumerate(entries)
+        if entry.base in priors
     )
     guesses = [
         _guess(entry, fixed, *ends[place], {p: m for p, m, _ in beliefs}.get(place))
@@ -177,19 +197,13 @@ def unknowns_of(
     return Unknowns(tuple(entries), np.array(guesses), lower, upper, beliefs, tuple(fixed))
 
 
-def _based(entries: Sequence[FreeNumber]) -> list[tuple[FreeNumber, str]]:
-    """Each free number with the name under which its bounds and prior are given."""
-    return [(entry, entry.name.partition("@")[0]) for entry in entries]
-
-
 def _bounds(
     entry: FreeNumber,
-    base: str,
     bounds: Bounds,
     tables: Mapping[str, ParameterTable],
     experiments: Sequence[Measured],
 ) -> tuple[float, float]:
-    lower, upper = -math.inf, math.inf
+    lower, upper, base = -math.inf, math.inf, entry.base
     if base in bounds:
         low, high = bounds[base]
         lower = -math.inf if low is None or _infinite(low) else float(as_value(low))
