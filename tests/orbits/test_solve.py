@@ -11,7 +11,7 @@ from scipy.optimize import root
 
 from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.model.kernels import backend, load_orbit
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.kernel_solve import search
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
@@ -356,7 +356,7 @@ def exhaustive(point, per_unknown, longest=14.0):
     roots = solved.unknowns[solved.status == CONVERGED]
     roots = roots[np.unique(np.round(roots, 6), axis=0, return_index=True)[1]]
     points = np.broadcast_to(point, (len(roots), len(point)))
-    return bool(admissible_points(kernels, points, roots)[0].any())
+    return bool((kernel_limits(kernels, points, roots)[0] == NEITHER).any())
 
 
 def found_without_a_guess(count, per_unknown):
@@ -383,7 +383,8 @@ def test_the_search_lists_distinct_orbits_admissible_ones_first():
     kernels = load_orbit(ORBIT)
     for point in random_points(5, 3):
         roots = search(kernels, point)
-        allowed = admissible_points(kernels, np.broadcast_to(point, (len(roots), 5)), roots)[0]
+        limit, _ = kernel_limits(kernels, np.broadcast_to(point, (len(roots), 5)), roots)
+        allowed = limit == NEITHER
         assert sorted(allowed, reverse=True) == list(allowed)
         distances = np.abs(roots[:, None] - roots).max(axis=-1) + np.eye(len(roots))
         assert distances.min() > 1e-6
@@ -398,7 +399,8 @@ def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
     generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)
     points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (1000, 5))
     first = solve_reduced(kernels, points, [PRINTED["tau"], PRINTED["tau1"]])
-    fine = (first.status == CONVERGED) & admissible_points(kernels, points, first.unknowns)[0]
+    limit, _ = kernel_limits(kernels, points, first.unknowns)
+    fine = (first.status == CONVERGED) & (limit == NEITHER)
     possible = [p for p in points[~fine][:150] if exhaustive(p, 80)]
     assert len(possible) >= 5
     orbits = [solve(ORBIT, named(p), throw=False) for p in possible]

@@ -10,7 +10,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS
-from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts, solve_block
+from nonsmooth.runtime.explore.charting.anchors import (
+    Columns,
+    Solver,
+    anchor_starts,
+    solve_block,
+)
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
 from nonsmooth.runtime.explore.charting.problem import (
     MISSING,
@@ -30,15 +35,14 @@ from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
-from nonsmooth.runtime.orbits.declared_many import (
+from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
+from nonsmooth.runtime.orbits.kernel_problem import STATUS
+from nonsmooth.runtime.orbits.many import (
     DeclaredKernels,
     OrbitPoints,
     declared_kernels,
     points_of,
 )
-from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
-from nonsmooth.runtime.orbits.kernel_problem import STATUS
-from nonsmooth.runtime.orbits.orbit_arrays import Columns
 
 __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 
@@ -146,20 +150,19 @@ class OrbitChart:
         `prepared` (..., m) are the starts at the anchors (`prepare`).
         """
         found = solve_block(block, prepared, self._solver)
-        shape = found["status"].shape
-        flat = {name: column.ravel() for name, column in found.items()}
-        swept = {n: np.broadcast_to(row, shape).ravel() for n, row in block.values.items()}
-        flat["limit"] = self.orbits.limits_of(self._completed(swept), flat)
-        return {v.name: flat[v.name].astype(v.dtype).reshape(shape) for v in self.variables()}
+        return {v.name: found[v.name].astype(v.dtype) for v in self.variables()}
 
     @property
     def _solver(self) -> Solver:
         orbits = self.orbits
 
         def solve(values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-            return orbits.solve(self._completed(values), start)
+            found = orbits.solve(self._completed(values), start, margins=True)
+            names = "status", "admissible", "limit", "trace", "margin", "period"
+            least = {f"least_{name}": bound for name, bound in (found.bounds or {}).items()}
+            return {name: getattr(found, name) for name in names} | found.unknowns | least
 
-        return Solver(solve, orbits.starts_of, orbits.usual)
+        return Solver(solve, orbits.start_names, orbits.usual)
 
     def _completed(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Values of all parameters at points (n,), from those of the swept ones."""
