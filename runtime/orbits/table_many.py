@@ -335,7 +335,7 @@ class TableBatch:
         found.dwell[rows] = np.roll(solved.dwell, first, axis=1)
         found.starts[rows] = np.roll(solved.starts, first, axis=1)
         found.residual[rows], found.iterations[rows] = solved.residual, solved.iterations
-        found.status[rows] = without_digits(turned, flat, solved, period)
+        found.status[rows] = without_digits(turned, flat, solved, period, directions)
         maps, driven = solved.maps, mechanical_states(cycle)
         if driven is not None:
             field = numbers_in(closed.structure, flat).fields[:, cycle.configurations[0]]
