@@ -178,7 +178,6 @@ class Composed(NamedTuple):
     residual: np.ndarray  # (n,)
     iterations: np.ndarray  # (n,) of int32
     status: np.ndarray  # (n,) of int32
-    limit: np.ndarray  # (n,) of int, as `first_limits` gives it; NO_ORBIT where not asked for
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,14 +229,42 @@ class TableBatch:
         `limits`, `multipliers` and `margins` say what else is told. `threads` None takes as
         many as processors.
         """
-        every = [slice(begin, begin + CHUNK) for begin in range(0, max(len(points), 1), CHUNK)]
+        cycle, system, (count, phases) = self.cycle, self.problem.system, dwell.shape
+        size, driven = len(cycle.structure.states), mechanical_states(cycle)
+        width = size if driven is None else len(driven)
+        found = Composed(
+            np.full((count, phases), np.nan),
+            np.full((count, phases, size), np.nan),
+            np.full((count, width, width), np.nan),
+            np.full(count, np.nan),
+            np.full(count, np.nan),
+            np.zeros(count, dtype=np.int32),
+            np.full(count, INVALID, dtype=np.int32),
+        )
+        limit = np.full(count, NO_ORBIT)
+        sound = np.isfinite(np.concatenate([points, dwell], axis=1)).all(axis=1)
+        if start is not None:
+            sound &= np.isfinite(start).all(axis=1)
 
-        def work(part: slice) -> Composed:
-            guess = dwell[part], None if start is None else start[part]
-            return self._solved(points[part], *guess, period[part], limits, margins)
+        def work(begin: int) -> None:
+            for group in numbers_at(system, points[begin : begin + CHUNK], cycle.configurations):
+                rows, flat = begin + group.places, group.flat
+                if not (kept := sound[rows]).all():
+                    rows, flat = rows[kept], flat[kept]
+                if not len(rows):
+                    continue
+                here, guess = cycle.at(group.structure), None if start is None else start[rows]
+                solved = self._solved(here, flat, dwell[rows], guess, period[rows], margins)
+                for array, values in zip(found, solved, strict=True):
+                    array[rows] = values
+                if limits:
+                    there = np.flatnonzero(solved.status == CONVERGED)
+                    at = points[rows[there]], flat[there], solved.dwell[there], solved.starts[there]
+                    limit[rows[there]] = first_limits(system, here, *at)
 
-        solved = in_parallel(work, every, threads)
-        found = Composed(*map(np.concatenate, zip(*solved, strict=True)))
+        in_parallel(work, range(0, count, CHUNK), threads)
+        for array in found[:5]:
+            array[found.status != CONVERGED] = np.nan
         _, rank, dimension = self.section
         values = None
         if multipliers:
@@ -254,7 +281,7 @@ class TableBatch:
             found.residual,
             found.iterations,
             found.status,
-            limit=found.limit if limits else None,
+            limit=limit if limits else None,
             limits=self.limits if limits else (),
             bounds={} if limits else None,
             multipliers=values,
@@ -265,60 +292,14 @@ class TableBatch:
 
     def _solved(
         self,
-        points: np.ndarray,
-        dwell: np.ndarray,
-        start: np.ndarray | None,
-        period: np.ndarray,
-        limits: bool,
-        margins: bool,
-    ) -> Composed:
-        cycle, (count, phases) = self.cycle, dwell.shape
-        size, driven = len(cycle.structure.states), mechanical_states(cycle)
-        width = size if driven is None else len(driven)
-        found = Composed(
-            np.full((count, phases), np.nan),
-            np.full((count, phases, size), np.nan),
-            np.full((count, width, width), np.nan),
-            np.full(count, np.nan),
-            np.full(count, np.nan),
-            np.zeros(count, dtype=np.int32),
-            np.full(count, INVALID, dtype=np.int32),
-            np.full(count, NO_ORBIT, dtype=int),
-        )
-        sound = np.isfinite(np.concatenate([points, dwell], axis=1)).all(axis=1)
-        if start is not None:
-            sound &= np.isfinite(start).all(axis=1)
-        system = self.problem.system
-        for group in numbers_at(system, points, cycle.configurations) if count else ():
-            here = cycle.at(group.structure)
-            rows, flat, kept = group.places, group.flat, sound[group.places]
-            if not kept.all():
-                rows, flat = rows[kept], flat[kept]
-            if len(rows):
-                guess = dwell[rows], None if start is None else start[rows]
-                self._fill(found, rows, here, flat, *guess, period[rows], margins)
-            if limits:
-                there = np.flatnonzero(found.status[rows] == CONVERGED)
-                at = rows[there]
-                found.limit[at] = first_limits(
-                    system, here, points[at], flat[there], found.dwell[at], found.starts[at]
-                )
-        for array in (found.dwell, found.starts, found.maps, found.margin, found.residual):
-            array[found.status != CONVERGED] = np.nan
-        return found
-
-    def _fill(
-        self,
-        found: Composed,
-        rows: np.ndarray,
         cycle: ItineraryShape,
         flat: np.ndarray,
         dwell: np.ndarray,
         start: np.ndarray | None,
         period: np.ndarray,
         margins: bool,
-    ) -> None:
-        """Solve the points at some rows, whose numbers `flat` have the same modes."""
+    ) -> Composed:
+        """Return the orbits at points whose numbers `flat` have the same modes."""
         closed, directions = cycle, np.empty((len(flat), 0, len(cycle.structure.states)))
         if self.translates:
             numbers = numbers_in(cycle.structure, flat)
@@ -332,20 +313,26 @@ class TableBatch:
                 numbers = numbers_in(closed.structure, flat)
                 start = shoot(closed, numbers, dwell, start, np).starts[first]
         solved = solve_shape(turned, flat, np.roll(dwell, -first, axis=1), start, period)
-        found.dwell[rows] = np.roll(solved.dwell, first, axis=1)
-        found.starts[rows] = np.roll(solved.starts, first, axis=1)
-        found.residual[rows], found.iterations[rows] = solved.residual, solved.iterations
-        found.status[rows] = without_digits(turned, flat, solved, period, directions)
+        status = without_digits(turned, flat, solved, period, directions)
         maps, driven = solved.maps, mechanical_states(cycle)
         if driven is not None:
             field = numbers_in(closed.structure, flat).fields[:, cycle.configurations[0]]
             maps = stroboscopic_maps(closed, field, solved.starts[:, 0], maps, driven)
             directions = directions[..., driven]
+        margin = np.full(len(flat), np.nan)
         if margins and not cycle.one_sided:
             family = driven is None and not np.isnan(period).all()
             trace = np.trace(maps, axis1=-2, axis2=-1)
-            found.margin[rows] = margins_of(maps, trace, self.section[1], family=family)
-        found.maps[rows] = _with_translations(maps, directions) if self.translates else maps
+            margin = margins_of(maps, trace, self.section[1], family=family)
+        return Composed(
+            np.roll(solved.dwell, first, axis=1),
+            np.roll(solved.starts, first, axis=1),
+            _with_translations(maps, directions) if self.translates else maps,
+            margin,
+            solved.residual,
+            solved.iterations,
+            status,
+        )
 
 
 def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
