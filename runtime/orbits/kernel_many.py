@@ -368,9 +368,10 @@ class _Predictor:
 @cache
 def _predictor(kernels: OrbitKernels) -> _Predictor:
     reference = solve_kernels(kernels)
-    sensitivities = [reference.sensitivity(name).unknowns for name in kernels.parameter_names]
+    names = kernels.parameter_names
+    rates = [reference.derivatives(name, one_sided=True).unknowns for name in names]
     reduced = np.array([reference.unknowns[name] for name in kernels.reduced])
-    slopes = np.array([[s[name] for name in kernels.reduced] for s in sensitivities])
+    slopes = np.array([[rate[name][0] for name in kernels.reduced] for rate in rates])
     factors = np.array([1.0, 0.6, 1.5, 0.3, 2.2])
     if len(reduced) == 1 and kernels.reduced[0] in kernels.timed:
         # a stiff stop is touched for ever shorter times
@@ -382,5 +383,5 @@ def _predictor(kernels: OrbitKernels) -> _Predictor:
     grids = np.meshgrid(*[factors] * len(reduced), indexing="ij")
     starts = np.stack([g.ravel() for g in grids], axis=-1) * reduced
     nearest = np.argsort(np.abs(np.log(starts / reduced)).sum(axis=-1), kind="stable")
-    parameters = np.array([reference.values[name] for name in kernels.parameter_names])
+    parameters = np.array([reference.values[name] for name in names])
     return _Predictor(parameters, reduced, slopes, tuple(starts[i] for i in nearest))
