@@ -42,7 +42,7 @@ from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared, unkn
 from nonsmooth.runtime.shooting.table_newton import sizes
 
 __all__ = [
-    "DeclaredKernels",
+    "DeclaredPoints",
     "OrbitPoints",
     "Orbits",
     "declared_kernels",
@@ -55,13 +55,28 @@ _SAME = 1e-7  # difference of one orbit by kernels and by tables, in units of ma
 
 
 @dataclass(frozen=True, eq=False)
-class TablePoints:
-    """An orbit without kernels at many points; see `KernelPoints`."""
+class DeclaredPoints:
+    """A composed orbit at many points; see `KernelPoints`.
 
-    kernels: OrbitKernels
+    Kernels of its own equations find it where there are any. Where they search for dwell times
+    Newton's method may end at a root that is no motion, such as one without a phase; there, and
+    without kernels, the tables of its system look for another one.
+    """
+
+    kernels: OrbitKernels  # the orbit as it is composed
     reference: Orbit  # at the reference point
-    chunk: ClassVar[int] = 1 << 11
+    derived: OrbitKernels | None = None  # of its own equations, with the composed orbit's reference
     bounded: ClassVar[tuple[str, ...]] = ()  # no parameter is open
+
+    @cached_property
+    def alone(self) -> bool:
+        """Whether the kernels alone decide: they search for nothing but the start of the orbit."""
+        return self.derived is not None and not {*self.derived.reduced} & {*self.derived.timed}
+
+    @property
+    def chunk(self) -> int:
+        """See `KernelPoints`."""
+        return KernelPoints.chunk if self.alone else 1 << 11
 
     @property
     def parameters(self) -> list[ParameterTable]:
@@ -77,17 +92,19 @@ class TablePoints:
 
     @property
     def start_names(self) -> tuple[str, ...]:
-        """See `KernelPoints`: all of them."""
-        return self.unknowns
+        """See `KernelPoints`: all unknowns where the tables have the last word."""
+        return self._points.start_names if self.alone else self.unknowns
 
     @property
     def limits(self) -> tuple[str, ...]:
         """See `KernelPoints`."""
-        return self._batch.limits
+        return self._points.limits if self.alone else self._batch.limits
 
     @cached_property
     def usual(self) -> np.ndarray:
         """See `KernelPoints`."""
+        if self.alone:
+            return self._points.usual
         dwell = self.reference.dwell_times
         return np.concatenate([0 * dwell, sizes(self.reference.tables.shooting, dwell)])
 
@@ -101,10 +118,49 @@ class TablePoints:
         threads: int | None = 1,
         chunk: int = CHUNK,
     ) -> Orbits:
-        """See `KernelPoints`: the usual start is the reference's."""
+        """See `KernelPoints`."""
+        options: Any = {"margins": margins, "threads": threads}
+        if self.derived is None:
+            return self._by_tables(values, start, admissibility=admissibility, **options)
+        near = start
+        if start is not None and not self.alone:
+            near = start[:, [self.unknowns.index(name) for name in self.derived.reduced]]
+        judged = admissibility or not self.alone
+        found = self.by_kernels(values, near, admissibility=judged, chunk=chunk, **options)
+        if self.alone:
+            return found
+        shape, found = found.status.shape, reshaped(found, (-1,))
+        rest = np.flatnonzero(~np.asarray(found.admissible))
+        if len(rest):
+            given = found.parameters.items()
+            part = {name: np.broadcast_to(array, shape).ravel()[rest] for name, array in given}
+            again = None if start is None else start[rest]
+            others = self._by_tables(part, again, admissibility=admissibility, **options)
+
+            def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
+                both = np.array(array)
+                both[rest] = values
+                return both
+
+            found = changed(filled, found, others)
+        found = reshaped(replace(found, limits=self.limits), shape)
+        return found if admissibility else replace(found, limit=None, limits=(), bounds=None)
+
+    def _by_tables(
+        self,
+        values: _Arrays,
+        start: np.ndarray | None,
+        *,
+        admissibility: bool,
+        margins: bool,
+        threads: int | None,
+    ) -> Orbits:
+        """Return what the tables find, from the reference or from starts (n, p + N)."""
         declared, count = self.kernels.table.get("period"), len(self.reference.itinerary)
-        own = {p.name: values[p.name] for p in self.kernels.system.parameters}
-        points, shape = parameter_points(self.kernels.system, own)
+        system = self.kernels.system
+        points, shape = parameter_points(
+            system, {p.name: values[p.name] for p in system.parameters}
+        )
         size = len(points)
         given = np.full(size, np.nan) if declared is None else values[declared["name"]]
         if start is None:
@@ -130,123 +186,37 @@ class TablePoints:
         assert isinstance(known.problem, TableProblem)
         return TableBatch.at(known.problem, point, known.dwell_times[None], known.states[:1])
 
-
-@dataclass(frozen=True, eq=False)
-class DeclaredKernels:
-    """A composed orbit at many points, by kernels in place of tables; see `KernelPoints`.
-
-    Where dwell times are searched for Newton's method may end at a root that is no motion, such
-    as one without a phase; there the tables look for another one.
-    """
-
-    kernels: OrbitKernels  # of its own equations, with the composed orbit's reference
-    tables: TablePoints  # the orbit as it is composed
-    bounded: ClassVar[tuple[str, ...]] = ()  # no parameter is open
-
-    @property
-    def alone(self) -> bool:
-        """Whether the kernels alone decide: they search for nothing but the start of the orbit."""
-        return not {*self.kernels.reduced} & {*self.kernels.timed}
-
     @cached_property
     def _points(self) -> KernelPoints:
         """The same orbit in the names of the kernels."""
-        unused = {p.name for p in self.kernels.other_parameters}
-        names = [name for name in self.kernels.tables if name not in unused]
-        return KernelPoints.of(self.kernels, names)
-
-    @property
-    def _deciding(self) -> KernelPoints | TablePoints:
-        """Who has the last word."""
-        return self._points if self.alone else self.tables
-
-    @property
-    def chunk(self) -> int:
-        """See `KernelPoints`."""
-        return self._deciding.chunk
-
-    @property
-    def parameters(self) -> list[ParameterTable]:
-        """See `KernelPoints`."""
-        return self.tables.parameters
-
-    @property
-    def unknowns(self) -> tuple[str, ...]:
-        """See `KernelPoints`: dwell times, then the start."""
-        return self.tables.unknowns
-
-    @property
-    def start_names(self) -> tuple[str, ...]:
-        """See `KernelPoints`: reduced unknowns, or what the tables start from."""
-        return self._deciding.start_names
-
-    @property
-    def limits(self) -> tuple[str, ...]:
-        """See `KernelPoints`."""
-        return self._deciding.limits
-
-    @property
-    def usual(self) -> np.ndarray:
-        """See `KernelPoints`."""
-        return self._deciding.usual
-
-    def solve(
-        self,
-        values: _Arrays,
-        start: np.ndarray | None = None,
-        *,
-        admissibility: bool = True,
-        margins: bool = False,
-        threads: int | None = 1,
-        chunk: int = CHUNK,
-    ) -> Orbits:
-        """See `KernelPoints`."""
-        near = start
-        if start is not None and not self.alone:
-            near = start[:, [self.unknowns.index(name) for name in self.kernels.reduced]]
-        options: Any = {"margins": margins, "threads": threads}
-        judged = admissibility or not self.alone
-        found = self.by_kernels(values, near, admissibility=judged, chunk=chunk, **options)
-        if self.alone:
-            return found
-        shape, found = found.status.shape, reshaped(found, (-1,))
-        rest = np.flatnonzero(~np.asarray(found.admissible))
-        if len(rest):
-            given = found.parameters.items()
-            part = {name: np.broadcast_to(array, shape).ravel()[rest] for name, array in given}
-            options |= {"admissibility": admissibility}
-            others = self.tables.solve(part, None if start is None else start[rest], **options)
-
-            def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
-                both = np.array(array)
-                both[rest] = values
-                return both
-
-            found = changed(filled, found, others)
-        found = reshaped(replace(found, limits=self.limits), shape)
-        return found if admissibility else replace(found, limit=None, limits=(), bounds=None)
+        assert self.derived is not None
+        unused = {p.name for p in self.derived.other_parameters}
+        return KernelPoints.of(
+            self.derived, [name for name in self.derived.tables if name not in unused]
+        )
 
     def by_kernels(
         self, values: _Arrays, start: np.ndarray | None = None, **options: Any
     ) -> Orbits:
         """Return what the kernels find, in the names of the composed orbit."""
-        composed, own = self.tables, self.kernels.tables
-        unused = {p.name for p in self.kernels.other_parameters}
-        taken = {n: value for n, value in values.items() if n in own and n not in unused}
+        kernels, system = self._points.kernels, self.kernels.system
+        unused = {p.name for p in kernels.other_parameters}
+        taken = {n: x for n, x in values.items() if n in kernels.tables and n not in unused}
         if len(taken) < len(values):  # the others only have domains
-            points, shape = parameter_points(composed.kernels.system, values)
+            names = [p.name for p in system.parameters]
+            points, shape = parameter_points(system, {name: values[name] for name in names})
             sound = np.isfinite(points).all(axis=1)
-            first = self.kernels.parameter_names[0]
-            place = [p.name for p in composed.kernels.system.parameters].index(first)
+            first = kernels.parameter_names[0]
+            place = names.index(first)
             taken[first] = np.where(sound, points[:, place], np.nan).reshape(shape)
         found = self._points.solve(taken, start, **options)
         shape, flat = found.status.shape, reshaped(found, (-1,))
         given = {n: np.broadcast_to(found.parameters[n], shape).ravel()
-                 for n in self.kernels.parameter_names}  # fmt: skip
+                 for n in kernels.parameter_names}  # fmt: skip
         named = self._named(given, flat.unknowns)
         orbits = replace(
             flat,
-            problem=composed.reference.problem,
+            problem=self.reference.problem,
             parameters={name: parameter_array(name, value) for name, value in values.items()},
             unknowns=named,
             bounds=None if flat.bounds is None else {},
@@ -260,7 +230,7 @@ class DeclaredKernels:
         Parameters and unknowns (n,) are, beside others, those of the kernels' equations,
         NaN where there is no orbit.
         """
-        kernels, names = self.kernels, self.unknowns
+        kernels, names = self._points.kernels, self.unknowns
         unknowns = {name: unknowns[name] for name in kernels.unknowns}
         times = kernels.durations({**parameters, **unknowns})
         start = names[len(times) :]
@@ -272,14 +242,14 @@ class DeclaredKernels:
 
     def _starts(self, parameters: _Arrays, unknowns: _Arrays, named: _Arrays) -> np.ndarray:
         """Return the state (n, p, N) at the start of each phase."""
-        count = len(self.kernels.dwell_times)
+        count = len(self._points.kernels.dwell_times)
         if count > 1:
             return self._states(parameters, unknowns)[:, :count]
         return np.stack([*named.values()][count:], axis=-1)[:, None]
 
     def _states(self, parameters: _Arrays, unknowns: _Arrays) -> np.ndarray:
         """Return the states (n, p + 1, N) where phases begin; NaN where there is no orbit."""
-        kernels = self.kernels
+        kernels = self._points.kernels
         points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
         solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
         spectrum, _ = kernels.spectrum(points)
@@ -289,7 +259,7 @@ class DeclaredKernels:
         return found
 
 
-def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredKernels | None:
+def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredPoints | None:
     """Return the kernels that find a composed orbit at many points; None where tables have to.
 
     The first call waits until they are derived and compiled. None is returned where there
@@ -302,7 +272,7 @@ def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredKer
 
 
 @cache
-def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredKernels | None:
+def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredPoints | None:
     """Return kernels that begin where the composed orbit begins; None if they do not find it."""
     known = solve_declared(orbit, {})
     guess = {name: repr(float(known.unknowns[name])) for name in own.unknowns}
@@ -315,15 +285,15 @@ def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredKernels |
         for name, value in known.unknowns.items()
         if name in own.unknowns
     )
-    return DeclaredKernels(kernels, TablePoints(orbit, known)) if same else None
+    return DeclaredPoints(orbit, known, kernels) if same else None
 
 
-OrbitPoints = KernelPoints | TablePoints | DeclaredKernels
+OrbitPoints = KernelPoints | DeclaredPoints
 
 
 @cache
 def points_of(
-    kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredKernels | None = None
+    kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredPoints | None = None
 ) -> OrbitPoints:
     """Return an orbit at many points, where what is fixed or swept has the names `given`.
 
@@ -337,7 +307,7 @@ def points_of(
     if own is not None:
         return own
     try:
-        return TablePoints(kernels, solve_declared(kernels, {}))
+        return DeclaredPoints(kernels, solve_declared(kernels, {}))
     except NoConvergence as problem:
         raise InputError(f"at its reference, where all points start: {problem}") from None
 

@@ -38,7 +38,7 @@ from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
 from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.many import (
-    DeclaredKernels,
+    DeclaredPoints,
     OrbitPoints,
     declared_kernels,
     points_of,
@@ -66,7 +66,7 @@ class OrbitChart:
         return found if self.compiled else uncompiled(found)
 
     @property
-    def own(self) -> DeclaredKernels | None:
+    def own(self) -> DeclaredPoints | None:
         """Compiled kernels that replace the tables of a composed orbit, or None.
 
         Raises `InputError` if the kernels that the chart began with no longer exist.
@@ -97,7 +97,7 @@ class OrbitChart:
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
         kernels, own = self.kernels, self.own
-        solving = kernels if own is None else own.kernels
+        solving = kernels if own is None or own.derived is None else own.derived
         return {
             "kind": "orbit",
             "orbit": "/".join(filter(None, (kernels.system.table["name"], kernels.orbit))),
