@@ -41,10 +41,9 @@ __all__ = [
     "Coincidence",
     "Requirement",
     "Violation",
-    "admissible_points",
     "assess_admissibility",
     "boundary_curves",
-    "first_violations",
+    "kernel_limits",
 ]
 
 
@@ -294,38 +293,25 @@ def _along_motions(
         yield boundary, AlongMotion(motions[boundary.phase], row[:-1], float(row[-1]))
 
 
-def admissible_points(
+def kernel_limits(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return which orbits are admissible for large enough open parameters, and these bounds.
+    """Return which boundary is crossed first inside a phase, at many orbits, and bounds.
 
-    `points` (count, p) are parameters of the equations, `unknowns` is (count, n). The
-    bools are (count,); the bounds (count, open parameters) are NaN where no value makes
-    an orbit admissible.
+    `points` (count, p) are parameters of the equations, `unknowns` is (count, n). The ints
+    (count,) are indices into `kernels.boundaries`; NEITHER where none is crossed for large
+    enough open parameters, NO_ORBIT where a dwell time is not positive, UNTOLD where it cannot
+    be told. What open parameters have to exceed is (count, open parameters), and NaN where no
+    value makes an orbit admissible.
     """
     if kernels.admissible is None:
-        boundary, bounds = _admissible_numpy(kernels, points, unknowns)
+        limit, bounds = _admissible_numpy(kernels, points, unknowns)
     else:
         with np.errstate(all="ignore"):  # points without an orbit are NaN
-            *bounded, boundary, _, _ = kernels.admissible(points, unknowns)
+            *bounded, limit, _, _ = kernels.admissible(points, unknowns)
         bounds = np.asarray(bounded[0]) if bounded else np.empty((len(points), 0))
-    allowed = np.asarray(boundary == -1)
-    bounds[~allowed] = np.nan
-    return allowed, bounds
-
-
-def first_violations(kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray) -> np.ndarray:
-    """Return which boundary is the first that is crossed inside a phase, at many orbits.
-
-    It is an int (count,): an index into `kernels.boundaries`; NEITHER where none is
-    crossed, NO_ORBIT where a dwell time is not positive, UNTOLD where it cannot be told.
-    `points` (count, p) are parameters of the equations, `unknowns` is (count, n).
-    """
-    if kernels.admissible is None:
-        return _admissible_numpy(kernels, points, unknowns)[0]
-    with np.errstate(all="ignore"):
-        *_, boundary, _, _ = kernels.admissible(points, unknowns)
-    return np.asarray(boundary)
+    bounds[limit != NEITHER] = np.nan
+    return np.asarray(limit), bounds
 
 
 def _admissible_numpy(

@@ -26,25 +26,10 @@ if TYPE_CHECKING:
     )
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["OrbitDerivatives", "Sensitivity", "orbit_derivatives", "sensitivity"]
+__all__ = ["OrbitDerivatives", "orbit_derivatives"]
 
 _ALONG = ("dissipation", "margin", "transversality")
 _GIVEN = ("period", "trace", "determinant", "spectral_radius")
-
-
-@dataclass(frozen=True)
-class Sensitivity:
-    """Derivatives by one parameter, the others kept: nondimensional.
-
-    Attributes
-    ----------
-    unknowns : dict of str to number
-    period, trace : number
-    """
-
-    unknowns: dict[str, Any]
-    period: Any
-    trace: Any
 
 
 @dataclass(frozen=True, eq=False)
@@ -232,22 +217,6 @@ class OrbitDerivatives:
             raise unknown_name("quantity", name, self.names)
         return found.value, found.rates
 
-    def jvp(self, direction: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
-        """Differentiate unknowns, period and trace along a direction (forward mode).
-
-        Parameters
-        ----------
-        direction : sequence (q,), or mapping of str to number
-            Change of each number; absent ones do not change.
-        """
-        if isinstance(direction, Mapping):
-            for name in direction:
-                _check(name, self.by)
-            direction = [direction.get(name, 0) for name in self.by]
-        along = np.asarray(direction)
-        rates = {**self.unknowns, "period": self.period, "trace": self.trace}
-        return {name: rate @ along for name, rate in rates.items()}
-
 
 def orbit_derivatives(
     orbit: Orbit, by: Sequence[str] | str | None = None, one_sided: bool | None = None
@@ -273,21 +242,6 @@ def orbit_derivatives(
     found = OrbitDerivatives(orbit, names, side)
     found.directions  # noqa: B018 - what cannot be is refused here
     return found
-
-
-def sensitivity(orbit: Orbit, parameter: str) -> Sensitivity:
-    """Return the derivatives of unknowns, period and trace by one given parameter.
-
-    `InputError` is raised if the parameter is not among those given, or there is no
-    derivative.
-    """
-    found = orbit_derivatives(orbit, (parameter,), one_sided=True)
-    plain = (lambda x: x) if orbit.precise else float
-    return Sensitivity(
-        {name: plain(rate[0]) for name, rate in found.unknowns.items()},
-        plain(found.period[0]),
-        plain(found.trace[0]),
-    )
 
 
 def _check(name: str, known: Sequence[str]) -> None:

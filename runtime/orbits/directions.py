@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -22,9 +22,6 @@ from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
 from nonsmooth.runtime.shooting.kernel_newton import natural_scales
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives
 from nonsmooth.runtime.shooting.newton import LEAST
-
-if TYPE_CHECKING:
-    pass
 
 __all__ = ["SINGULAR", "Directions", "check_reasons", "kernel_directions", "solve_linear"]
 

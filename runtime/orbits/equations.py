@@ -10,7 +10,7 @@ import numpy as np
 from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
 from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
@@ -176,8 +176,8 @@ class KernelEquations:
     def admissible(self, x: np.ndarray) -> np.ndarray:
         """Return whether each of the points (k, v) is a motion of the real system."""
         parameters, _, unknowns = self._arguments(x)
-        allowed, bounds = admissible_points(self._kernels, parameters, unknowns)
-        allowed = allowed & (self.dwell(x) > 0).all(axis=-1)
+        limit, bounds = kernel_limits(self._kernels, parameters, unknowns)
+        allowed = (limit == NEITHER) & (self.dwell(x) > 0).all(axis=-1)
         for column, table in enumerate(self._kernels.open_parameters):
             if table.name in self.orbit.opened:
                 allowed &= float(self.orbit.opened[table.name]) > bounds[:, column]

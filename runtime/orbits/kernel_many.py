@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, reduce
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -18,14 +17,12 @@ from nonsmooth.runtime.model.parameters import constrained, in_domains
 from nonsmooth.runtime.orbits.admissible import (
     NEITHER,
     NO_ORBIT,
-    UNTOLD,
-    admissible_points,
-    first_violations,
+    kernel_limits,
 )
 from nonsmooth.runtime.orbits.equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbit_arrays import Columns, Orbits, reshaped
+from nonsmooth.runtime.orbits.orbit_arrays import TOO_SMALL, Orbits, reshaped
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
     equations_at,
@@ -42,7 +39,7 @@ from nonsmooth.runtime.shooting.newton import (
     judged,
 )
 
-__all__ = ["CHUNK", "NUMPY_JUDGED", "KernelPoints", "solve_kernels_many"]
+__all__ = ["CHUNK", "NUMPY_JUDGED", "KernelPoints"]
 
 CHUNK = 1 << 15  # points that one thread takes at a time
 NUMPY_SOLVED, NUMPY_JUDGED = 1e-5, 3e-4  # seconds a point without compiled kernels
@@ -51,48 +48,25 @@ _MOST_ERROR = 1e-6  # of unknowns in units of max(1, |x|), and of the trace
 _SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
 
 
-def solve_kernels_many(
-    kernels: OrbitKernels,
-    parameters: Mapping[str, Any],
-    *,
-    admissibility: bool,
-    threads: int | None,
-    chunk: int,
-) -> Orbits:
-    """Find orbits at many points by the kernels of their own equations, as `solve_many` does.
-
-    Parameters are arrays that broadcast against each other; the arrays of the result have
-    their shape. `chunk` points are solved at a time; `threads` None takes as many as
-    processors. `InputError` is raised for wrong names, or arrays that do not broadcast.
-    """
-    arrays = complete_arrays(kernels, parameters)
-    try:
-        shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))
-    except ValueError as error:
-        raise InputError(f"the parameter arrays do not broadcast: {error}") from None
-    seconds = math.prod(shape) * (NUMPY_JUDGED if admissibility else NUMPY_SOLVED)
-    kernels = compiled_for(kernels, seconds)
-    opened = {n: arrays.pop(n) for n in [*arrays] if n not in kernels.parameter_names}
-    found = _solve_arrays(kernels, arrays, shape, None, admissibility, threads, chunk)
-    return found.restricted(opened)
-
-
 @dataclass(frozen=True, eq=False)
 class KernelPoints:
     """One orbit at many points (n,) by its kernels, solved for at each by itself."""
 
     kernels: OrbitKernels
     batch: Batch  # how its parameters are completed
+    worth: bool = False  # whether kernels are compiled where the work is worth it
     chunk: ClassVar[int] = 1 << 16
 
     @classmethod
-    def of(cls, kernels: OrbitKernels, given: Sequence[str]) -> KernelPoints:
+    def of(
+        cls, kernels: OrbitKernels, given: Iterable[str], *, worth: bool = False
+    ) -> KernelPoints:
         """Return the orbit, where what is fixed or swept has these names.
 
         `InputError` is raised for a name that fixes nothing, or several that fix one
         parameter twice.
         """
-        return cls(kernels, complete_batch(kernels, given))
+        return cls(kernels, complete_batch(kernels, given), worth)
 
     @property
     def parameters(self) -> list[ParameterTable]:
@@ -109,46 +83,71 @@ class KernelPoints:
         """Open parameters of which a lower bound is computed."""
         return tuple(table.name for table in self.kernels.open_parameters)
 
-    @cached_property
-    def limits(self) -> list[str]:
-        """Meanings of the numbers of `limits_of`, from 0."""
-        phases = self.kernels.table["phases"]
-        found = [
-            f"phase {b.phase + 1} {phases[b.phase][0]}: {b.name}" for b in self.kernels.boundaries
-        ]
-        return [*found, *(f"{name} is too small" for name in self.batch.opened)]
+    @property
+    def limits(self) -> tuple[str, ...]:
+        """Meanings of the numbers of `Orbits.limit`, from 0."""
+        return (*_boundaries(self.kernels), *map(TOO_SMALL.format, self.batch.opened))
 
-    def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-        """Return orbits from starts (n, m), or from the solver's usual ones, as columns (n,).
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """Unknowns that starts are made of."""
+        return self.kernels.reduced
 
-        `values` (n,) has what is fixed or swept; starts are those of `starts_of`. Columns are
-        status, admissible, trace, margin, period, and by name the unknowns and ``least_`` of
-        what is bounded.
+    def solve(
+        self,
+        values: Mapping[str, np.ndarray],
+        start: np.ndarray | None = None,
+        *,
+        admissibility: bool = True,
+        margins: bool = False,
+        threads: int | None = 1,
+        chunk: int = CHUNK,
+    ) -> Orbits:
+        """Return orbits from starts (n, m), or from the solver's usual ones.
+
+        `values` are parameters as arrays that broadcast, which give the arrays of the result
+        their shape; absent ones take the reference point's values. A start has the unknowns
+        `start_names`. `chunk` points are solved at a time; `threads` None takes as many as
+        processors. `InputError` is raised for arrays that do not broadcast.
         """
-        kernels, full = self.kernels, self.batch.complete(values)
-        points = {name: full[name] for name in kernels.parameter_names}
-        opened = {name: full[name] for name in self.batch.opened}
-        shape = np.broadcast_shapes(*(np.shape(array) for array in points.values()))
-        near = start if kernels.reduced else None
-        found = _solve_arrays(kernels, points, shape, near, True, 1, CHUNK).restricted(opened)
-        there, bounds = found.status == CONVERGED, found.bounds or {}
-        columns = {
-            "status": found.status,
-            "admissible": np.asarray(found.admissible),
-            "trace": found.trace,
-            "margin": np.full(found.status.shape, np.nan),
-            "period": found.period,
-            **found.unknowns,
-            **{f"least_{name}": bounds[name] for name in self.bounded},
-        }
-        columns["margin"][there] = _margins(kernels, *self._at(full, columns, there))
-        return columns
+        kernels = self.kernels
+        full = complete_arrays(kernels, values)
+        try:
+            shape = np.broadcast_shapes(*(array.shape for array in full.values()))
+        except ValueError as error:
+            raise InputError(f"the parameter arrays do not broadcast: {error}") from None
+        opened = {n: full.pop(n) for n in [*full] if n not in kernels.parameter_names}
+        count = int(np.prod(shape, dtype=np.int64))
+        if self.worth:
+            seconds = NUMPY_JUDGED if admissibility else NUMPY_SOLVED
+            kernels = compiled_for(kernels, count * seconds)
+        unknowns = np.empty((len(kernels.unknowns), count))
+        found = Orbits(
+            KernelProblem(kernels),
+            full,
+            dict(zip(kernels.unknowns, unknowns, strict=True)),
+            trace=np.empty(count),
+            period=np.empty(count),
+            residual=np.empty(count),
+            iterations=np.empty(count, dtype=np.int32),
+            status=np.empty(count, dtype=np.int32),
+            limit=np.empty(count, dtype=int) if admissibility else None,
+            limits=tuple(_boundaries(kernels)) if admissibility else (),
+            bounds={table.name: np.empty(count) for table in kernels.open_parameters}
+            if admissibility
+            else None,
+            margin=np.full(count, np.nan) if margins else None,
+        )
+        every = [_flat(full[name], shape) for name in kernels.parameter_names]
 
-    def starts_of(self, columns: Columns) -> np.ndarray:
-        """Return starts (n, m) that lead to the same orbits again, from the columns of `solve`."""
-        if not self.kernels.reduced:
-            return np.empty((*columns["status"].shape, 0))
-        return np.stack([columns[name] for name in self.kernels.reduced], axis=-1)
+        def work(part: slice) -> None:
+            columns = [column if column.size == 1 else column[part] for column in every]
+            near = start[part] if start is not None and kernels.reduced else None
+            _fill(kernels, columns, near, found, unknowns, part)
+
+        parts = [slice(begin, min(begin + chunk, count)) for begin in range(0, count, chunk)]
+        in_parallel(work, parts, threads)
+        return reshaped(found, shape).restricted(opened)
 
     @cached_property
     def usual(self) -> np.ndarray:
@@ -160,31 +159,11 @@ class KernelPoints:
         timed = self.kernels.timed
         return np.array([0.0 if n in timed else known[n] for n in self.kernels.reduced])
 
-    def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
-        """Return which limit of admissibility fails first (n,), by its number in `limits`.
 
-        It is NEITHER where none fails, NO_ORBIT or UNTOLD. `values` (n,) has what is fixed or
-        swept, `columns` are those of `solve`.
-        """
-        full, there = self.batch.complete(values), columns["status"] == CONVERGED
-        limit = np.where(there, UNTOLD, NO_ORBIT)
-        limit[columns["admissible"]] = NEITHER
-        lost = there & ~columns["admissible"]
-        points, unknowns, _ = self._at(full, columns, lost)
-        crossed = first_violations(self.kernels, points, unknowns)
-        for number, name in enumerate(self.batch.opened, len(self.kernels.boundaries)):
-            small = ~(full[name] > columns[f"least_{name}"])[lost]
-            crossed = np.where((crossed == NEITHER) & small, number, crossed)
-        limit[lost] = crossed
-        return limit
-
-    def _at(
-        self, full: Mapping[str, np.ndarray], columns: Columns, where: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return parameters of the equations, unknowns and traces at some points."""
-        points = np.stack([full[name][where] for name in self.kernels.parameter_names], axis=-1)
-        unknowns = np.stack([columns[name][where] for name in self.kernels.unknowns], axis=-1)
-        return points, unknowns, columns["trace"][where]
+def _boundaries(kernels: OrbitKernels) -> list[str]:
+    """Return the boundaries of an orbit's phases, for people."""
+    phases = kernels.table["phases"]
+    return [f"phase {b.phase + 1} {phases[b.phase][0]}: {b.name}" for b in kernels.boundaries]
 
 
 def _margins(
@@ -202,49 +181,9 @@ def _margins(
     return margins(maps, trace, rank, family=family)
 
 
-def _solve_arrays(
-    kernels: OrbitKernels,
-    arrays: dict[str, np.ndarray],
-    shape: tuple[int, ...],
-    start: np.ndarray | None,
-    admissibility: bool,
-    threads: int | None,
-    chunk: int,
-) -> Orbits:
-    count = int(np.prod(shape, dtype=np.int64))
-    unknowns = np.empty((len(kernels.unknowns), count))
-    found = Orbits(
-        KernelProblem(kernels),
-        arrays,
-        dict(zip(kernels.unknowns, unknowns, strict=True)),
-        trace=np.empty(count),
-        period=np.empty(count),
-        residual=np.empty(count),
-        iterations=np.empty(count, dtype=np.int32),
-        status=np.empty(count, dtype=np.int32),
-        admissible=np.empty(count, dtype=bool) if admissibility else None,
-        bounds={table.name: np.empty(count) for table in kernels.open_parameters}
-        if admissibility
-        else None,
-    )
-    flat = None if start is None else start.reshape(count, len(kernels.reduced))
-    every = [_flat(arrays[name], shape) for name in kernels.parameter_names]
-
-    def work(part: slice) -> None:
-        columns = [column if column.size == 1 else column[part] for column in every]
-        _fill(kernels, columns, None if flat is None else flat[part], found, unknowns, part)
-
-    in_parallel(work, list(_parts(count, chunk)), threads)
-    return reshaped(found, shape)
-
-
 def _flat(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Return one parameter of all points, flat, or (1,) where they share it."""
     return array.reshape(1) if array.size == 1 else np.broadcast_to(array, shape).reshape(-1)
-
-
-def _parts(count: int, chunk: int) -> Iterator[slice]:
-    return (slice(begin, min(begin + chunk, count)) for begin in range(0, count, chunk))
 
 
 def _fill(
@@ -267,9 +206,8 @@ def _fill(
     starts = _starts(kernels, columns, count) if start is None else [start]
     unknowns = unknowns[:, part]
     solved = _solve_points(kernels, points, np.broadcast_to(valid, count), starts, unknowns.T)
-    judged_ones = None
-    if found.admissible is not None:
-        judged_ones = _admissible_ones(kernels, points, starts, solved)
+    if found.limit is not None and found.bounds is not None:
+        limit, bounds = _limits(kernels, points, starts, solved)
     values = dict(zip(kernels.parameter_names, columns, strict=True))
     values |= dict(zip(kernels.unknowns, unknowns, strict=True))
     waits, period = kernels.durations(values), found.period[part]
@@ -282,12 +220,15 @@ def _fill(
         array[lost] = np.nan
     found.trace[part], found.residual[part] = solved.trace, solved.residual
     found.iterations[part], found.status[part] = solved.iterations, solved.status
-    if judged_ones is not None and found.admissible is not None and found.bounds is not None:
-        allowed, bounds = judged_ones
-        allowed[lost], bounds[lost] = False, np.nan
-        found.admissible[part] = allowed
+    if found.limit is not None and found.bounds is not None:
+        limit[lost], bounds[lost] = NO_ORBIT, np.nan
+        found.limit[part] = limit
         for row, least in zip(found.bounds.values(), bounds.T, strict=True):
             row[part] = least
+    if found.margin is not None:
+        there = np.flatnonzero(solved.status == CONVERGED)
+        at = points[there], solved.unknowns[there], solved.trace[there]
+        found.margin[part][there] = _margins(kernels, *at)
 
 
 def _count_digits(
@@ -339,19 +280,17 @@ def _starts(kernels: OrbitKernels, columns: Sequence[np.ndarray], count: int) ->
     return [guess.T, *predictor.starts]
 
 
-def _admissible_ones(
+def _limits(
     kernels: OrbitKernels, points: np.ndarray, starts: Sequence[np.ndarray], solved: Solved
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return which orbits are admissible, and bounds of open parameters.
+    """Return the limits of orbits, and bounds of open parameters.
 
     An inadmissible orbit is replaced by an admissible one if a further start leads to
     one.
     """
-    allowed, bounds = admissible_points(kernels, points, solved.unknowns)
-    allowed &= solved.status == CONVERGED
-    bounds[~allowed] = np.nan
+    limit, bounds = kernel_limits(kernels, points, solved.unknowns)
     for start in starts[1:]:
-        rest = np.flatnonzero(~allowed & (solved.status == CONVERGED))
+        rest = np.flatnonzero((limit != NEITHER) & (solved.status == CONVERGED))
         if not len(rest):
             break
         again = solve_reduced(kernels, points[rest], start)
@@ -359,13 +298,13 @@ def _admissible_ones(
         moved = np.abs(again.unknowns - solved.unknowns[rest])
         other = (moved > _SAME * np.maximum(1, np.abs(again.unknowns))).any(axis=-1)
         found = np.flatnonzero((again.status == CONVERGED) & other)
-        fit, least = admissible_points(kernels, points[rest[found]], again.unknowns[found])
-        fit &= _allowed(kernels, again.unknowns[found])
+        further, least = kernel_limits(kernels, points[rest[found]], again.unknowns[found])
+        fit = (further == NEITHER) & _allowed(kernels, again.unknowns[found])
         better = rest[found[fit]]
         for array, values in zip(solved, again, strict=True):
             array[better] = values[found[fit]]
-        allowed[better], bounds[better] = True, least[fit]
-    return allowed, bounds
+        limit[better], bounds[better] = NEITHER, least[fit]
+    return limit, bounds
 
 
 def _solve_points(
@@ -429,9 +368,10 @@ class _Predictor:
 @cache
 def _predictor(kernels: OrbitKernels) -> _Predictor:
     reference = solve_kernels(kernels)
-    sensitivities = [reference.sensitivity(name).unknowns for name in kernels.parameter_names]
+    names = kernels.parameter_names
+    rates = [reference.derivatives(name, one_sided=True).unknowns for name in names]
     reduced = np.array([reference.unknowns[name] for name in kernels.reduced])
-    slopes = np.array([[s[name] for name in kernels.reduced] for s in sensitivities])
+    slopes = np.array([[rate[name][0] for name in kernels.reduced] for rate in rates])
     factors = np.array([1.0, 0.6, 1.5, 0.3, 2.2])
     if len(reduced) == 1 and kernels.reduced[0] in kernels.timed:
         # a stiff stop is touched for ever shorter times
@@ -443,5 +383,5 @@ def _predictor(kernels: OrbitKernels) -> _Predictor:
     grids = np.meshgrid(*[factors] * len(reduced), indexing="ij")
     starts = np.stack([g.ravel() for g in grids], axis=-1) * reduced
     nearest = np.argsort(np.abs(np.log(starts / reduced)).sum(axis=-1), kind="stable")
-    parameters = np.array([reference.values[name] for name in kernels.parameter_names])
+    parameters = np.array([reference.values[name] for name in names])
     return _Predictor(parameters, reduced, slopes, tuple(starts[i] for i in nearest))

@@ -18,9 +18,10 @@ from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import (
+    NEITHER,
     Admissibility,
-    admissible_points,
     assess_admissibility,
+    kernel_limits,
 )
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions, kernel_directions
@@ -427,8 +428,8 @@ def _open_bounds(orbits: Iterable[Orbit]) -> dict[str, float]:
             continue
         point = np.array([[float(orbit.values[name]) for name in kernels.parameter_names]])
         unknowns = np.array([[float(orbit.values[name]) for name in kernels.unknowns]])
-        allowed, bounds = admissible_points(kernels, point, unknowns)
+        limit, bounds = kernel_limits(kernels, point, unknowns)
         for table, bound in zip(kernels.open_parameters, bounds[0].tolist(), strict=True):
-            if allowed[0]:
+            if limit[0] == NEITHER:
                 found[table.name] = max(bound, found.get(table.name, 0.0))
     return found

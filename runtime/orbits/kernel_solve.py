@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.model.completion import Point, complete, complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
 from nonsmooth.runtime.orbits.table_solve import (
@@ -90,10 +90,10 @@ def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
     starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
     solved = solve_reduced(kernels, parameters, starts)
     found = _distinct(solved.unknowns[solved.status == CONVERGED])
-    allowed, _ = admissible_points(
+    limit, _ = kernel_limits(
         kernels, np.broadcast_to(parameters, (len(found), len(parameters))), found
     )
-    return found[np.argsort(~allowed, kind="stable")]
+    return found[np.argsort(limit != NEITHER, kind="stable")]
 
 
 def _distinct(roots: np.ndarray) -> np.ndarray:
@@ -158,9 +158,9 @@ def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
     if not orbit.converged:
         return False
     kernels, unknowns = orbit.kernels, np.array([*orbit.unknowns.values()])
-    allowed, bounds = admissible_points(kernels, parameters[None], unknowns[None])
-    if not orbit.opened or not allowed[0]:
-        return bool(allowed[0])
+    limit, bounds = kernel_limits(kernels, parameters[None], unknowns[None])
+    if not orbit.opened or limit[0] != NEITHER:
+        return bool(limit[0] == NEITHER)
     least = zip(kernels.open_parameters, bounds[0], strict=True)
     return all(float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened)
 

@@ -1,24 +1,328 @@
-"""Many parameter points at once, of an itinerary that is named or that is given."""
+"""Many parameter points at once, of an itinerary that is named or that is given.
+
+One declared orbit is composed from its system's tables. At many points kernels of its own
+equations take their place, where these can be compiled: from the same reference orbit they find
+the same, under the same names.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from numbers import Integral
-from typing import Any
+from typing import Any, ClassVar
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.model.kernel_records import ParameterTable, SavedTable
+from nonsmooth.runtime.model.kernels import (
+    OrbitKernels,
+    SystemKernels,
+    kernels_of,
+    kernels_of_many,
+    load_orbit,
+)
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.orbits.declared_many import solve_declared_many
-from nonsmooth.runtime.orbits.kernel_many import CHUNK, solve_kernels_many
+from nonsmooth.runtime.model.parameter_batches import (
+    check_arrays,
+    parameter_array,
+    parameter_points,
+)
+from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_arrays import Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.orbits.table_solve import period_in
+from nonsmooth.runtime.orbits.table_many import TableBatch, solve_itineraries
+from nonsmooth.runtime.orbits.table_problem import TableProblem
+from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared, unknowns_of
+from nonsmooth.runtime.shooting.table_newton import sizes
 
-__all__ = ["Orbits", "solve_many"]
+__all__ = [
+    "DeclaredPoints",
+    "OrbitPoints",
+    "Orbits",
+    "declared_kernels",
+    "points_of",
+    "solve_many",
+]
+
+_Arrays = Mapping[str, np.ndarray]  # by name
+_SAME = 1e-7  # difference of one orbit by kernels and by tables, in units of max(1, |x|)
+
+
+@dataclass(frozen=True, eq=False)
+class DeclaredPoints:
+    """A composed orbit at many points; see `KernelPoints`.
+
+    Kernels of its own equations find it where there are any. Where they search for dwell times
+    Newton's method may end at a root that is no motion, such as one without a phase; there, and
+    without kernels, the tables of its system look for another one.
+    """
+
+    kernels: OrbitKernels  # the orbit as it is composed
+    reference: Orbit  # at the reference point
+    derived: OrbitKernels | None = None  # of its own equations, with the composed orbit's reference
+    bounded: ClassVar[tuple[str, ...]] = ()  # no parameter is open
+
+    @cached_property
+    def alone(self) -> bool:
+        """Whether the kernels alone decide: they search for nothing but the start of the orbit."""
+        return self.derived is not None and not {*self.derived.reduced} & {*self.derived.timed}
+
+    @property
+    def chunk(self) -> int:
+        """See `KernelPoints`."""
+        return KernelPoints.chunk if self.alone else 1 << 11
+
+    @property
+    def parameters(self) -> list[ParameterTable]:
+        """See `KernelPoints`."""
+        period = self.kernels.table.get("period")
+        own = [ParameterTable(**period)] if period else []
+        return [*self.kernels.system.parameters, *own]
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """See `KernelPoints`: dwell times, then the start."""
+        return unknowns_of(self.kernels)
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """See `KernelPoints`: all unknowns where the tables have the last word."""
+        return self._points.start_names if self.alone else self.unknowns
+
+    @property
+    def limits(self) -> tuple[str, ...]:
+        """See `KernelPoints`."""
+        return self._points.limits if self.alone else self._batch.limits
+
+    @cached_property
+    def usual(self) -> np.ndarray:
+        """See `KernelPoints`."""
+        if self.alone:
+            return self._points.usual
+        dwell = self.reference.dwell_times
+        return np.concatenate([0 * dwell, sizes(self.reference.tables.shooting, dwell)])
+
+    def solve(
+        self,
+        values: _Arrays,
+        start: np.ndarray | None = None,
+        *,
+        admissibility: bool = True,
+        margins: bool = False,
+        threads: int | None = 1,
+        chunk: int = CHUNK,
+    ) -> Orbits:
+        """See `KernelPoints`."""
+        options: Any = {"margins": margins, "threads": threads}
+        if self.derived is None:
+            return self._by_tables(values, start, admissibility=admissibility, **options)
+        near = start
+        if start is not None and not self.alone:
+            near = start[:, [self.unknowns.index(name) for name in self.derived.reduced]]
+        judged = admissibility or not self.alone
+        found = self.by_kernels(values, near, admissibility=judged, chunk=chunk, **options)
+        if self.alone:
+            return found
+        shape, found = found.status.shape, reshaped(found, (-1,))
+        rest = np.flatnonzero(~np.asarray(found.admissible))
+        if len(rest):
+            given = found.parameters.items()
+            part = {name: np.broadcast_to(array, shape).ravel()[rest] for name, array in given}
+            again = None if start is None else start[rest]
+            others = self._by_tables(part, again, admissibility=admissibility, **options)
+
+            def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
+                both = np.array(array)
+                both[rest] = values
+                return both
+
+            found = changed(filled, found, others)
+        found = reshaped(replace(found, limits=self.limits), shape)
+        return found if admissibility else replace(found, limit=None, limits=(), bounds=None)
+
+    def _by_tables(
+        self,
+        values: _Arrays,
+        start: np.ndarray | None,
+        *,
+        admissibility: bool,
+        margins: bool,
+        threads: int | None,
+    ) -> Orbits:
+        """Return what the tables find, from the reference or from starts (n, p + N)."""
+        declared, count = self.kernels.table.get("period"), len(self.reference.itinerary)
+        system = self.kernels.system
+        points, shape = parameter_points(
+            system, {p.name: values[p.name] for p in system.parameters}
+        )
+        size = len(points)
+        given = np.full(size, np.nan) if declared is None else values[declared["name"]]
+        if start is None:
+            first = np.concatenate([self.reference.dwell_times, self.reference.states[0]])
+            start = np.broadcast_to(first, (size, len(first)))
+        found = self._batch.solve(
+            points,
+            np.where(start[:, :count] > 0, start[:, :count], np.nan),
+            start[:, count:],
+            given,
+            limits=admissibility,
+            margins=margins,
+            threads=threads,
+        )
+        arrays = {name: parameter_array(name, value) for name, value in values.items()}
+        return reshaped(replace(found, parameters=arrays), shape)
+
+    @cached_property
+    def _batch(self) -> TableBatch:
+        """The itinerary with the section at the reference, wherever a point is computed."""
+        known = self.reference
+        point = np.array([[float(value) for value in known.parameters.values()]])
+        assert isinstance(known.problem, TableProblem)
+        return TableBatch.at(known.problem, point, known.dwell_times[None], known.states[:1])
+
+    @cached_property
+    def _points(self) -> KernelPoints:
+        """The same orbit in the names of the kernels."""
+        assert self.derived is not None
+        unused = {p.name for p in self.derived.other_parameters}
+        return KernelPoints.of(
+            self.derived, [name for name in self.derived.tables if name not in unused]
+        )
+
+    def by_kernels(
+        self, values: _Arrays, start: np.ndarray | None = None, **options: Any
+    ) -> Orbits:
+        """Return what the kernels find, in the names of the composed orbit."""
+        kernels, system = self._points.kernels, self.kernels.system
+        unused = {p.name for p in kernels.other_parameters}
+        taken = {n: x for n, x in values.items() if n in kernels.tables and n not in unused}
+        if len(taken) < len(values):  # the others only have domains
+            names = [p.name for p in system.parameters]
+            points, shape = parameter_points(system, {name: values[name] for name in names})
+            sound = np.isfinite(points).all(axis=1)
+            first = kernels.parameter_names[0]
+            place = names.index(first)
+            taken[first] = np.where(sound, points[:, place], np.nan).reshape(shape)
+        found = self._points.solve(taken, start, **options)
+        shape, flat = found.status.shape, reshaped(found, (-1,))
+        given = {n: np.broadcast_to(found.parameters[n], shape).ravel()
+                 for n in kernels.parameter_names}  # fmt: skip
+        named = self._named(given, flat.unknowns)
+        orbits = replace(
+            flat,
+            problem=self.reference.problem,
+            parameters={name: parameter_array(name, value) for name, value in values.items()},
+            unknowns=named,
+            bounds=None if flat.bounds is None else {},
+            starts=self._starts(given, flat.unknowns, named),
+        )
+        return reshaped(orbits, shape)
+
+    def _named(self, parameters: _Arrays, unknowns: _Arrays) -> dict[str, np.ndarray]:
+        """Return dwell times and start (n,) of orbits, by the names and in the order of `unknowns`.
+
+        Parameters and unknowns (n,) are, beside others, those of the kernels' equations,
+        NaN where there is no orbit.
+        """
+        kernels, names = self._points.kernels, self.unknowns
+        unknowns = {name: unknowns[name] for name in kernels.unknowns}
+        times = kernels.durations({**parameters, **unknowns})
+        start = names[len(times) :]
+        known = {**unknowns, **times}
+        if not known.keys() >= {*start}:
+            states = self._states(parameters, unknowns)[:, 0]
+            known = {**dict(zip(start, states.T, strict=True)), **known}
+        return {name: known[name] for name in names}
+
+    def _starts(self, parameters: _Arrays, unknowns: _Arrays, named: _Arrays) -> np.ndarray:
+        """Return the state (n, p, N) at the start of each phase."""
+        count = len(self._points.kernels.dwell_times)
+        if count > 1:
+            return self._states(parameters, unknowns)[:, :count]
+        return np.stack([*named.values()][count:], axis=-1)[:, None]
+
+    def _states(self, parameters: _Arrays, unknowns: _Arrays) -> np.ndarray:
+        """Return the states (n, p + 1, N) where phases begin; NaN where there is no orbit."""
+        kernels = self._points.kernels
+        points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
+        solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
+        spectrum, _ = kernels.spectrum(points)
+        with np.errstate(all="ignore"):  # of points without an orbit
+            found = np.asarray(kernels.evaluate("states", at=(points, spectrum, solved)))
+        found[np.isnan(solved).any(axis=-1)] = np.nan
+        return found
+
+
+def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredPoints | None:
+    """Return the kernels that find a composed orbit at many points; None where tables have to.
+
+    The first call waits until they are derived and compiled. None is returned where there
+    is no compiler, where formulas are long, and where the kernels find another orbit at
+    the reference point. `key` is that of `kernels_of_many`. `NoConvergence` is raised if
+    there is no orbit at the reference point.
+    """
+    own = kernels_of_many(orbit, key)
+    return None if own is None else _from_reference(orbit, own)
+
+
+@cache
+def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredPoints | None:
+    """Return kernels that begin where the composed orbit begins; None if they do not find it."""
+    known = solve_declared(orbit, {})
+    guess = {name: repr(float(known.unknowns[name])) for name in own.unknowns}
+    reference = {**own.table["reference"], "guess": guess}
+    table = SavedTable(own.name, own.address, {**own.table, "reference": reference})
+    kernels = replace(own, saved=table)
+    found = solve_kernels(kernels, throw=False)
+    same = all(
+        abs(found.unknowns[name] - value) <= _SAME * max(1, abs(value))
+        for name, value in known.unknowns.items()
+        if name in own.unknowns
+    )
+    return DeclaredPoints(orbit, known, kernels) if same else None
+
+
+OrbitPoints = KernelPoints | DeclaredPoints
+
+
+@cache
+def points_of(
+    kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredPoints | None = None
+) -> OrbitPoints:
+    """Return an orbit at many points, where what is fixed or swept has the names `given`.
+
+    `own` are compiled kernels that stand in for the tables of a composed orbit.
+    `InputError` is raised for a name that fixes nothing, several that fix one parameter
+    twice, or an orbit that cannot be found at many points at once.
+    """
+    if kernels.derived:
+        return KernelPoints.of(kernels, given)
+    _check(kernels)
+    if own is not None:
+        return own
+    try:
+        return DeclaredPoints(kernels, solve_declared(kernels, {}))
+    except NoConvergence as problem:
+        raise InputError(f"at its reference, where all points start: {problem}") from None
+
+
+def _check(kernels: OrbitKernels) -> None:
+    """Refuse a composed orbit that is not found at many points."""
+    if kernels.table["reference"] is None:
+        raise InputError(
+            f"{kernels.name} declares no reference, from which many points could start: give its"
+            " system, the itinerary and a guess"
+        )
+    if kernels.table.get("symmetry"):
+        raise InputError(
+            f"{kernels.name} is declared by a part and a symmetry, which one point at a time knows"
+        )
 
 
 def solve_many(
@@ -112,11 +416,26 @@ def solve_many(
             wrong = " and ".join(name for name, is_given in beside.items() if is_given)
             raise InputError(f"{wrong}: of an itinerary only, beside its system")
         known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
-        solved = solve_kernels_many if known.derived else solve_declared_many
-        found = solved(known, values, chunk=chunk, **options)
+        points, values = _named_points(known, values)
+        found = points.solve(values, chunk=chunk, **options)
     if not derivatives:
         return found
     return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
+
+
+def _named_points(
+    known: OrbitKernels, values: dict[str, Any]
+) -> tuple[OrbitPoints, dict[str, Any]]:
+    """Return what solves for a named orbit at many points, and the values that it takes.
+
+    Wrong names and shapes are refused before anything is compiled.
+    """
+    if known.derived:
+        return KernelPoints.of(known, values, worth=True), values
+    _check(known)
+    values = {**known.table["reference"]["parameters"], **values}
+    check_arrays(known.system, values)
+    return points_of(known, (), declared_kernels(known)), values
 
 
 def _check_positive(name: str, number: object) -> None:

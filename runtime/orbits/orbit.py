@@ -17,9 +17,7 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.orbits.derivatives import (
     OrbitDerivatives,
-    Sensitivity,
     orbit_derivatives,
-    sensitivity,
 )
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
 from nonsmooth.runtime.shooting.multipliers import Stability
@@ -320,25 +318,6 @@ class Orbit(Shown):
         spectrum, derivatives = kernels.spectrum(parameters, lib)
         at = (parameters, spectrum, unknowns, derivatives)
         return kernels.evaluate(*quantities, at=at, lib=lib)
-
-    def sensitivity(self, parameter: str) -> Sensitivity:
-        """Differentiate unknowns, period and trace by one given parameter.
-
-        Parameters
-        ----------
-        parameter : str
-            One of `given`; the others are kept.
-
-        Returns
-        -------
-        Sensitivity
-
-        Raises
-        ------
-        InputError
-            If the parameter is not among those given, or there is no derivative.
-        """
-        return sensitivity(self, parameter)
 
     def derivatives(
         self, by: Sequence[str] | str | None = None, *, one_sided: bool | None = None

@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.registry import Shown
+from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.kernel_problem import OrbitProblem
 
-__all__ = ["Columns", "Orbits", "changed", "reshaped"]
+__all__ = ["TOO_SMALL", "Orbits", "changed", "reshaped"]
 
+TOO_SMALL = "{} is too small"  # a limit of admissibility, of an open parameter
 _BY_POINT = (
-    "unknowns", "trace", "period", "residual", "iterations", "status", "admissible", "bounds",
-    "multipliers", "starts",
+    "unknowns", "trace", "period", "residual", "iterations", "status", "limit", "bounds",
+    "multipliers", "margin", "starts",
 )  # fmt: skip
-
-Columns = dict[str, np.ndarray]  # what is known of some points, by the name of the variable
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,13 +39,18 @@ class Orbits(Shown):
     trace, period, residual : array of float
     iterations, status : array of int
         `message` says what a status means: 0 converged.
-    admissible : array of bool, or None
-        Whether the orbit is a motion of the real system, for large enough open parameters
-        where they are not given; None when switched off.
+    limit : array of int, or None
+        Which of the `limits` of admissibility fails first, by its number from 0; -1 where none
+        does, -2 where there is no orbit, -3 where it cannot be told. None when switched off.
+    limits : tuple of str
+        What each number of `limit` means.
     bounds : dict of str to array, or None
         What each open parameter has to exceed; NaN where no orbit is admissible.
     multipliers : array (..., k) of complex, or None
         Of the map on the section where the orbits start; None where not asked for.
+    margin : array of float, or None
+        1 less the largest absolute value of a nontrivial multiplier, 0 where neutral; NaN also
+        where boundaries are reached together. None where multipliers are not asked for.
     starts : array (..., p, N) or None
         State at the start of each phase, where the solver has found them all.
     timed : bool
@@ -64,9 +69,11 @@ class Orbits(Shown):
     residual: np.ndarray
     iterations: np.ndarray
     status: np.ndarray
-    admissible: np.ndarray | None = None
+    limit: np.ndarray | None = None
+    limits: tuple[str, ...] = ()
     bounds: dict[str, np.ndarray] | None = None
     multipliers: np.ndarray | None = None
+    margin: np.ndarray | None = None
     starts: np.ndarray | None = None
     timed: bool = False
     derivatives: dict[str, dict[str, np.ndarray]] | None = None
@@ -86,6 +93,14 @@ class Orbits(Shown):
         """Where an orbit was found."""
         return np.asarray(self.status == CONVERGED)
 
+    @property
+    def admissible(self) -> np.ndarray | None:
+        """Where the orbit is a motion of the real system; None when switched off.
+
+        It is one for large enough open parameters where these are not given.
+        """
+        return None if self.limit is None else np.asarray(self.limit == NEITHER)
+
     def restricted(self, opened: Mapping[str, np.ndarray]) -> Orbits:
         """Give these orbits where open parameters have values: admissible above their bounds.
 
@@ -98,12 +113,14 @@ class Orbits(Shown):
         -------
         Orbits
         """
-        if self.admissible is None or self.bounds is None:
+        limit, limits = self.limit, self.limits
+        if limit is None or self.bounds is None:
             return self
-        with np.errstate(invalid="ignore"):  # bounds are NaN where nothing is admissible
-            allowed = [values > self.bounds[name] for name, values in opened.items()]
-        together = np.logical_and.reduce([self.admissible, *allowed])
-        return replace(self, admissible=np.asarray(together))  # of one point too
+        for name, values in opened.items():
+            small = (limit == NEITHER) & ~(values > self.bounds[name])
+            limit = np.where(small, len(limits), limit)
+            limits = (*limits, TOO_SMALL.format(name))
+        return replace(self, limit=limit, limits=limits)
 
     @property
     def dwell_times(self) -> np.ndarray:
@@ -141,5 +158,6 @@ def changed(change: Callable[..., np.ndarray], found: Orbits, *others: Orbits) -
 
 
 def reshaped(found: Orbits, shape: tuple[int, ...]) -> Orbits:
-    """Return orbits at flat points (n,), whose arrays get the shape (...)."""
-    return changed(lambda array: array.reshape((*shape, *array.shape[1:])), found)
+    """Return orbits whose arrays by point get a shape (...)."""
+    lead = found.status.ndim
+    return changed(lambda array: array.reshape((*shape, *array.shape[lead:])), found)

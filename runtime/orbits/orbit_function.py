@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from contextlib import suppress
 
 import numpy as np
 
@@ -16,10 +16,6 @@ from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_problem import labelled_as
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
-    from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["followed", "orbit_function"]
 
@@ -85,26 +81,19 @@ def orbit_function(
                 known.pop(next(k for k in known if k != reference.tobytes()))
         return known[key]
 
-    def rows(points: np.ndarray) -> list[list[tuple[Any, np.ndarray]] | None]:
-        return [row(at(np.ascontiguousarray(point))) for point in points]
-
-    def row(found: OrbitDerivatives | None) -> list[tuple[Any, np.ndarray]] | None:
-        try:
-            return None if found is None else [found.quantity(name) for name in outputs]
-        except (InputError, NoConvergence):
-            return None
-
-    def evaluate(points: np.ndarray) -> np.ndarray:
-        return differentiate(points)[0]
-
     def differentiate(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         values = np.full((len(points), len(outputs)), np.nan)
         jacobians = np.full((len(points), len(outputs), len(inputs)), np.nan)
-        for place, entries in enumerate(rows(points)):
-            if entries is not None:
-                values[place] = [float(value) for value, _ in entries]
-                jacobians[place] = [rates.astype(float) for _, rates in entries]
+        for place, point in enumerate(points):
+            if (found := at(np.ascontiguousarray(point))) is not None:
+                with suppress(InputError, NoConvergence):
+                    entries = [found.quantity(name) for name in outputs]
+                    values[place] = [float(value) for value, _ in entries]
+                    jacobians[place] = [rates.astype(float) for _, rates in entries]
         return values, jacobians
+
+    def evaluate(points: np.ndarray) -> np.ndarray:
+        return differentiate(points)[0]
 
     return DifferentiableFunction(inputs, outputs, reference, evaluate, differentiate)
 

@@ -17,14 +17,14 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_in
+from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
 from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
 from nonsmooth.runtime.shooting.symmetry import part_of, symmetry_of, whole_orbit
 from nonsmooth.runtime.shooting.table_newton import sizes
-from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.shooting.translations import up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
@@ -277,12 +277,12 @@ def refine_tables(orbit: Orbit, digits: int) -> Orbit:
         period = part_of(period, order)
     size = len(orbit.states[0])
 
-    def step_at(x: np.ndarray, last: bool) -> tuple[Any, tuple[PiecewiseLinear, Shooting]]:
+    def step_at(x: np.ndarray, last: bool) -> tuple[Any, tuple[np.ndarray, Shooting]]:
         state, times = x[:size], x[size:]
         point = piecewise_in(system, parameters, lib)
         if symmetry is not None and last:
             symmetry_of(point, symmetry.matrix, lib.mp.mpf(10) ** -wanted)
-        point, part = closing(point, cycle.at(point.structure), symmetry)
+        point, part, directions = closing(point, cycle.at(point.structure), symmetry)
         numbers = numbers_in(point)
         now = shoot(part, numbers, times, state, lib.mp)
         size_of = sizes(now, times)
@@ -291,17 +291,17 @@ def refine_tables(orbit: Orbit, digits: int) -> Orbit:
         # more equations than unknowns are solved in the sense of least squares
         step = np.array(lib.solve(matrix.tolist(), right.tolist()), dtype=object) * size_of
         change = now.rates[:, :-1] @ step + now.rates[:, -1]
-        return [*step, *change], (point, now)
+        return [*step, *change], (directions, now)
 
     dwell = orbit.dwell_times[: len(cycle) // order]
     known = np.array([lib.mp.mpf(float(v)) for v in (*orbit.states[0], *dwell)], dtype=object)
     name = cycle.structure.name
-    x, (point, now), count = climb(lib, known, step_at, wanted, _START_DIGITS_OF_TABLES, name)
+    x, (directions, now), count = climb(lib, known, step_at, wanted, _START_DIGITS_OF_TABLES, name)
     last = Mpmath(wanted)  # a context rounds to its own precision when it computes
     left = [*now.residual, *(now.starts[-1] - now.starts[0])]
     rounded = np.vectorize(last.mp.mpf, otypes=[object])
     states = rounded(now.starts[:-1])
-    states[0] = up_to_shift(states[0], translations_of(point))
+    states[0] = up_to_shift(states[0], directions)
     with last.working(wanted):
         point = piecewise_in(system, parameters, last)
         whole, part = cycle.at(point.structure), (rounded(x[size:]), states)

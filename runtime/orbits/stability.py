@@ -20,10 +20,9 @@ from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
 from nonsmooth.runtime.shooting.multipliers import (
     Multiplier,
     Stability,
-    family_verdict,
-    reciprocal_pair,
-    verdict_of,
-    with_trivial,
+    eigenvalues_of,
+    modulus,
+    stability_of,
 )
 from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.section_map import reciprocal
@@ -59,41 +58,33 @@ def _spectrum(orbit: Orbit) -> np.ndarray:
 
 
 def _assessed(orbit: Orbit) -> Stability:
-    table = orbit.kernels.table
-    zero = orbit.arithmetic.mp.zero if orbit.precise else 0.0
-    trace = orbit.evaluate("trace") if orbit.precise else float(orbit.evaluate("trace"))
-    rank, dimension, pair = table["rank"], len(table["section"]), has_reciprocal_pair(orbit)
-    if rank == 1:
-        nonzero = [Multiplier(trace, zero, trivial=table["conservative"])]
-    elif pair:
-        nonzero = reciprocal_pair(trace, orbit.arithmetic.mp.sqrt if orbit.precise else math.sqrt)
-    else:
-        nonzero = _eigenvalues(orbit)[:rank] if rank else []
-        if table["conservative"] and nonzero:
-            nonzero = with_trivial(nonzero)
-    found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
-    # a rounding leaves the pair on the unit circle in front of the trivial 1
-    found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))
-    # beside a trivial one there are others as large, or larger: a rounding may make it the first
-    largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
-    margin = 1 - largest
+    table, precise = orbit.kernels.table, orbit.precise
+    lib: Any = orbit.arithmetic.mp if precise else np
+    trace = orbit.evaluate("trace") if precise else float(orbit.evaluate("trace"))
+    rank, family = table["rank"], bool(table["conservative"])
+
+    def eigenvalues() -> list[Multiplier]:
+        if rank == 1:
+            return [Multiplier(trace, lib.zero if precise else 0.0, trivial=family)]
+        found = eigenvalues_of(_map(orbit), lib) if rank else []
+        return sorted(found, key=lambda m: -float(modulus(m, lib)))[:rank]
+
     # what is carried beyond the digits asked for decides too
-    ten = orbit.arithmetic.mp.mpf(10) if orbit.precise else 10.0
-    error = ten ** -(orbit.digits + (GUARD - 5 if orbit.precise else -2))
-    if pair:
-        # it is s = mu + 1/mu, not |mu|, that is known to this error
-        verdict = verdict_of(2 - abs(trace - 1), error, paired=True)
-    elif table["conservative"]:
-        least = orbit.arithmetic.mp.sqrt(error) if orbit.precise else math.sqrt(LEAST)
-        verdict = family_verdict(found, margin, least)
-    else:
-        verdict = verdict_of(margin, error)
-    if _grazes(orbit, error):
-        verdict = "undecided"
-    if verdict == "neutral":
-        margin = zero
-    sides = " and ".join(f"{name} > 0" for name in table["vanishing"])
-    return Stability(tuple(found), trace, rank, margin, verdict, sides)
+    ten = lib.mpf(10) if precise else 10.0
+    error = ten ** -(orbit.digits + (GUARD - 5 if precise else -2))
+    return stability_of(
+        trace,
+        rank,
+        len(table["section"]),
+        eigenvalues,
+        family=family,
+        pair=rank != 1 and has_reciprocal_pair(orbit),
+        errors=(error, error),
+        defective=lib.sqrt(error) if precise else math.sqrt(LEAST),
+        grazes=_grazes(orbit, error),
+        lib=lib,
+        one_sided=" and ".join(f"{name} > 0" for name in table["vanishing"]),
+    )
 
 
 def _grazes(orbit: Orbit, error: Any) -> bool:
@@ -151,19 +142,3 @@ def has_reciprocal_pair(orbit: Orbit) -> bool:
 def _map(orbit: Orbit) -> np.ndarray:
     matrix = orbit.evaluate("poincare_jacobian")
     return np.array(matrix, dtype=object if orbit.precise else float)
-
-
-def _eigenvalues(orbit: Orbit) -> list[Multiplier]:
-    matrix = _map(orbit)
-    if orbit.precise:
-        mp = orbit.arithmetic.mp
-        values = mp.eig(mp.matrix(matrix.tolist()), left=False, right=False)
-        found = [Multiplier(mp.re(v), mp.im(v)) for v in values]
-    else:
-        found = [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
-    return sorted(found, key=lambda m: -float(_modulus(m, orbit)))
-
-
-def _modulus(multiplier: Multiplier, orbit: Orbit) -> Any:
-    square = multiplier.real**2 + multiplier.imaginary**2
-    return orbit.arithmetic.mp.sqrt(square) if orbit.precise else float(np.sqrt(square))

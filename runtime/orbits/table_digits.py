@@ -14,7 +14,7 @@ from nonsmooth.runtime.shooting.closure_conditions import closure_equations
 from nonsmooth.runtime.shooting.newton import CONVERGED, SHORTEST, judged
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in, shoot
 from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes
-from nonsmooth.runtime.shooting.translations import directions_of, up_to_shift
+from nonsmooth.runtime.shooting.translations import up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = ["digits_of", "without_digits"]
@@ -28,7 +28,11 @@ _WIDE = 1e4  # between a flow's rates, or in radians: nearer together rounding l
 
 
 def digits_of(
-    cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
+    cycle: ItineraryShape,
+    flat: np.ndarray,
+    found: TableSolution,
+    period: np.ndarray,
+    directions: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the decimal digits (n,) of orbits in double precision, and their status (n,).
 
@@ -36,12 +40,13 @@ def digits_of(
     `CONVERGED` where no digit is sure, and `NEGATIVE` where a dwell time is zero within
     its error. The cycle closes up to translations or by a symmetry; `flat` (n, size) are
     its numbers as `numbers_at` gives them; `period` (n,) is the sum of the dwell times in
-    the unit of time, NaN where free.
+    the unit of time, NaN where free; `directions` (n, m, N) are those of translations.
     """
     digits, status = np.zeros(len(flat), dtype=int), found.status.copy()
     places = np.flatnonzero(status == CONVERGED)
     if len(places):
-        errors, status[places] = _judged(cycle, flat, found, period, places, _NO_DIGIT)
+        asked = cycle, flat, found, period, directions
+        errors, status[places] = _judged(*asked, places, _NO_DIGIT)
         with np.errstate(all="ignore"):  # of what is not finite there are no digits
             known = np.floor(-np.log10(np.maximum(errors, 1e-300)))
         digits[places] = np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0)
@@ -49,7 +54,11 @@ def digits_of(
 
 
 def without_digits(
-    cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
+    cycle: ItineraryShape,
+    flat: np.ndarray,
+    found: TableSolution,
+    period: np.ndarray,
+    directions: np.ndarray,
 ) -> np.ndarray:
     """Return the status (n,) of orbits, `UNSURE` where fewer than four digits are sure.
 
@@ -63,7 +72,8 @@ def without_digits(
         looked = short | _far_apart(cycle, flat, found.dwell)
     places = np.flatnonzero((status == CONVERGED) & looked)
     if len(places):
-        _, status[places] = _judged(cycle, flat, found, period, places, _MOST_ERROR)
+        asked = cycle, flat, found, period, directions
+        _, status[places] = _judged(*asked, places, _MOST_ERROR)
     return status
 
 
@@ -72,13 +82,15 @@ def _judged(
     flat: np.ndarray,
     found: TableSolution,
     period: np.ndarray,
+    directions: np.ndarray,
     places: np.ndarray,
     most: float,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return errors (k,) and status of converged orbits at these places."""
     dwell, start = found.dwell[places], found.starts[places, 0]
     with np.errstate(all="ignore"):
-        errors, of_dwell = _errors(cycle, flat[places], dwell, start, period[places])
+        along, total = directions[places], period[places]
+        errors, of_dwell = _errors(cycle, flat[places], dwell, start, total, along)
     return errors, judged(dwell, of_dwell, errors, most)
 
 
@@ -93,7 +105,12 @@ def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np
 
 
 def _errors(
-    cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, start: np.ndarray, period: Any
+    cycle: ItineraryShape,
+    flat: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    period: np.ndarray,
+    directions: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return errors of orbits (n,) in units of max(1, |x|), and of their dwell times (n, p) alone.
 
@@ -102,7 +119,7 @@ def _errors(
     """
     numbers = numbers_in(cycle.structure, flat)
     now = shoot(cycle, numbers, dwell, start, np)
-    size_of = sizes(_without_drift(cycle, numbers, now), dwell)
+    size_of = sizes(_without_drift(now, directions), dwell)
     matrix, right = closure_equations(cycle, numbers, now, dwell, size_of, period)
     errors, of_dwell = np.full(len(flat), math.inf), np.full(dwell.shape, math.inf)
     sound = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
@@ -130,7 +147,7 @@ def _rounding(
 ) -> np.ndarray:
     """Return the rounding of the state (n, N) at a phase's end, by the terms of its sum."""
     shapes, exponents = cycle.structure.shapes[configuration], numbers.exponents[configuration]
-    functions = functions_at(shapes, exponents, time)
+    functions = np.abs(np.stack(functions_at(shapes, exponents, time), axis=-1))
     speeds = np.hypot(exponents[..., 0], exponents[..., 1])
     turned = speeds.max(axis=-1) * time / _TURNED  # eigenvalues are known as well as the largest
     flows, extended = numbers.flows[configuration], np.abs(start)
@@ -139,19 +156,13 @@ def _rounding(
     else:
         flows = np.abs(flows)
         sizes = (flows[..., :-1] @ extended[:, None, :, None])[..., 0] + flows[..., -1]
-    total = np.zeros_like(start)
-    for shape in shapes:
-        for place in shape.places:
-            term = sizes[:, place] * np.abs(functions[place])[:, None]
-            total += (_TERM + turned[:, None]) * _EPSILON * term
-    return total
+    terms = (functions[:, None] @ sizes)[:, 0]
+    return np.asarray((_TERM + turned[:, None]) * _EPSILON * terms)
 
 
-def _without_drift(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Shooting:
+def _without_drift(now: Shooting, directions: np.ndarray) -> Shooting:
     """Return states up to translations: how far an orbit drifts says nothing of its size."""
-    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
-    directions = [directions_of(cycle.structure, *each) for each in arrays]
-    if not any(map(len, directions)):
+    if not directions.shape[1]:
         return now
     starts, ends, fields = (
         np.stack([up_to_shift(part[:, k], d) for k, d in enumerate(directions)], axis=1)

@@ -65,7 +65,7 @@ class TableEquations:
         if orbit.precise:  # branches are followed in double precision
             system = piecewise(orbit.problem.system, orbit.parameters)
             cycle = itinerary_shape(system.structure, orbit.itinerary)
-        closed, self._cycle = closing(system, cycle, symmetry)
+        closed, self._cycle, _ = closing(system, cycle, symmetry)
         count = len(self._cycle)
         dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
         self._now = shoot(self._cycle, numbers_in(closed), dwell, start, np)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,13 +16,14 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT
+from nonsmooth.runtime.orbits.admissible import NO_ORBIT
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
 from nonsmooth.runtime.orbits.table_digits import without_digits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
+from nonsmooth.runtime.shooting.multipliers import margins as margins_of
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
@@ -46,9 +47,9 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
 )
 
-__all__ = ["TableBatch", "section_of", "solve_itineraries"]
+__all__ = ["TableBatch", "solve_itineraries"]
 
-CHUNK = 1 << 8  # points that one thread takes at a time: their numbers fit into a cache
+CHUNK = 1 << 10  # points that one thread takes at a time
 
 
 def solve_itineraries(
@@ -90,40 +91,11 @@ def solve_itineraries(
     lengths = np.full(len(guess), np.nan)
     if period is not None:
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
-    count = len(guess)
-
-    moving = _translates(kernels, points)
-    first, rank, dimension = section_of(cycle, kernels, points, guess, begin_at, moving=moving)
-    batch = TableBatch(kernels, cycle, first, moving)
-    parts = [slice(begin, begin + CHUNK) for begin in range(0, max(count, 1), CHUNK)]
-
-    def work(part: slice) -> Composed:
-        at = None if begin_at is None else begin_at[part]
-        return batch.solve(points[part], guess[part], at, lengths[part], limits=admissibility)
-
-    solved = in_parallel(work, parts, threads)
-    found = Composed(*map(np.concatenate, zip(*solved, strict=True)))
-    problem = TableProblem(kernels, cycle.itinerary)
-    values = None
-    if multipliers:
-        values = eigenvalues(found.maps)[:, :dimension]
-        values[:, rank:] *= 0  # NaN stays NaN
-    flat = Orbits(
-        problem,
-        {name: parameter_array(name, value) for name, value in parameters.items()},
-        dict(zip(problem.unknown_names, found.unknowns, strict=True)),
-        found.trace,
-        found.dwell.sum(axis=-1),
-        found.residual,
-        found.iterations,
-        found.status,
-        multipliers=values,
-        starts=found.starts,
-        timed=period is not None,
-        admissible=found.limit == NEITHER if admissibility else None,
-        bounds={} if admissibility else None,
-    )
-    return reshaped(flat, shape)
+    batch = TableBatch.at(TableProblem(kernels, cycle.itinerary), points, guess, begin_at)
+    options: Any = {"limits": admissibility, "multipliers": multipliers, "margins": multipliers}
+    found = batch.solve(points, guess, begin_at, lengths, threads=threads, **options)
+    arrays = {name: parameter_array(name, value) for name, value in parameters.items()}
+    return reshaped(replace(found, parameters=arrays), shape)
 
 
 def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
@@ -201,31 +173,42 @@ class Composed(NamedTuple):
 
     dwell: np.ndarray  # (n, p)
     starts: np.ndarray  # (n, p, N), state at the start of each phase
-    maps: np.ndarray  # (n, m, m), of the section at `first`, or stroboscopic
+    maps: np.ndarray  # (n, m, m), of the section at the first phase, or stroboscopic
+    margin: np.ndarray  # (n,), of the multipliers; NaN where not asked for
     residual: np.ndarray  # (n,)
     iterations: np.ndarray  # (n,) of int32
     status: np.ndarray  # (n,) of int32
-    limit: np.ndarray  # (n,) of int, as `first_limits` gives it; NO_ORBIT where not asked for
-
-    @property
-    def unknowns(self) -> np.ndarray:
-        """Dwell times, then the start (p + N, n)."""
-        return np.concatenate([self.dwell, self.starts[:, 0]], axis=1).T
-
-    @property
-    def trace(self) -> np.ndarray:
-        """Of the maps (n,)."""
-        return np.asarray(np.trace(self.maps, axis1=-2, axis2=-1))
 
 
 @dataclass(frozen=True, eq=False)
 class TableBatch:
     """An itinerary of a system, to be solved at many points."""
 
-    system: SystemKernels
+    problem: TableProblem
     cycle: ItineraryShape
-    first: int = 0  # the phase from which orbits are composed
-    translates: bool = False  # whether orbits close up to translations of the system
+    section: tuple[int, int, int]  # as `section_of` finds it
+    translates: bool  # whether orbits close up to translations of the system
+
+    @classmethod
+    def at(
+        cls, problem: TableProblem, points: np.ndarray, dwell: np.ndarray, start: np.ndarray | None
+    ) -> TableBatch:
+        """Return an itinerary, whose section the first of some points and guesses tells."""
+        system = problem.system
+        cycle = itinerary_shape(structure_of(system), problem.itinerary)
+        moving = _translates(system, points)
+        section = section_of(cycle, system, points, dwell, start, moving=moving)
+        return cls(problem, cycle, section, moving)
+
+    @property
+    def limits(self) -> tuple[str, ...]:
+        """Meanings of the numbers of `Orbits.limit`: every boundary of every phase."""
+        structure = self.cycle.structure
+        return tuple(
+            f"phase {place + 1} {structure.configurations[c]}: {shape.name}"
+            for place, c in enumerate(self.cycle.configurations)
+            for shape in structure.boundaries[c]
+        )
 
     def solve(
         self,
@@ -235,14 +218,18 @@ class TableBatch:
         period: np.ndarray,
         *,
         limits: bool,
-    ) -> Composed:
+        multipliers: bool = False,
+        margins: bool = False,
+        threads: int | None = 1,
+    ) -> Orbits:
         """Return the orbits at n points from one guess each.
 
         `points` is (n, parameters), guesses are `dwell` (n, p) and `start` (n, N), or None for
-        the start that fits the dwell times best; `period` (n,) is NaN where it is free. With
-        `limits` the limit of admissibility that fails first is told.
+        the start that fits the dwell times best; `period` (n,) is NaN where it is free.
+        `limits`, `multipliers` and `margins` say what else is told. `threads` None takes as
+        many as processors.
         """
-        cycle, (count, phases) = self.cycle, dwell.shape
+        cycle, system, (count, phases) = self.cycle, self.problem.system, dwell.shape
         size, driven = len(cycle.structure.states), mechanical_states(cycle)
         width = size if driven is None else len(driven)
         found = Composed(
@@ -250,42 +237,69 @@ class TableBatch:
             np.full((count, phases, size), np.nan),
             np.full((count, width, width), np.nan),
             np.full(count, np.nan),
+            np.full(count, np.nan),
             np.zeros(count, dtype=np.int32),
             np.full(count, INVALID, dtype=np.int32),
-            np.full(count, NO_ORBIT, dtype=int),
         )
+        limit = np.full(count, NO_ORBIT)
         sound = np.isfinite(np.concatenate([points, dwell], axis=1)).all(axis=1)
         if start is not None:
             sound &= np.isfinite(start).all(axis=1)
-        for group in numbers_at(self.system, points, cycle.configurations) if count else ():
-            here = cycle.at(group.structure)
-            rows, flat, kept = group.places, group.flat, sound[group.places]
-            if not kept.all():
-                rows, flat = rows[kept], flat[kept]
-            if len(rows):
-                guess = dwell[rows], None if start is None else start[rows]
-                self._fill(found, rows, here, flat, *guess, period[rows])
-            if limits:
-                there = np.flatnonzero(found.status[rows] == CONVERGED)
-                at = rows[there]
-                found.limit[at] = first_limits(
-                    self.system, here, points[at], flat[there], found.dwell[at], found.starts[at]
-                )
-        for array in (found.dwell, found.starts, found.maps, found.residual):
-            array[found.status != CONVERGED] = np.nan
-        return found
 
-    def _fill(
+        def work(begin: int) -> None:
+            for group in numbers_at(system, points[begin : begin + CHUNK], cycle.configurations):
+                rows, flat = begin + group.places, group.flat
+                if not (kept := sound[rows]).all():
+                    rows, flat = rows[kept], flat[kept]
+                if not len(rows):
+                    continue
+                here, guess = cycle.at(group.structure), None if start is None else start[rows]
+                solved = self._solved(here, flat, dwell[rows], guess, period[rows], margins)
+                for array, values in zip(found, solved, strict=True):
+                    array[rows] = values
+                if limits:
+                    there = np.flatnonzero(solved.status == CONVERGED)
+                    at = points[rows[there]], flat[there], solved.dwell[there], solved.starts[there]
+                    limit[rows[there]] = first_limits(system, here, *at)
+
+        in_parallel(work, range(0, count, CHUNK), threads)
+        for array in found[:5]:
+            array[found.status != CONVERGED] = np.nan
+        _, rank, dimension = self.section
+        values = None
+        if multipliers:
+            values = eigenvalues(found.maps)[:, :dimension]
+            values[:, rank:] *= 0  # NaN stays NaN
+        unknowns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
+        names = [table.name for table in self.problem.parameters]
+        return Orbits(
+            self.problem,
+            dict(zip(names, points.T, strict=True)),
+            dict(zip(self.problem.unknown_names, unknowns, strict=True)),
+            np.asarray(np.trace(found.maps, axis1=-2, axis2=-1)),
+            found.dwell.sum(axis=-1),
+            found.residual,
+            found.iterations,
+            found.status,
+            limit=limit if limits else None,
+            limits=self.limits if limits else (),
+            bounds={} if limits else None,
+            multipliers=values,
+            margin=found.margin if margins else None,
+            starts=found.starts,
+            timed=not np.isnan(period).all(),
+        )
+
+    def _solved(
         self,
-        found: Composed,
-        rows: np.ndarray,
         cycle: ItineraryShape,
         flat: np.ndarray,
         dwell: np.ndarray,
         start: np.ndarray | None,
         period: np.ndarray,
-    ) -> None:
-        """Solve the points at some rows, whose numbers `flat` have the same modes."""
+        margins: bool,
+    ) -> Composed:
+        """Return the orbits at points whose numbers `flat` have the same modes."""
         closed, directions = cycle, np.empty((len(flat), 0, len(cycle.structure.states)))
         if self.translates:
             numbers = numbers_in(cycle.structure, flat)
@@ -293,22 +307,32 @@ class TableBatch:
             closed, numbers, directions = closed_cycle(cycle, numbers)
             added = numbers.resets[:, cycle.structure.resets :].reshape(len(flat), -1)
             flat = np.concatenate([flat[:, :place], added, flat[:, place:]], axis=1)
-        turned, first = closed.rotated(self.first), self.first
+        turned, first = closed.rotated(self.section[0]), self.section[0]
         if start is not None and first:
             with np.errstate(all="ignore"):
                 numbers = numbers_in(closed.structure, flat)
                 start = shoot(closed, numbers, dwell, start, np).starts[first]
         solved = solve_shape(turned, flat, np.roll(dwell, -first, axis=1), start, period)
-        found.dwell[rows] = np.roll(solved.dwell, first, axis=1)
-        found.starts[rows] = np.roll(solved.starts, first, axis=1)
-        found.residual[rows], found.iterations[rows] = solved.residual, solved.iterations
-        found.status[rows] = without_digits(turned, flat, solved, period)
+        status = without_digits(turned, flat, solved, period, directions)
         maps, driven = solved.maps, mechanical_states(cycle)
         if driven is not None:
             field = numbers_in(closed.structure, flat).fields[:, cycle.configurations[0]]
             maps = stroboscopic_maps(closed, field, solved.starts[:, 0], maps, driven)
             directions = directions[..., driven]
-        found.maps[rows] = _with_translations(maps, directions) if self.translates else maps
+        margin = np.full(len(flat), np.nan)
+        if margins and not cycle.one_sided:
+            family = driven is None and not np.isnan(period).all()
+            trace = np.trace(maps, axis1=-2, axis2=-1)
+            margin = margins_of(maps, trace, self.section[1], family=family)
+        return Composed(
+            np.roll(solved.dwell, first, axis=1),
+            np.roll(solved.starts, first, axis=1),
+            _with_translations(maps, directions) if self.translates else maps,
+            margin,
+            solved.residual,
+            solved.iterations,
+            status,
+        )
 
 
 def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:

@@ -380,7 +380,7 @@ class TableEvaluation:
     def _closed(
         self, symmetry: Symmetry | None
     ) -> tuple[ItineraryShape, Numbers, Shooting, np.ndarray]:
-        system, part = closing(self.piecewise, self.cycle, symmetry)
+        system, part, _ = closing(self.piecewise, self.cycle, symmetry)
         numbers, dwell = numbers_in(system), self.orbit.dwell_times[: len(part)]
         now = shoot(part, numbers, dwell, self.states[0], self._functions)
         return part, numbers, now, dwell

@@ -37,7 +37,7 @@ from nonsmooth.runtime.shooting.symmetry import (
     whole_shape,
 )
 from nonsmooth.runtime.shooting.table_newton import TableSolution, fitting_start, solve_shape
-from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.shooting.translations import up_to_shift
 
 __all__ = [
     "CONTINUATION_STEPS",
@@ -80,12 +80,12 @@ def solve_itinerary(
     """
 
     def solved(
-        point: PiecewiseLinear, part: ItineraryShape, flat: np.ndarray, length: np.ndarray
+        part: ItineraryShape, flat: np.ndarray, directions: np.ndarray, length: np.ndarray
     ) -> TableSolution:
         dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
-        begin, directions = None, translations_of(point)
+        begin = None
         if start is not None:
-            size = len(point.structure.states)
+            size = len(part.structure.states)
             begin = guesses("the guess of the start", start, size).reshape(1, -1)
             begin = up_to_shift(begin, directions)
         found = solve_shape(part, flat, dwell.reshape(1, -1), begin, length)
@@ -129,12 +129,12 @@ def _orbit(
     itinerary: Sequence[tuple[str, str]],
     period: object,
     symmetry: Symmetries,
-    solved: Callable[[PiecewiseLinear, ItineraryShape, np.ndarray, np.ndarray], TableSolution],
+    solved: Callable[[ItineraryShape, np.ndarray, np.ndarray, np.ndarray], TableSolution],
 ) -> Orbit:
     """Return the record of a solution, with its digits and the routes that it takes.
 
-    `solved` gives it, from the system, the part that a symmetry or translations close, the
-    numbers (1, size) of that part, and the sum (1,) of its dwell times, NaN where free.
+    `solved` gives it, from the part that a symmetry or translations close, the numbers (1, size)
+    of that part, the translations (m, N), and the sum (1,) of its dwell times, NaN where free.
     """
     mirror, phases = None, itinerary
     if symmetry is not None:
@@ -147,7 +147,7 @@ def _orbit(
         cycle = itinerary_shape(point.structure, itinerary)
     else:
         cycle = whole_shape(point, mirror, itinerary)
-    closed, part = closing(point, cycle, mirror)
+    closed, part, directions = closing(point, cycle, mirror)
     wanted = None if period is None else as_value(period)
     length = np.nan if wanted is None else float(wanted)
     if wanted is not None and not 0 < length < np.inf:
@@ -155,8 +155,9 @@ def _orbit(
     if wanted is not None and mirror is not None:
         length = float(part_of(wanted, mirror.order))
     asked = part, numbers_of(closed)[None]
-    found = solved(point, *asked, np.array([length]))
-    digits, status = digits_of(*asked, found, np.array([length]))
+    period_of_part = np.array([length])
+    found = solved(*asked, directions, period_of_part)
+    digits, status = digits_of(*asked, found, period_of_part, directions[None])
     times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
     kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     return orbit_of(

@@ -27,13 +27,16 @@ _MOST_TURNS = 24  # of the first forcing, until all meet again
 
 def closing(
     system: PiecewiseLinear, cycle: ItineraryShape, symmetry: Symmetry | None
-) -> tuple[PiecewiseLinear, ItineraryShape]:
-    """The part of a whole cycle that closes, in a system with the numbers of `closed_cycle`."""
+) -> tuple[PiecewiseLinear, ItineraryShape, np.ndarray]:
+    """The part of a whole cycle that closes, in a system with the numbers of `closed_cycle`.
+
+    Last come the directions (m, N) of translations.
+    """
     fields, rows, resets = (part[None] for part in system.numbers)
-    part, closed, _ = closed_cycle(cycle, Numbers(fields, rows, resets), symmetry)
-    if part is cycle:
-        return system, cycle
-    return replace(system, structure=part.structure, resets=closed.resets[0]), part
+    part, closed, directions = closed_cycle(cycle, Numbers(fields, rows, resets), symmetry)
+    if part is not cycle:
+        system = replace(system, structure=part.structure, resets=closed.resets[0])
+    return system, part, directions[0]
 
 
 def closed_cycle(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -18,16 +19,15 @@ __all__ = [
     "Multiplier",
     "MultiplierDerivatives",
     "Stability",
+    "eigenvalues_of",
     "family_margins",
-    "family_verdict",
     "many_multiplier_derivatives",
     "margins",
+    "modulus",
     "multiplier_derivatives",
     "nontrivial",
     "pair_margins",
-    "reciprocal_pair",
-    "verdict_of",
-    "with_trivial",
+    "stability_of",
 ]
 
 _ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
@@ -87,7 +87,73 @@ class Stability:
         return self.rank == 1
 
 
-def reciprocal_pair(trace: Any, root: Callable[[Any], Any]) -> list[Multiplier]:
+def stability_of(
+    trace: Any,
+    rank: int,
+    dimension: int,
+    eigenvalues: Callable[[], list[Multiplier]],
+    *,
+    family: bool,
+    pair: bool,
+    area: bool = False,
+    errors: tuple[Any, Any],
+    defective: Any,
+    grazes: bool,
+    lib: Any,
+    shifts: int = 0,
+    one_sided: str = "",
+) -> Stability:
+    """Multipliers and verdict of a section map with a trace, of which `rank` may not be zero.
+
+    There are as many multipliers as the section has dimensions. Where 1, mu and 1/mu are a `pair`
+    the trace tells them, else `eigenvalues` gives those that may not be zero. Where a map keeps
+    `area` the others are reciprocal. `errors` are those of the trace and of a multiplier,
+    `defective` that of one of a `family` near the unit circle. `shifts` more are 1, along
+    translations. `lib` is `numpy` or a context of mpmath.
+    """
+    precise = lib is not np
+    zero = lib.zero if precise else 0.0
+    if pair:  # from the trace, whose digits it keeps
+        found = _reciprocal_pair(trace, lib.sqrt if precise else math.sqrt)
+    else:
+        found = eigenvalues()
+        if family and found and not any(m.trivial for m in found):
+            found = _with_trivial(found)
+    found += [Multiplier(zero, zero)] * (dimension - len(found))
+    found += [Multiplier(zero + 1, zero, trivial=True)] * shifts
+    # a rounding leaves the pair on the unit circle in front of the trivial 1
+    found.sort(key=lambda m: -round(float(modulus(m, lib)), 12))
+    # beside a trivial one there are others as large, or larger: a rounding may make it the first
+    largest = max((modulus(m, lib) for m in found if not m.trivial), default=zero)
+    margin = 1 - largest if precise else float(1 - largest)
+    of_trace, of_multiplier = errors
+    if pair or area:  # it is s = mu + 1/mu, not |mu|, that is known to this error
+        verdict = _verdict_of(2 - abs(trace - int(pair)), of_trace, paired=True)
+    elif family:
+        verdict = _family_verdict(found, margin, defective)
+    else:
+        verdict = _verdict_of(margin, of_multiplier)
+    verdict = "undecided" if grazes else verdict
+    margin = zero if verdict == "neutral" else margin
+    return Stability(tuple(found), trace + shifts, rank + shifts, margin, verdict, one_sided)
+
+
+def eigenvalues_of(matrix: np.ndarray, lib: Any) -> list[Multiplier]:
+    """Eigenvalues of a map (k, k); `lib` is `numpy` or a context of mpmath."""
+    if matrix.dtype != object:
+        return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
+    if len(matrix) < 2:
+        return [Multiplier(x, 0 * x) for x in matrix.ravel()]
+    values = lib.eig(lib.matrix(matrix.tolist()), left=False, right=False)
+    return [Multiplier(lib.re(v), lib.im(v)) for v in values]
+
+
+def modulus(multiplier: Multiplier, lib: Any) -> Any:
+    """Absolute value of a multiplier."""
+    return lib.sqrt(multiplier.real**2 + multiplier.imaginary**2)
+
+
+def _reciprocal_pair(trace: Any, root: Callable[[Any], Any]) -> list[Multiplier]:
     """Multipliers mu, 1/mu and a trivial 1, from their sum, whose digits they have.
 
     `root` is the square root of the trace's arithmetic.
@@ -104,7 +170,7 @@ def reciprocal_pair(trace: Any, root: Callable[[Any], Any]) -> list[Multiplier]:
     return [*pair, Multiplier(one, zero, trivial=True)]
 
 
-def with_trivial(found: list[Multiplier]) -> list[Multiplier]:
+def _with_trivial(found: list[Multiplier]) -> list[Multiplier]:
     """The multipliers with the one nearest to 1 made the trivial 1 of a family, at the end."""
     nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
     rest = [m for m in found if m is not nearest]
@@ -112,7 +178,7 @@ def with_trivial(found: list[Multiplier]) -> list[Multiplier]:
     return [*rest, Multiplier(zero + 1, zero, trivial=True)]
 
 
-def verdict_of(distance: Any, error: float, paired: bool = False) -> str:
+def _verdict_of(distance: Any, error: float, paired: bool = False) -> str:
     """Verdict from the distance to the boundary of stability, which is known to an error.
 
     `paired` multipliers are reciprocal: inside that boundary they lie on the unit circle.
@@ -124,7 +190,7 @@ def verdict_of(distance: Any, error: float, paired: bool = False) -> str:
     return "neutral" if paired else "stable"
 
 
-def family_verdict(multipliers: Sequence[Multiplier], margin: Any, least: Any) -> str:
+def _family_verdict(multipliers: Sequence[Multiplier], margin: Any, least: Any) -> str:
     """Verdict on a family whose multipliers are no reciprocal pair, from their margin.
 
     The others than the trivial 1 may be defective on the unit circle, where half the digits

@@ -14,12 +14,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.shooting.multipliers import (
-    Multiplier,
     Stability,
-    family_verdict,
-    reciprocal_pair,
-    verdict_of,
-    with_trivial,
+    eigenvalues_of,
+    stability_of,
 )
 from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
@@ -235,32 +232,23 @@ def assess(
     for local in parts:
         matrix = local @ matrix
     precise = maps[0].dtype == object
-    zero, shifts = lib.zero if precise else 0.0, len(translations)
-    trace = sum((matrix[k, k] for k in range(rank)), zero)
-    trace = trace if precise else float(trace)
+    trace = sum((matrix[k, k] for k in range(rank)), lib.zero if precise else 0.0)
     pair = family and reciprocal(matrix, rank, lib)
-    if pair:  # from the trace, whose digits it keeps
-        found = reciprocal_pair(trace, lib.sqrt if precise else math.sqrt)
-    else:
-        found = _eigenvalues(matrix, trace, lib)
-        found = with_trivial(found) if family and found else found
-    found += [Multiplier(zero, zero)] * (dimension - rank)
-    found += [Multiplier(zero + 1, zero, trivial=True)] * shifts
-    found.sort(key=lambda m: -round(float(_modulus(m, lib)), 12))
-    largest = max((_modulus(m, lib) for m in found if not m.trivial), default=zero)
-    margin = 1 - largest if precise else float(1 - largest)
-    area = not (family or shifts) and dimension == 2 and _keeps_area(cycle, numbers)
-    entries, multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
-    if pair or area:
-        verdict = verdict_of(2 - abs(trace - int(pair)), entries, paired=True)
-    elif family:
-        verdict = family_verdict(found, margin, multiplied if precise else math.sqrt(LEAST))
-    else:
-        verdict = verdict_of(margin, multiplied)
-    if _grazes(cycle, numbers, now, error):
-        verdict = "undecided"
-    margin = zero if verdict == "neutral" else margin
-    return Stability(tuple(found), trace + shifts, rank + shifts, margin, verdict)
+    multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
+    return stability_of(
+        trace if precise else float(trace),
+        rank,
+        dimension,
+        lambda: eigenvalues_of(matrix, lib),
+        family=family,
+        pair=pair,
+        area=not (family or len(translations)) and dimension == 2 and _keeps_area(cycle, numbers),
+        errors=multiplied,
+        defective=multiplied[1] if precise else math.sqrt(LEAST),
+        grazes=_grazes(cycle, numbers, now, error),
+        lib=lib,
+        shifts=len(translations),
+    )
 
 
 def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tuple[Any, Any]:
@@ -324,18 +312,6 @@ def _keeps_area(cycle: ItineraryShape, numbers: Numbers) -> bool:
     return True
 
 
-def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
-    size = len(matrix)
-    if size == 0:
-        return []
-    if size == 1:
-        return [Multiplier(trace, 0 * trace)]
-    if matrix.dtype == object:
-        values = lib.eig(lib.matrix(matrix.tolist()), left=False, right=False)
-        return [Multiplier(lib.re(v), lib.im(v)) for v in values]
-    return [Multiplier(float(v.real), float(v.imag)) for v in np.linalg.eigvals(matrix)]
-
-
 def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     """Whether a map with three multipliers, one of them 1, keeps the area of the two others."""
     if rank != 3:
@@ -343,10 +319,6 @@ def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     values = matrix.tolist()
     determinant = lib.det(lib.matrix(values)) if matrix.dtype == object else np.linalg.det(matrix)
     return bool(abs(determinant - 1) < math.sqrt(LEAST))
-
-
-def _modulus(multiplier: Multiplier, lib: Any) -> Any:
-    return lib.sqrt(multiplier.real**2 + multiplier.imaginary**2)
 
 
 def _grazes(cycle: ItineraryShape, numbers: Numbers, now: Shooting, error: Any) -> bool:

@@ -9,10 +9,11 @@ axes, one point each.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from itertools import pairwise
+from functools import cached_property, lru_cache
+from itertools import accumulate, pairwise
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -216,25 +217,28 @@ def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = No
     if flat is None:
         raise InputError("a structure alone has no numbers")
     size, lead = len(system.states), flat.shape[:-1]
-    counts = [len(modes) for modes in system.shapes]
-    shapes = [
-        (len(counts), size, size + 1),
-        (system.rows, size + 1),
-        (system.resets, size, size + 1),
-        *((count, 2) for count in counts),
-        *((flows_size(modes, size),) for modes in system.shapes),
-    ]
-    ends = np.cumsum([0, *(int(np.prod(shape)) for shape in shapes)]).tolist()
-    parts = [
-        flat[..., a:b].reshape(*lead, *shape)
-        for (a, b), shape in zip(pairwise(ends), shapes, strict=True)
-    ]
-    cut = 3 + len(counts)
+    parts = [flat[..., part].reshape(*lead, *shape) for part, shape in _layout(system)]
+    cut = 3 + len(system.shapes)
     fields, rows, resets = parts[:3]
     flows = (
         cut_flows(modes, size, part) for modes, part in zip(system.shapes, parts[cut:], strict=True)
     )
     return Numbers(fields, rows, resets, tuple(parts[3:cut]), tuple(flows))
+
+
+@lru_cache(maxsize=1024)
+def _layout(structure: Structure) -> list[tuple[slice, tuple[int, ...]]]:
+    """Where fields, rows, resets, exponents and flows are in numbers, and their shapes."""
+    size, counts = len(structure.states), [len(modes) for modes in structure.shapes]
+    shapes: list[tuple[int, ...]] = [
+        (len(counts), size, size + 1),
+        (structure.rows, size + 1),
+        (structure.resets, size, size + 1),
+        *((count, 2) for count in counts),
+        *((flows_size(modes, size),) for modes in structure.shapes),
+    ]
+    ends = accumulate(map(math.prod, shapes), initial=0)
+    return [(slice(*part), shape) for part, shape in zip(pairwise(ends), shapes, strict=True)]
 
 
 def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: Any, lib: Any) -> Any:

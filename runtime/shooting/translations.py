@@ -10,6 +10,7 @@ translations give are zeros of the projected map.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -52,13 +53,14 @@ def directions_of(structure: Structure, fields: Any, rows: Any, resets: Any) -> 
     unit = np.eye(size, dtype=int)
     parts = [
         fields[..., :size].reshape(-1, size),
-        rows[used, :size],
-        (resets[taken][..., :size] - unit).reshape(-1, size),
+        rows[[*used], :size],
+        (resets[[*taken]][..., :size] - unit).reshape(-1, size),
     ]
     return _null_space(np.concatenate(parts))
 
 
-def deciding_rows(structure: Structure) -> list[int]:
+@lru_cache(maxsize=1024)
+def deciding_rows(structure: Structure) -> tuple[int, ...]:
     """Rows that decide about motions, increasing.
 
     They are those of boundaries, constraints, conditions and a contact law.
@@ -70,15 +72,16 @@ def deciding_rows(structure: Structure) -> list[int]:
     if structure.law is not None:
         used |= {row for contact in structure.law.contacts for row in contact.rows}
         used |= {row for rows in structure.law.free.values() for row in rows}
-    return sorted(used)
+    return tuple(sorted(used))
 
 
-def taken_resets(structure: Structure) -> list[int]:
+@lru_cache(maxsize=1024)
+def taken_resets(structure: Structure) -> tuple[int, ...]:
     """Resets of all transitions and of a contact law, increasing."""
     found = {t.reset for each in structure.transitions for t in each}
     if structure.law is not None:
         found |= {reset for resets in structure.law.resets.values() for reset in resets.values()}
-    return sorted(found)
+    return tuple(sorted(found))
 
 
 def projection_along(directions: np.ndarray) -> np.ndarray:

@@ -98,7 +98,7 @@ def cubic(values: Any, start: np.ndarray | None) -> dict[str, np.ndarray]:
 
 
 def test_what_one_half_knows_reaches_the_other() -> None:
-    solver = Solver(cubic, lambda columns: columns["x"][:, None], np.ones(1))
+    solver = Solver(cubic, ["x"], np.ones(1))
     axes = (linear_axis("p", -1.5, 6.0, 101), linear_axis("q", -1.0, 1.0, 50))
     grid = Grid(axes, (101, 50))
     starts = anchor_starts(grid, solver)
@@ -118,6 +118,6 @@ def test_most_neighbours_decide_between_orbits_that_are_as_good_in_all_units(uni
         return {"status": 0 * every, "admissible": every > 0, "margin": every,
                 "x": np.where(second, 2 * unit, unit)}  # fmt: skip
 
-    solver = Solver(either, lambda columns: columns["x"][:, None], np.array([unit]))
+    solver = Solver(either, ["x"], np.array([unit]))
     grid = Grid((linear_axis("p", 0.0, 1.0, 20), linear_axis("q", 0.0, 1.0, 20)), (20, 20))
     np.testing.assert_array_equal(anchor_starts(grid, solver)[1:-1, 1:-1, 0], unit)

@@ -51,7 +51,7 @@ for name in orbit_names():
     print(backend(), load_orbit(orbit.name).solver is not None, orbit.status,
           orbit.admissibility.verdict, orbit.stability.verdict, repr(orbit.trace),
           *(repr(x) for x in orbit.unknowns.values()),
-          *(repr(orbit.sensitivity(parameter).trace) for parameter in orbit.given),
+          *(repr(x) for x in orbit.derivatives(one_sided=True).trace.tolist()),
           *(repr(float(x)) for x in orbit.saltations.flat),
           *(repr(float(x)) for x in orbit.motion()(1)))
 """

@@ -11,7 +11,7 @@ from scipy.linalg import expm
 from nonsmooth import InputError, Orbit, refine, solve, solve_many
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
-from nonsmooth.runtime.orbits.admissible import _admissible_numpy, admissible_points
+from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import search
 from nonsmooth.runtime.present.report import orbit_json
@@ -179,7 +179,8 @@ def test_a_violation_is_reported_in_full(roots):
 
 def test_batches_judge_as_the_single_orbit(roots):
     points, found = (np.array(x) for x in zip(*roots, strict=True))
-    allowed, bounds = admissible_points(load_orbit(ORBIT), points, found)
+    limit, bounds = kernel_limits(load_orbit(ORBIT), points, found)
+    allowed = limit == NEITHER
     verdicts = [record(p, u).admissibility.verdict for p, u in roots]
     assert list(allowed) == [v == "conditional" for v in verdicts]
     assert 0 < allowed.sum() < len(allowed)
@@ -218,8 +219,8 @@ def test_a_dwell_time_that_is_not_positive_is_a_violation():
         assert violation.excess == -time
         unknowns = np.array([[wrong.unknowns[n] for n in UNKNOWNS]])
         point = np.array([[wrong.values[n] for n in PARAMETERS]])
-        allowed, bounds = admissible_points(load_orbit(ORBIT), point, unknowns)
-        assert not allowed[0]
+        limit, bounds = kernel_limits(load_orbit(ORBIT), point, unknowns)
+        assert limit[0] == NO_ORBIT
         assert np.isnan(bounds).all()
 
 
@@ -439,8 +440,8 @@ def test_the_guaranteed_search_finds_it(grazing):
 def test_the_batch_finds_it(grazing):
     points = np.array([[o.values[n] for n in PARAMETERS] for o in grazing])
     unknowns = np.array([[o.unknowns[n] for n in UNKNOWNS] for o in grazing])
-    allowed, _ = admissible_points(load_orbit(ORBIT), points, unknowns)
-    assert list(allowed) == [True, False]
+    limit, _ = kernel_limits(load_orbit(ORBIT), points, unknowns)
+    assert list(limit == NEITHER) == [True, False]
     many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
     assert_allclose(many.unknowns["tau1"], unknowns[:, 4], rtol=1e-9)
     # the last digits of a solution decide on the side without a violation
@@ -471,7 +472,7 @@ def test_numpy_gives_the_bounds_of_the_compiled_kernel():
         for keys in (kernels.parameter_names, kernels.unknowns)
     )
     crossed, bounds = _admissible_numpy(kernels, points, unknowns)
-    allowed, expected = admissible_points(kernels, points, unknowns)
-    assert (crossed == -1).tolist() == allowed.tolist() == [True]
+    limit, expected = kernel_limits(kernels, points, unknowns)
+    assert crossed.tolist() == limit.tolist() == [NEITHER]
     assert bounds.max() > 0
     assert_allclose(bounds, expected, rtol=1e-12)

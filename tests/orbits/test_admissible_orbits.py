@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from nonsmooth import Orbit, refine, solve, solve_many
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
 from tests.declared import RANGES, Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
@@ -158,7 +158,8 @@ def test_a_penetration_of_a_stiff_stop_is_seen():
     assert violation.time == pytest.approx(1.5 * half, rel=1e-2)
     points = np.array([[o.values[n] for n in o.kernels.parameter_names] for o in (plain, orbit)])
     unknowns = np.array([list(o.unknowns.values()) for o in (plain, orbit)])
-    assert admissible_points(load_orbit(ELASTIC), points, unknowns)[0].tolist() == [True, False]
+    limit, _ = kernel_limits(load_orbit(ELASTIC), points, unknowns)
+    assert (limit == NEITHER).tolist() == [True, False]
 
 
 def test_a_slow_penetration_is_seen_whatever_the_mass():
@@ -238,12 +239,12 @@ def test_what_meets_no_boundary_is_not_admissible(name):
     orbit = solve(name)
     parameters = np.array([[orbit.values[n] for n in orbit.kernels.parameter_names]])
     exact = np.array([list(orbit.unknowns.values())])
-    assert admissible_points(load_orbit(name), parameters, exact)[0].all()
+    assert kernel_limits(load_orbit(name), parameters, exact)[0] == NEITHER
     for unknown in orbit.kernels.timed:
         place = orbit.kernels.unknowns.index(unknown)
         late = exact.copy()
         late[:, place] += 1e-6  # beyond the end of a phase its boundary is crossed
-        assert not admissible_points(load_orbit(name), parameters, late)[0].any()
+        assert kernel_limits(load_orbit(name), parameters, late)[0] != NEITHER
         record = replace(orbit, unknowns=dict(zip(orbit.unknowns, late[0].tolist(), strict=True)))
         assert record.admissibility.verdict is False
 

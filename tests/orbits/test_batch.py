@@ -12,6 +12,7 @@ from nonsmooth import InputError, solve, solve_many
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
+from nonsmooth.runtime.orbits.admissible import NO_ORBIT
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -292,6 +293,10 @@ def test_verdicts_and_bounds_are_those_of_the_single_orbit(name, points, many):
         one = solve(name, {n: float(a[i]) for n, a in points.items()}, guess)
         verdict = one.admissibility.verdict
         assert bool(many.admissible[i]) == (verdict is not False)
+        if verdict is False:
+            first = one.admissibility.violations[0]
+            told = f"phase {first.phase + 1} {first.configuration}: {first.boundary}"
+            assert many.limits[many.limit[i]] == told
         verdicts.add(verdict)
         required = {r.parameter: r.greater_than for r in one.admissibility.requires}
         for label, bounds in many.bounds.items():
@@ -310,7 +315,7 @@ def test_nan_stands_exactly_where_nothing_was_found(many):
         assert_array_equal(np.isfinite(array), many.converged)
     for array in many.bounds.values():
         assert_array_equal(np.isfinite(array), many.admissible)
-    assert not np.any(many.admissible & ~many.converged)
+    assert_array_equal(many.limit == NO_ORBIT, ~many.converged)
     kernels = load_orbit(many.name)
     dwell = kernels.durations({**many.parameters, **many.unknowns})
     for label in set(dwell) - set(kernels.table["vanishing"]):

@@ -289,6 +289,7 @@ def test_many_points():
         assert many.trace[i, j] == pytest.approx(one.trace, abs=1e-12)
         np.testing.assert_allclose(many.multipliers[i, j], one.multipliers, atol=1e-12)
         assert many.multipliers[i, j, 1] == 0
+        assert many.margin[i, j] == pytest.approx(one.stability.margin, abs=1e-12)
 
 
 @pytest.mark.parametrize("threads", [1, 2])

@@ -11,7 +11,7 @@ from scipy.optimize import root
 
 from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.model.kernels import backend, load_orbit
-from nonsmooth.runtime.orbits.admissible import admissible_points
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.kernel_solve import search
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
@@ -356,7 +356,7 @@ def exhaustive(point, per_unknown, longest=14.0):
     roots = solved.unknowns[solved.status == CONVERGED]
     roots = roots[np.unique(np.round(roots, 6), axis=0, return_index=True)[1]]
     points = np.broadcast_to(point, (len(roots), len(point)))
-    return bool(admissible_points(kernels, points, roots)[0].any())
+    return bool((kernel_limits(kernels, points, roots)[0] == NEITHER).any())
 
 
 def found_without_a_guess(count, per_unknown):
@@ -383,7 +383,8 @@ def test_the_search_lists_distinct_orbits_admissible_ones_first():
     kernels = load_orbit(ORBIT)
     for point in random_points(5, 3):
         roots = search(kernels, point)
-        allowed = admissible_points(kernels, np.broadcast_to(point, (len(roots), 5)), roots)[0]
+        limit, _ = kernel_limits(kernels, np.broadcast_to(point, (len(roots), 5)), roots)
+        allowed = limit == NEITHER
         assert sorted(allowed, reverse=True) == list(allowed)
         distances = np.abs(roots[:, None] - roots).max(axis=-1) + np.eye(len(roots))
         assert distances.min() > 1e-6
@@ -398,7 +399,8 @@ def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
     generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)
     points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (1000, 5))
     first = solve_reduced(kernels, points, [PRINTED["tau"], PRINTED["tau1"]])
-    fine = (first.status == CONVERGED) & admissible_points(kernels, points, first.unknowns)[0]
+    limit, _ = kernel_limits(kernels, points, first.unknowns)
+    fine = (first.status == CONVERGED) & (limit == NEITHER)
     possible = [p for p in points[~fine][:150] if exhaustive(p, 80)]
     assert len(possible) >= 5
     orbits = [solve(ORBIT, named(p), throw=False) for p in possible]
@@ -459,8 +461,9 @@ def differences(again, parameter, orbit, names):
     return (rows[0] - rows[1]) / (2 * step)
 
 
-def stacked(sensitivity, names):
-    return [*(sensitivity.unknowns[n] for n in names), sensitivity.period, sensitivity.trace]
+def stacked(found, names):
+    rates = [*(found.unknowns[n] for n in names), found.period, found.trace]
+    return [rate for (rate,) in rates]
 
 
 @pytest.mark.parametrize("parameter", PARAMETERS)
@@ -473,7 +476,7 @@ def test_sensitivities_are_derivatives(orbits, parameter):
             return solve(ORBIT, point | {parameter: value}, guess)
 
         expected = differences(again, parameter, orbit, UNKNOWNS)
-        found = stacked(orbit.sensitivity(parameter), UNKNOWNS)
+        found = stacked(orbit.derivatives(parameter), UNKNOWNS)
         assert_allclose(found, expected, rtol=1e-5, atol=1e-6)
 
 
@@ -501,17 +504,17 @@ def test_sensitivities_of_exchanged_problems_are_derivatives(swapped, given):
             )
 
         expected = differences(again, name, orbit, list(orbit.unknowns))
-        found = stacked(orbit.sensitivity(name), list(orbit.unknowns))
+        found = stacked(orbit.derivatives(name), list(orbit.unknowns))
         assert_allclose(found, expected, rtol=1e-5, atol=1e-5)
     with pytest.raises(InputError, match=swapped[0]):
-        orbit.sensitivity(swapped[0])
+        orbit.derivatives(swapped[0])
 
 
 def test_inverse_sensitivities_are_inverse():
     ordinary = solve(ORBIT)
     swapped = exchanged(ordinary, ("e1",), ("ta",))
-    forward = ordinary.sensitivity("e1").unknowns["ta"]
-    assert swapped.sensitivity("ta").unknowns["e1"] == pytest.approx(1 / forward, rel=1e-9)
+    forward = ordinary.derivatives("e1").unknowns["ta"]
+    assert swapped.derivatives("ta").unknowns["e1"] == pytest.approx(1 / forward, rel=1e-9)
 
 
 def test_a_scaled_motion_is_a_motion(orbits):
@@ -523,5 +526,5 @@ def test_a_scaled_motion_is_a_motion(orbits):
         assert_allclose([other.unknowns[n] for n in UNKNOWNS], guess, rtol=1e-11)
         assert other.trace == pytest.approx(orbit.trace, rel=1e-9)
         assert sum(
-            orbit.sensitivity(n).trace * orbit.values[n] for n in ("V", "e1", "e2")
+            orbit.derivatives(n).trace[0] * orbit.values[n] for n in ("V", "e1", "e2")
         ) == pytest.approx(0, abs=1e-8)

@@ -114,7 +114,8 @@ def test_every_orbit_comes_back(name: str, digits: int | None, path: Path) -> No
     assert after.to_json() == before.to_json()
     assert (after.motion()([0.1, 5]) == before.motion()([0.1, 5])).all()
     given = next(iter(before.given))
-    assert digits or after.sensitivity(given) == before.sensitivity(given)
+    rates = [each.derivatives(given, one_sided=True).trace.tolist() for each in (after, before)]
+    assert digits or rates[0] == rates[1]
     written = path.read_bytes()
     after.save(path)
     assert path.read_bytes() == written

@@ -343,7 +343,7 @@ def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> Non
     assert middle is not None
     found = ns.certify_box(orbit, {parameter: (middle - width, middle + width)})
     trace = found.enclosures["trace"]
-    slope = abs(orbit.sensitivity(parameter).trace)
+    slope = abs(orbit.derivatives(parameter).trace[0])
     assert (trace.upper - trace.lower) / float(2 * width) == pytest.approx(slope, rel=0.02)
 
 

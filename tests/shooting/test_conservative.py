@@ -278,7 +278,7 @@ def border() -> str:
     text = "6.82"
     for _ in range(12):
         found = refine(solve(RIGID, {"T": text}), 700)
-        step = (found.trace - 3) / found.sensitivity("T").trace
+        step = (found.trace - 3) / found.derivatives("T").trace[0]
         text = found.arithmetic.mp.nstr(found.values["T"] - step, 690)
     return text
 

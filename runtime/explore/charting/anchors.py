@@ -11,17 +11,16 @@ orbit that is none, and that than nothing: their ranks are 3, 2, 1, 0.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 
 from nonsmooth.runtime.explore.charting.grid import Block, Grid
-from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
-__all__ = ["Solver", "anchor_starts", "solve_block"]
+__all__ = ["Columns", "Solver", "anchor_starts", "solve_block"]
 
 _SAME = 1e-6  # relative difference of one orbit found twice
 _NEAR = 0.05  # relative difference of orbits of one branch at points next to each other
@@ -32,6 +31,9 @@ _STEPS = 8  # from one anchor to the next
 _ROUNDS = 2  # in which anchors give way to most of their neighbours
 
 
+Columns = dict[str, np.ndarray]  # what is known of some points, by the name of the variable
+
+
 @dataclass(frozen=True)
 class Solver:
     """A solver for the orbits at points (n,) of a grid."""
@@ -39,10 +41,16 @@ class Solver:
     # values of the axes (n,) and starts (n, m), None for the solver's own starts, to columns with
     # "status", "admissible" and "margin" among them
     solve: Callable[[Mapping[str, np.ndarray], np.ndarray | None], Columns]
-    # columns to starts (n, m) that lead to the same orbits, NaN without an orbit
-    starts_of: Callable[[Columns], np.ndarray]
+    start_names: Sequence[str]  # columns (n,) that make up starts, NaN without an orbit
     # sizes (m,) of the entries of a start at the reference orbit, 0 for dwell times
     usual: np.ndarray
+
+    def starts_of(self, columns: Columns) -> np.ndarray:
+        """Starts (n, m) that lead to the same orbits again."""
+        starts = np.empty((len(columns["status"]), len(self.start_names)))
+        for place, name in enumerate(self.start_names):
+            starts[:, place] = columns[name]
+        return starts
 
 
 @dataclass(frozen=True, eq=False)

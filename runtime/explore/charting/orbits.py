@@ -10,7 +10,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS
-from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts, solve_block
+from nonsmooth.runtime.explore.charting.anchors import (
+    Columns,
+    Solver,
+    anchor_starts,
+    solve_block,
+)
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
 from nonsmooth.runtime.explore.charting.held_orbits import held_text, kernels_held
 from nonsmooth.runtime.explore.charting.problem import (
@@ -30,15 +35,14 @@ from nonsmooth.runtime.model.kernels import (
 from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
-from nonsmooth.runtime.orbits.declared_many import (
-    DeclaredKernels,
+from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
+from nonsmooth.runtime.orbits.kernel_problem import STATUS
+from nonsmooth.runtime.orbits.many import (
+    DeclaredPoints,
     OrbitPoints,
     declared_kernels,
     points_of,
 )
-from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
-from nonsmooth.runtime.orbits.kernel_problem import STATUS
-from nonsmooth.runtime.orbits.orbit_arrays import Columns
 
 __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 
@@ -62,7 +66,7 @@ class OrbitChart:
         return found if self.compiled else uncompiled(found)
 
     @property
-    def own(self) -> DeclaredKernels | None:
+    def own(self) -> DeclaredPoints | None:
         """Compiled kernels that replace the tables of a composed orbit, or None.
 
         Raises `InputError` if the kernels that the chart began with no longer exist.
@@ -93,7 +97,7 @@ class OrbitChart:
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
         kernels, own = self.kernels, self.own
-        solving = kernels if own is None else own.kernels
+        solving = kernels if own is None or own.derived is None else own.derived
         return {
             "kind": "orbit",
             "orbit": "/".join(filter(None, (kernels.system.table["name"], kernels.orbit))),
@@ -146,20 +150,19 @@ class OrbitChart:
         `prepared` (..., m) are the starts at the anchors (`prepare`).
         """
         found = solve_block(block, prepared, self._solver)
-        shape = found["status"].shape
-        flat = {name: column.ravel() for name, column in found.items()}
-        swept = {n: np.broadcast_to(row, shape).ravel() for n, row in block.values.items()}
-        flat["limit"] = self.orbits.limits_of(self._completed(swept), flat)
-        return {v.name: flat[v.name].astype(v.dtype).reshape(shape) for v in self.variables()}
+        return {v.name: found[v.name].astype(v.dtype) for v in self.variables()}
 
     @property
     def _solver(self) -> Solver:
         orbits = self.orbits
 
         def solve(values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-            return orbits.solve(self._completed(values), start)
+            found = orbits.solve(self._completed(values), start, margins=True)
+            names = "status", "admissible", "limit", "trace", "margin", "period"
+            least = {f"least_{name}": bound for name, bound in (found.bounds or {}).items()}
+            return {name: getattr(found, name) for name in names} | found.unknowns | least
 
-        return Solver(solve, orbits.starts_of, orbits.usual)
+        return Solver(solve, orbits.start_names, orbits.usual)
 
     def _completed(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Values of all parameters at points (n,), from those of the swept ones."""

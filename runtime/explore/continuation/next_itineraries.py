@@ -202,7 +202,7 @@ def _composed(
             )
         except InputError:  # leads nowhere
             continue
-        closed, part = closing(point, cycle, symmetry)
+        closed, part, _ = closing(point, cycle, symmetry)
         replaced = float(dwell[way.begin : way.end + 1].sum())
         rows = [
             [*dwell[: way.begin], *split, *dwell[way.end + 1 :]]
