@@ -4,8 +4,8 @@ naming          every emitted name
 body            common subexpressions, eliminated once
 any_arithmetic  Python over any arithmetic, and the tables of a system
 c               C99 functions and their header
-solver          Newton's method on the reduced equations, compiled over lanes of points
-directions      derivatives of an orbit by its parameters, compiled over the same lanes
+function        what a C function takes and gives
+solver          Newton's method and derivatives of an orbit, compiled over lanes of points
 gufunc          NumPy generalized ufuncs around the C functions
 admissibility   the compiled admissibility test
 tables          names and domains as literals beside the kernels

@@ -5,37 +5,27 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import chain
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.admissibility import (
-    ADMISSIBLE,
-    OPEN,
-    admissible_prototype,
-    admissible_source,
-)
-from nonsmooth.derive.codegen.any_arithmetic import shape_text
-from nonsmooth.derive.codegen.c import c_kernel, c_prototype, in_lane
+from nonsmooth.derive.codegen.admissibility import admissible_function, admissible_source
+from nonsmooth.derive.codegen.c import c_kernel, in_lane
 from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
-from nonsmooth.derive.codegen.directions import (
-    DIRECTIONS,
-    directions_prototype,
-    directions_source,
-)
-from nonsmooth.derive.codegen.gufunc import (
-    Wrapped,
-    extension_source,
-    wrapped_directions,
-    wrapped_functions,
-    wrapped_solvers,
-)
-from nonsmooth.derive.codegen.header import Declared, Missing, header_file
+from nonsmooth.derive.codegen.function import Function, function_of_kernel
+from nonsmooth.derive.codegen.gufunc import Wrapped, extension_source, wrapped
+from nonsmooth.derive.codegen.header import header_file
 from nonsmooth.derive.codegen.naming import module_file
 from nonsmooth.derive.codegen.python_file import GENERATE, Stamp, python_file, text_hash
-from nonsmooth.derive.codegen.solver import SOLVE, solve_prototype, solve_source
+from nonsmooth.derive.codegen.solver import (
+    directions_function,
+    directions_source,
+    solve_function,
+    solve_source,
+)
 from nonsmooth.derive.codegen.support_files import included, including
 from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.declaration.itinerary import Itinerary
@@ -54,7 +44,6 @@ COMMAND = "python scripts/regenerate.py"
 
 # SymPy says NotImplementedError of what it cannot print in C
 _NOT_IN_C = (DerivationError, NotImplementedError)
-_MOST_ENTRIES = 4096  # of one point: a block of 64 takes 2 MB at most, on the stack up to 32 kB
 
 
 @dataclass(frozen=True)
@@ -67,15 +56,6 @@ class EmittedSystem:
     files: dict[str, str]  # text by file name
     wrapped: tuple[Wrapped, ...]
     underived: dict[str, str]  # by orbit that is composed at run time: why it has no kernels
-
-
-@dataclass(frozen=True)
-class _Function:
-    """A C function: declaration, definition, and its wrapper."""
-
-    declared: Declared
-    definition: str
-    wrapped: tuple[Wrapped, ...]
 
 
 def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
@@ -129,8 +109,7 @@ def emit_system(
     tables = system_tables(derived)
     progress(f"{name}: C")
     functions, missing = _c_functions(derived)
-    definitions = [f.definition for f in functions]
-    derivation = text_hash(tables, *derived.functions, *definitions)
+    derivation = text_hash(tables, *derived.functions, *functions.values())
     stamp = Stamp(source, derivation, command)
     emitted = {
         module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
@@ -148,68 +127,39 @@ def emit_system(
     )
 
 
-def _c_functions(derived: DerivedSystem) -> tuple[list[_Function], list[Missing]]:
-    """Kernels, solvers, admissibility tests and derivatives in C, and those that it cannot hold."""
+def _c_functions(derived: DerivedSystem) -> tuple[dict[Function, str], dict[Function, str]]:
+    """Definitions of all functions in C, and of those that it cannot hold the reason."""
     system = derived.system.name
-    functions: list[_Function] = []
-    missing: list[Missing] = []
-
-    def add(
-        orbit: str | None,
-        title: str,
-        prototype: str,
-        wrapped: Sequence[Wrapped],
-        define: Callable[[], str],
-    ) -> None:
+    wanted: list[tuple[Function, Callable[[], str]]] = [
+        (function_of_kernel(kernel, system, orbit), partial(c_kernel, kernel, system, orbit))
+        for kernel, orbit in derived.kernels
+    ]
+    wanted += [
+        (describe(orbit), partial(define, orbit))
+        for orbit in derived.derived
+        for describe, define in (
+            (solve_function, solve_source),
+            (admissible_function, admissible_source),
+            (directions_function, directions_source),
+        )
+    ]
+    defined: dict[Function, str] = {}
+    missing: dict[Function, str] = {}
+    for function, define in wanted:
         try:
             definition = define()
-            for absent in missing:
+            for absent, reason in missing.items():
                 if re.search(rf"\b{in_lane(absent.name)}\(", definition):
-                    raise DerivationError(absent.reason)
+                    raise DerivationError(reason)
         except _NOT_IN_C as problem:
-            missing.append(Missing(orbit, wrapped[0].function, " ".join(str(problem).split())))
+            missing[function] = " ".join(str(problem).split())
         else:
-            declared = Declared(orbit, title, prototype, wrapped[0].many)
-            functions.append(_Function(declared, definition, tuple(wrapped)))
-
-    for kernel, orbit in derived.kernels:
-        prototype = c_prototype(kernel, system, orbit)
-        title = kernel.title
-        if kernel.name == "spectrum":
-            names = ", ".join(map(str, derived.form.spectrum.parameters))
-            title += f" Its `parameters` are {names}, in this order." if names else ""
-        if len(kernel.outputs) > 1:
-            title += f" Gives {', '.join(map(shape_text, kernel.outputs))}."
-        for late in (a for a in kernel.arguments if a.since):
-            title += f" Takes {shape_text(late)} for {kernel.outputs[late.since].name}, else NULL."
-        wrapped = wrapped_functions(system, kernel, orbit)
-        add(orbit, title, prototype, wrapped, partial(c_kernel, kernel, system, orbit))
-    for equations in derived.derived:
-        solver, test = wrapped_solvers(equations)
-        moved = wrapped_directions(equations)
-        verdict = ADMISSIBLE + (OPEN if equations.open_parameters else "")
-        for title, declare, wrapper, define in (
-            (SOLVE, solve_prototype, solver, solve_source),
-            (verdict, admissible_prototype, test, admissible_source),
-            (DIRECTIONS, directions_prototype, moved, directions_source),
-        ):
-            prototype = declare(equations)
-            add(equations.itinerary.name, title, prototype, [wrapper], partial(define, equations))
-    return functions, missing
+            defined[function] = definition
+    return defined, missing
 
 
-def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
-    """Wrappers of those functions that NumPy can take.
-
-    Such a function has entries on both sides, and not too many of them.
-    """
-
-    def taken(wrapped: Wrapped) -> bool:
-        arrays = (*wrapped.taken, *wrapped.given)
-        some = bool(wrapped.taken) and bool(wrapped.given)
-        return some and sum(a.size for a in arrays) <= _MOST_ENTRIES
-
-    return tuple(w for f in functions for w in f.wrapped if taken(w))
+def _wrapped(functions: Iterable[Function]) -> tuple[Wrapped, ...]:
+    return tuple(chain.from_iterable(map(wrapped, functions)))
 
 
 def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:
@@ -224,7 +174,7 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
         emitted |= system.files
         origins |= {file: (system.source, system.derivation) for file in system.files}
     extension = extension_source(
-        [function for system in systems for function in system.wrapped],
+        [ufunc for system in systems for ufunc in system.wrapped],
         [(s.name, s.derivation) for s in systems],
     )
     headers = included([*emitted.values(), extension])
@@ -256,16 +206,16 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
 def _c_files(
     stamp: Stamp,
     derived: DerivedSystem,
-    functions: Sequence[_Function],
-    missing: Sequence[Missing],
+    functions: Mapping[Function, str],
+    missing: Mapping[Function, str],
 ) -> dict[str, str]:
     """Header and source of a system in C, by file name."""
     header, source = (module_file(derived.system.name, suffix) for suffix in (".h", ".c"))
-    body = "\n\n".join(f.definition for f in functions)
+    body = "\n\n".join(functions.values())
     support = "\n".join(f'#include "{name}"' for name in including(body))
     head = [f'{stamp.c()}\n#include "{header}"', "#include <math.h>", *filter(None, [support])]
     return {
-        header: header_file(stamp, derived, [f.declared for f in functions], missing),
+        header: header_file(stamp, derived, functions, missing),
         source: "\n\n".join([*head, f"{body}\n"]),
     }
 

@@ -119,12 +119,11 @@ def _rows(system: System, functions: Iterable[sp.Expr]) -> _Entries:
 
 
 def _function(name: str, system: System, entries: tuple[sp.Expr, ...]) -> str:
-    symbols = tuple(p.symbol for p in system.parameters)
     kernel = Kernel(
         f"{name}_entries",
         "What depends on parameters, in the order of its places.",
-        (Argument("parameters", (len(symbols),), symbols),),
-        (Output("entries", (len(entries),), entries),),
+        (Argument.vector("parameters", (p.symbol for p in system.parameters)),),
+        (Output.of("entries", entries),),
         (),
     )
     return python_kernel(kernel, None)

@@ -65,6 +65,12 @@ class Argument:
     symbols: tuple[sp.Symbol, ...]
     since: int = 0
 
+    @classmethod
+    def vector(cls, name: str, symbols: Iterable[sp.Symbol]) -> Argument:
+        """The array of some symbols."""
+        entries = tuple(symbols)
+        return cls(name, (len(entries),), entries)
+
 
 @dataclass(frozen=True)
 class Output:
@@ -73,6 +79,15 @@ class Output:
     name: str
     shape: tuple[int, ...]
     expressions: tuple[sp.Expr, ...]
+
+    @classmethod
+    def of(cls, name: str, value: sp.Expr | sp.Matrix | Sequence[sp.Expr]) -> Output:
+        """The scalar of an expression, the table of a matrix, or the vector of several."""
+        if isinstance(value, sp.MatrixBase):  # immutable ones are expressions, too
+            return cls(name, value.shape, tuple(value))
+        if isinstance(value, sp.Expr):
+            return cls(name, (), (value,))
+        return cls(name, (len(value),), tuple(value))
 
 
 @dataclass(frozen=True)
