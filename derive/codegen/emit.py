@@ -7,7 +7,8 @@ import json
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
+from importlib.resources import files
 from itertools import chain
 
 import sympy as sp
@@ -19,15 +20,19 @@ from nonsmooth.derive.codegen.function import Function, function_of_kernel
 from nonsmooth.derive.codegen.gufunc import Wrapped, extension_source, wrapped
 from nonsmooth.derive.codegen.header import header_file
 from nonsmooth.derive.codegen.naming import module_file
-from nonsmooth.derive.codegen.python_file import GENERATE, Stamp, python_file, text_hash
+from nonsmooth.derive.codegen.python_file import (
+    GENERATE,
+    Stamp,
+    python_file,
+    system_tables,
+    text_hash,
+)
 from nonsmooth.derive.codegen.solver import (
     directions_function,
     directions_source,
     solve_function,
     solve_source,
 )
-from nonsmooth.derive.codegen.support_files import included, including
-from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
@@ -35,12 +40,24 @@ from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["EmittedSystem", "emit_library", "emit_many_points", "emit_package", "emit_system"]
+__all__ = [
+    "EmittedSystem",
+    "emit_library",
+    "emit_many_points",
+    "emit_package",
+    "emit_system",
+    "included",
+    "including",
+]
 
 EXTENSION = "_kernels.c"
 PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"
 
+
+_INCLUDE = re.compile(r'^#include "(\w+\.h)"$', re.MULTILINE)
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_NAME = re.compile(r"\bnonsmooth_\w+|\bNONSMOOTH_\w+")
 
 # SymPy says NotImplementedError of what it cannot print in C
 _NOT_IN_C = (DerivationError, NotImplementedError)
@@ -78,16 +95,7 @@ def emit_many_points(system: System, orbits: Sequence[Itinerary], source: str) -
 
 def _emit_compiled(derived: DerivedSystem, source: str) -> dict[str, str]:
     """The files of an extension and of the Python that it compiles, without documents."""
-    name, tables = derived.system.name, system_tables(derived)
-    functions, missing = _c_functions(derived)
-    derivation = text_hash(tables, *derived.functions)
-    stamp = Stamp(source, derivation, GENERATE)
-    files = {
-        module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
-        **_c_files(stamp, derived, functions, missing),
-    }
-    emitted = EmittedSystem(name, source, derivation, files, _wrapped(functions), {})
-    return emit_package([emitted], GENERATE)
+    return emit_package([_emitted(derived, source, GENERATE)], GENERATE)
 
 
 def emit_system(
@@ -103,26 +111,36 @@ def emit_system(
     `source` names the module that declares the system and `command` says how the files are
     made again, both for the stamps; `progress` gets the name of each step when it begins.
     """
-    name = system.name
     derived = derive_system(system, orbits, progress)
-    progress(f"{name}: Python")
-    tables = system_tables(derived)
-    progress(f"{name}: C")
+    progress(f"{system.name}: equations in LaTeX")
+    orbits_told = (o if isinstance(o, EquationSystem) else o.itinerary for o in derived.orbits)
+    documents = [describe_system(system), *map(describe_orbit, orbits_told)]
+    progress(f"{system.name}: Python and C")
+    return _emitted(derived, source, command, tuple(map(to_markdown, documents)))
+
+
+def _emitted(
+    derived: DerivedSystem, source: str, command: str, documents: Sequence[str] = ()
+) -> EmittedSystem:
+    """A system's files in Python and C, and one of its documents if there are some."""
+    name, tables = derived.system.name, system_tables(derived)
     functions, missing = _c_functions(derived)
-    derivation = text_hash(tables, *derived.functions, *functions.values())
+    definitions = functions.values() if documents else ()
+    derivation = text_hash(tables, *derived.functions, *definitions)
     stamp = Stamp(source, derivation, command)
     emitted = {
         module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
         **_c_files(stamp, derived, functions, missing),
     }
-    progress(f"{name}: equations in LaTeX")
-    emitted[module_file(name, ".md")] = _markdown_file(stamp, derived)
+    if documents:
+        comment = "\n".join(["<!--", *stamp.lines, "-->"])
+        emitted[module_file(name, ".md")] = "\n\n".join([comment, *documents]) + "\n"
     return EmittedSystem(
         name,
         source,
         derivation,
         emitted,
-        _wrapped(functions),
+        tuple(chain.from_iterable(map(wrapped, functions))),
         {orbit.itinerary.name: orbit.reason for orbit in derived.underived},
     )
 
@@ -156,10 +174,6 @@ def _c_functions(derived: DerivedSystem) -> tuple[dict[Function, str], dict[Func
         else:
             defined[function] = definition
     return defined, missing
-
-
-def _wrapped(functions: Iterable[Function]) -> tuple[Wrapped, ...]:
-    return tuple(chain.from_iterable(map(wrapped, functions)))
 
 
 def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:
@@ -220,17 +234,33 @@ def _c_files(
     }
 
 
-def _markdown_file(stamp: Stamp, derived: DerivedSystem) -> str:
-    comment = "\n".join(["<!--", *stamp.lines, "-->"])
-    return comment + "\n\n" + "\n\n".join(_documents(derived)) + "\n"
+@cache
+def _texts() -> dict[str, str]:
+    """Texts of all support headers by name."""
+    folder = files("nonsmooth.derive.codegen").joinpath("support")
+    found = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+    return dict(sorted(found.items()))
 
 
-def _documents(derived: DerivedSystem) -> list[str]:
-    """Markdown documents of the system and of its orbits."""
-    found = [to_markdown(describe_system(derived.system))]
-    for orbit in derived.orbits:
-        if isinstance(orbit, EquationSystem):
-            found.append(to_markdown(describe_orbit(orbit)))
-        else:
-            found.append(to_markdown(describe_orbit(orbit.itinerary)))
-    return found
+def included(sources: Iterable[str]) -> dict[str, str]:
+    """Texts, by name, of the support headers that sources include, directly or through others."""
+    texts, waiting = _texts(), list(sources)
+    names: set[str] = set()
+    while waiting:
+        more = {*_INCLUDE.findall(waiting.pop())} & texts.keys() - names
+        names |= more
+        waiting += [texts[name] for name in more]
+    return {name: text for name, text in texts.items() if name in names}
+
+
+def including(body: str) -> list[str]:
+    """Names of the support headers whose own names occur in C definitions."""
+    used = {*_NAME.findall(body)}
+    return [name for name, text in _texts().items() if used & _own_names(text)]
+
+
+@cache
+def _own_names(text: str) -> frozenset[str]:
+    """Names in the code of a support header that none of those it includes has."""
+    code, *others = (_COMMENT.sub("", each) for each in (text, *included([text]).values()))
+    return frozenset(_NAME.findall(code)).difference(*map(_NAME.findall, others))

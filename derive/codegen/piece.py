@@ -17,9 +17,8 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.python_file import text_hash
+from nonsmooth.derive.codegen.python_file import system_table, text_hash
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.declaration.algebra import affine_terms
 from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.system import System

@@ -27,9 +27,8 @@ from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
 from nonsmooth.derive.codegen.body import Constant, body_of, needed, split
 from nonsmooth.derive.codegen.c import c_kernel, print_c
 from nonsmooth.derive.codegen.emit import COMMAND, emit_system
-from nonsmooth.derive.codegen.python_file import emit_python
+from nonsmooth.derive.codegen.python_file import emit_python, system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
 from nonsmooth.derive.flows.modal import derive_flows
