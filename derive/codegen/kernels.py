@@ -182,10 +182,10 @@ def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Ker
 
 
 def _linearisation_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
-    chain, names = orbit.chain, orbit.system.states
+    chain = orbit.chain
     poincare_stages, poincare = orbit.map_program
-    saltation_stages, saltations = saltation_matrices(chain, names)
-    monodromy_stages, full = monodromy(chain, names)
+    saltation_stages, saltations = saltation_matrices(chain)
+    monodromy_stages, full = monodromy(chain)
     return _kernel(
         "linearisation",
         "Jacobian of the Poincare map in the section's coordinates; saltation matrices, one"

@@ -24,6 +24,7 @@ __all__ = [
     "Stage",
     "affine_sum",
     "assign",
+    "assign_matrix",
     "coefficients_of",
     "differentiate",
     "evaluate",
@@ -120,6 +121,14 @@ def assign(
             assignments.append((symbol, expression))
             values.append(symbol)
     return Stage(title, tuple(assignments)), values
+
+
+def assign_matrix(
+    title: str, symbols: Iterable[sp.Symbol], matrix: sp.Matrix
+) -> tuple[Stage, sp.Matrix]:
+    """As `assign`, for the entries of a matrix row by row."""
+    step, values = assign(title, symbols, matrix)
+    return step, sp.Matrix(*matrix.shape, values)
 
 
 def name_parts(
@@ -290,11 +299,9 @@ def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ..
     return tuple(reversed(kept))
 
 
-def merged(
-    first: Sequence[Stage], second: Sequence[Stage], inputs: Iterable[sp.Symbol] = ()
-) -> tuple[Stage, ...]:
-    """Both lists of stages, without assigning a symbol twice, nor one of the inputs."""
-    known = {symbol for stage in first for symbol, _ in stage.assignments} | set(inputs)
+def merged(first: Sequence[Stage], second: Sequence[Stage]) -> tuple[Stage, ...]:
+    """Both lists of stages, without assigning a symbol twice."""
+    known = {symbol for stage in first for symbol, _ in stage.assignments}
     rest = [
         Stage(s.title, tuple((x, e) for x, e in s.assignments if x not in known)) for s in second
     ]

@@ -287,7 +287,7 @@ class Derived:
             return o.unknowns, stages, [sp.sympify(e) for e in entries]
         if name == "monodromy":
             first = o.chain.links[0]
-            stages, matrix = monodromy(o.chain, o.system.states)
+            stages, matrix = monodromy(o.chain)
             velocity = first.flow.velocity(first.before)
             return o.unknowns, (*chain, *stages), [*matrix, *velocity]
         if name == "reduced":
