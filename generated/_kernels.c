@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1d89e37c7443ac71 */
+ * SymPy 1.14.0, derivation c0c8fc1d9d6a69e6 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -573,11 +573,11 @@ static int add_all(PyObject *module)
         for (int k = u->inputs; k < u->count; ++k)
             ((PyUFuncObject *)made)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "43f1c7d4d9619c09") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "1ddee22da7d00c72") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "3328f93005bf3d28") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "5f8f043c2ae8726a") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "7dfe2a59c5f17aec") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "14dea5d1dc651811") < 0)
         return -1;
     return 0;
 }

@@ -1,16 +1,17 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 7dfe2a59c5f17aec */
+ * SymPy 1.14.0, derivation 14dea5d1dc651811 */
 #include "dry_friction.h"
 
 #include <math.h>
 
+#include "nonsmooth_admissible.h"
+#include "nonsmooth_admissible_sums.h"
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
 #include "nonsmooth_newton.h"
-#include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
@@ -18,8 +19,7 @@
 static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
     int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane];
     /* spectrum */
     const double t0 = chi*eta;
     const double t1 = 1 - t0;
@@ -109,19 +109,11 @@ void dry_friction_flow_slip_slip(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
-    const double us2 = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -159,14 +151,10 @@ void dry_friction_flow_slip_stick(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
+    const double chi = parameters[0], us1 = parameters[3];
     (void)spectrum;
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = sin(t);
     const double t1 = chi*t0;
@@ -184,19 +172,11 @@ void dry_friction_flow_slip_overshoot(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
-    const double us2 = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -234,14 +214,10 @@ void dry_friction_flow_stick_slip(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us2 = parameters[5];
+    const double chi = parameters[0], us2 = parameters[5];
     const double omega3 = spectrum[6];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega3*t;
     const double t1 = sin(t0);
@@ -265,10 +241,7 @@ void dry_friction_flow_stick_stick(
     (void)parameters;
     (void)spectrum;
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     state_after[0] = t*v1 + x1;
     state_after[1] = t*v2 + x2;
     state_after[2] = v1;
@@ -281,14 +254,10 @@ void dry_friction_flow_stick_overshoot(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us2 = parameters[5];
+    const double chi = parameters[0], us2 = parameters[5];
     const double omega3 = spectrum[6];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega3*t;
     const double t1 = sin(t0);
@@ -309,19 +278,11 @@ void dry_friction_flow_overshoot_slip(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
-    const double us2 = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -359,14 +320,10 @@ void dry_friction_flow_overshoot_stick(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
+    const double chi = parameters[0], us1 = parameters[3];
     (void)spectrum;
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = sin(t);
     const double t1 = chi*t0;
@@ -384,19 +341,11 @@ void dry_friction_flow_overshoot_overshoot(
     const double parameters[7], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
-    const double us2 = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -433,10 +382,7 @@ void dry_friction_flow_overshoot_overshoot(
 void dry_friction_fields(
     const double parameters[7], double fields[180])
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double us1 = parameters[3];
-    const double us2 = parameters[5];
+    const double chi = parameters[0], eta = parameters[1], us1 = parameters[3], us2 = parameters[5];
     /* fields */
     const double t0 = chi*eta;
     const double t1 = eta*us2;
@@ -470,12 +416,8 @@ void dry_friction_fields(
 void dry_friction_rows(
     const double parameters[7], double rows[85])
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double us1 = parameters[3];
-    const double ur1 = parameters[4];
-    const double us2 = parameters[5];
-    const double ur2 = parameters[6];
+    const double chi = parameters[0], V = parameters[2], us1 = parameters[3], ur1 = parameters[4],
+        us2 = parameters[5], ur2 = parameters[6];
     static const unsigned char nonsmooth_rows_places[] = {
         0, 0, 1, 0, 2, 0, 0, 0, 1, 2, 3, 4, 0, 0, 5, 4, 3, 0, 0, 5, 0, 0, 0, 6, 7,
         1, 3, 0, 0, 8, 6, 4, 0, 0, 8, 0, 0, 6, 0, 7, 0, 0, 0, 0, 9, 1, 3, 0, 0, 0,
@@ -525,15 +467,9 @@ void dry_friction_resets(
 void dry_friction_modes(
     const double parameters[7], const double spectrum[7], double *exponents, double *coefficients)
 {
-    const double chi = parameters[0];
-    const double us1 = parameters[3];
-    const double us2 = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
+    const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
     if (exponents) {
         static const unsigned char nonsmooth_exponents_places[] = {
             0, 0, 0, 1, 0, 2, 0, 0, 0, 3, 0, 0, 0, 1, 0, 2, 0, 0, 0, 4, 0, 0, 0, 0, 0,
@@ -720,19 +656,13 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double chi = parameters[lane];
-    const double V = parameters[2*lanes + lane];
-    const double e2 = parameters[3*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double z10 = unknowns[lane];
-    const double z20 = unknowns[1*lanes + lane];
-    const double v10 = unknowns[2*lanes + lane];
-    const double tau = unknowns[3*lanes + lane];
-    const double tau1 = unknowns[4*lanes + lane];
+    const double chi = parameters[lane], V = parameters[2*lanes + lane],
+        e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
+    const double z10 = unknowns[lane], z20 = unknowns[1*lanes + lane],
+        v10 = unknowns[2*lanes + lane], tau = unknowns[3*lanes + lane],
+        tau1 = unknowns[4*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
     /* functions of half_tau in slip-slip */
@@ -821,16 +751,16 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_equations_in_lane(
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
-    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
-    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
-    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
-    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
-    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
-    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
-    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
-    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
-    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane],
+        omega1_by_eta = spectrum_derivatives[3*lanes + lane],
+        omega2_by_chi = spectrum_derivatives[4*lanes + lane],
+        omega2_by_eta = spectrum_derivatives[5*lanes + lane],
+        p1_by_chi = spectrum_derivatives[6*lanes + lane],
+        p1_by_eta = spectrum_derivatives[7*lanes + lane],
+        p2_by_chi = spectrum_derivatives[8*lanes + lane],
+        p2_by_eta = spectrum_derivatives[9*lanes + lane],
+        p3_by_chi = spectrum_derivatives[10*lanes + lane],
+        p3_by_eta = spectrum_derivatives[11*lanes + lane];
     /* d/dchi of: functions of half_tau in slip-slip */
     const double t25 = half_tau*omega1_by_chi;
     const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t25;
@@ -898,19 +828,13 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
-    const double V = parameters[2*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double z10 = unknowns[lane];
-    const double z20 = unknowns[1*lanes + lane];
-    const double v10 = unknowns[2*lanes + lane];
-    const double tau = unknowns[3*lanes + lane];
-    const double tau1 = unknowns[4*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane],
+        V = parameters[2*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
+    const double z10 = unknowns[lane], z20 = unknowns[1*lanes + lane],
+        v10 = unknowns[2*lanes + lane], tau = unknowns[3*lanes + lane],
+        tau1 = unknowns[4*lanes + lane];
     /* functions of tau in slip-slip */
     const double t0 = omega1*tau;
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
@@ -1012,16 +936,16 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
-    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
-    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
-    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
-    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
-    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
-    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
-    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
-    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
-    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane],
+        omega1_by_eta = spectrum_derivatives[3*lanes + lane],
+        omega2_by_chi = spectrum_derivatives[4*lanes + lane],
+        omega2_by_eta = spectrum_derivatives[5*lanes + lane],
+        p1_by_chi = spectrum_derivatives[6*lanes + lane],
+        p1_by_eta = spectrum_derivatives[7*lanes + lane],
+        p2_by_chi = spectrum_derivatives[8*lanes + lane],
+        p2_by_eta = spectrum_derivatives[9*lanes + lane],
+        p3_by_chi = spectrum_derivatives[10*lanes + lane],
+        p3_by_eta = spectrum_derivatives[11*lanes + lane];
     /* back through: derivatives of the time to the boundary after tau1 */
     const double slope_by_delay_tau1_by_v10 = t42;
     /* back through: rate of the exit boundary after tau1 */
@@ -1136,19 +1060,11 @@ void dry_friction_symmetric_passage(
     const double parameters[4], const double spectrum[7], const double unknowns[5], double *states,
     double *coefficients, double *frequencies)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double v10 = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
+    const double chi = parameters[0], V = parameters[2], e2 = parameters[3];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
+    const double z10 = unknowns[0], z20 = unknowns[1], v10 = unknowns[2], tau = unknowns[3],
+        tau1 = unknowns[4];
     /* functions of tau in slip-slip */
     const double t0 = omega1*tau;
     const double cos_omega1_tau = cos(t0);
@@ -1248,19 +1164,11 @@ void dry_friction_symmetric_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[5],
     double *poincare_jacobian, double *saltations, double *monodromy)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double v10 = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
+    const double chi = parameters[0], eta = parameters[1], V = parameters[2];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
+    const double z10 = unknowns[0], z20 = unknowns[1], v10 = unknowns[2], tau = unknowns[3],
+        tau1 = unknowns[4];
     /* functions of tau in slip-slip */
     const double t0 = omega1*tau;
     const double cos_omega1_tau = cos(t0);
@@ -1458,16 +1366,10 @@ void dry_friction_symmetric_flow_slip_slip(
     double state_after[4])
 {
     (void)parameters;
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -1500,10 +1402,7 @@ void dry_friction_symmetric_flow_slip_stick(
     const double chi = parameters[0];
     (void)spectrum;
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = sin(t);
     const double t1 = chi*t0;
@@ -1520,14 +1419,10 @@ void dry_friction_symmetric_flow_slip_stick(
 static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double chi = parameters[lane];
-    const double V = parameters[2*lanes + lane];
-    const double e2 = parameters[3*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
+    const double chi = parameters[lane], V = parameters[2*lanes + lane],
+        e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
     /* coefficients of the linear equations */
     const double t2 = (1.0/(omega2));
     const double t4 = (1.0/(omega1));
@@ -1566,28 +1461,15 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
     const double *reduced, double *unknowns, double *determinants, double *reduced_residual,
     double *reduced_jacobian)
 {
-    const double chi = parameters[lane];
-    const double V = parameters[2*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double t2 = fixed[lane];
-    const double t4 = fixed[1*lanes + lane];
-    const double t5 = fixed[2*lanes + lane];
-    const double t7 = fixed[3*lanes + lane];
-    const double t11 = fixed[4*lanes + lane];
-    const double t12 = fixed[5*lanes + lane];
-    const double t14 = fixed[6*lanes + lane];
-    const double t25 = fixed[7*lanes + lane];
-    const double t27 = fixed[8*lanes + lane];
-    const double t28 = fixed[9*lanes + lane];
-    const double t29 = fixed[10*lanes + lane];
-    const double t30 = fixed[11*lanes + lane];
-    const double t32 = fixed[12*lanes + lane];
-    const double tau = reduced[lane];
-    const double tau1 = reduced[1*lanes + lane];
+    const double chi = parameters[lane], V = parameters[2*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
+    const double t2 = fixed[lane], t4 = fixed[1*lanes + lane], t5 = fixed[2*lanes + lane],
+        t7 = fixed[3*lanes + lane], t11 = fixed[4*lanes + lane], t12 = fixed[5*lanes + lane],
+        t14 = fixed[6*lanes + lane], t25 = fixed[7*lanes + lane], t27 = fixed[8*lanes + lane],
+        t28 = fixed[9*lanes + lane], t29 = fixed[10*lanes + lane], t30 = fixed[11*lanes + lane],
+        t32 = fixed[12*lanes + lane];
+    const double tau = reduced[lane], tau1 = reduced[1*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
     /* functions of half_tau in slip-slip */
@@ -1702,23 +1584,15 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
-    const double V = parameters[2*lanes + lane];
-    const double e1 = parameters[3*lanes + lane];
-    const double e2 = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
-    const double z10 = unknowns[lane];
-    const double z20 = unknowns[1*lanes + lane];
-    const double ta = unknowns[2*lanes + lane];
-    const double tau = unknowns[3*lanes + lane];
-    const double tau1 = unknowns[4*lanes + lane];
-    const double tau2 = unknowns[5*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane],
+        V = parameters[2*lanes + lane], e1 = parameters[3*lanes + lane],
+        e2 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[6*lanes + lane];
+    const double z10 = unknowns[lane], z20 = unknowns[1*lanes + lane],
+        ta = unknowns[2*lanes + lane], tau = unknowns[3*lanes + lane],
+        tau1 = unknowns[4*lanes + lane], tau2 = unknowns[5*lanes + lane];
     /* stick-stick for ta, until first-breaks-forward */
     const double t0 = V*ta;
     const double z1_1 = t0 + z10;
@@ -1885,18 +1759,18 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
-    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
-    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
-    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
-    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
-    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
-    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
-    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
-    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
-    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
-    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
-    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane],
+        omega1_by_eta = spectrum_derivatives[3*lanes + lane],
+        omega2_by_chi = spectrum_derivatives[4*lanes + lane],
+        omega2_by_eta = spectrum_derivatives[5*lanes + lane],
+        p1_by_chi = spectrum_derivatives[6*lanes + lane],
+        p1_by_eta = spectrum_derivatives[7*lanes + lane],
+        p2_by_chi = spectrum_derivatives[8*lanes + lane],
+        p2_by_eta = spectrum_derivatives[9*lanes + lane],
+        p3_by_chi = spectrum_derivatives[10*lanes + lane],
+        p3_by_eta = spectrum_derivatives[11*lanes + lane],
+        omega3_by_chi = spectrum_derivatives[12*lanes + lane],
+        omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
     const double t46 = 1 - cos_tau;
     const double z1_2_by_chi = V*(-sin_tau + tau) + t46*z2_1;
@@ -2056,19 +1930,13 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
-    const double V = parameters[2*lanes + lane];
-    const double e1 = parameters[3*lanes + lane];
-    const double e2 = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
-    const double tau = unknowns[3*lanes + lane];
-    const double tau1 = unknowns[4*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane],
+        V = parameters[2*lanes + lane], e1 = parameters[3*lanes + lane],
+        e2 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[6*lanes + lane];
+    const double tau = unknowns[3*lanes + lane], tau1 = unknowns[4*lanes + lane];
     /* functions of tau in slip-stick */
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
     const double cos_tau = wave_0.cosine;
@@ -2178,18 +2046,18 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
-    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
-    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
-    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
-    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
-    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
-    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
-    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
-    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
-    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
-    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
-    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane],
+        omega1_by_eta = spectrum_derivatives[3*lanes + lane],
+        omega2_by_chi = spectrum_derivatives[4*lanes + lane],
+        omega2_by_eta = spectrum_derivatives[5*lanes + lane],
+        p1_by_chi = spectrum_derivatives[6*lanes + lane],
+        p1_by_eta = spectrum_derivatives[7*lanes + lane],
+        p2_by_chi = spectrum_derivatives[8*lanes + lane],
+        p2_by_eta = spectrum_derivatives[9*lanes + lane],
+        p3_by_chi = spectrum_derivatives[10*lanes + lane],
+        p3_by_eta = spectrum_derivatives[11*lanes + lane],
+        omega3_by_chi = spectrum_derivatives[12*lanes + lane],
+        omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: d/dtau1 of: first return of tau2 */
     const double t51 = t44*t46;
     const double t52 = t47*t51;
@@ -2333,22 +2201,11 @@ void dry_friction_global_stick_passage(
     const double parameters[5], const double spectrum[7], const double unknowns[6], double *states,
     double *coefficients, double *frequencies)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e1 = parameters[3];
-    const double e2 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double ta = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
-    const double tau2 = unknowns[5];
+    const double chi = parameters[0], V = parameters[2], e1 = parameters[3], e2 = parameters[4];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
+    const double z10 = unknowns[0], z20 = unknowns[1], ta = unknowns[2], tau = unknowns[3],
+        tau1 = unknowns[4], tau2 = unknowns[5];
     /* stick-stick for ta, until first-breaks-forward */
     const double t0 = V*ta;
     const double z1_1 = t0 + z10;
@@ -2491,21 +2348,11 @@ void dry_friction_global_stick_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     double *poincare_jacobian, double *saltations, double *monodromy)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double ta = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
-    const double tau2 = unknowns[5];
+    const double chi = parameters[0], eta = parameters[1], V = parameters[2];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
+    const double z10 = unknowns[0], z20 = unknowns[1], ta = unknowns[2], tau = unknowns[3],
+        tau1 = unknowns[4], tau2 = unknowns[5];
     /* stick-stick for ta, until first-breaks-forward */
     const double t0 = V*ta;
     const double z1_1 = t0 + z10;
@@ -2779,10 +2626,7 @@ void dry_friction_global_stick_flow_slip_stick(
     const double chi = parameters[0];
     (void)spectrum;
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = sin(t);
     const double t1 = chi*t0;
@@ -2802,16 +2646,10 @@ void dry_friction_global_stick_flow_slip_slip(
     double state_after[4])
 {
     (void)parameters;
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -2844,10 +2682,7 @@ void dry_friction_global_stick_flow_stick_slip(
     (void)parameters;
     const double omega3 = spectrum[6];
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega3*t;
     const double t1 = sin(t0);
@@ -2866,11 +2701,9 @@ void dry_friction_global_stick_flow_stick_slip(
 static NONSMOOTH_INLINE void dry_friction_global_stick_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double chi = parameters[lane];
-    const double V = parameters[2*lanes + lane];
-    const double e1 = parameters[3*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
+    const double chi = parameters[lane], V = parameters[2*lanes + lane],
+        e1 = parameters[3*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane], omega3 = spectrum[6*lanes + lane];
     const double t1 = (1.0/((chi - 1)));
     const double t2 = e1*t1;
     /* slip-slip for tau1 */
@@ -2892,25 +2725,15 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_reduced_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
     const double *reduced, double *unknowns, double *reduced_residual, double *reduced_jacobian)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
-    const double V = parameters[2*lanes + lane];
-    const double e1 = parameters[3*lanes + lane];
-    const double e2 = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
-    const double t1 = fixed[lane];
-    const double t2 = fixed[1*lanes + lane];
-    const double t8 = fixed[2*lanes + lane];
-    const double t22 = fixed[3*lanes + lane];
-    const double t31 = fixed[4*lanes + lane];
-    const double t32 = fixed[5*lanes + lane];
-    const double tau = reduced[lane];
-    const double tau1 = reduced[1*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane],
+        V = parameters[2*lanes + lane], e1 = parameters[3*lanes + lane],
+        e2 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[6*lanes + lane];
+    const double t1 = fixed[lane], t2 = fixed[1*lanes + lane], t8 = fixed[2*lanes + lane],
+        t22 = fixed[3*lanes + lane], t31 = fixed[4*lanes + lane], t32 = fixed[5*lanes + lane];
+    const double tau = reduced[lane], tau1 = reduced[1*lanes + lane];
     /* functions of tau in slip-stick */
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
     const double cos_tau = wave_0.cosine;
@@ -3041,20 +2864,10 @@ void dry_friction_global_stick_period_map(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
     double *period_map, double *linear_start, double *compatibility)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e1 = parameters[3];
-    const double e2 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double ta = unknowns[2];
-    const double tau = unknowns[3];
-    const double tau1 = unknowns[4];
-    const double tau2 = unknowns[5];
+    const double chi = parameters[0], V = parameters[2], e1 = parameters[3], e2 = parameters[4];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
+    const double ta = unknowns[2], tau = unknowns[3], tau1 = unknowns[4], tau2 = unknowns[5];
     /* functions of tau in slip-stick */
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
@@ -3195,21 +3008,14 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double chi = parameters[lane];
-    const double V = parameters[2*lanes + lane];
-    const double e2 = parameters[3*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
-    const double z10 = unknowns[lane];
-    const double z20 = unknowns[1*lanes + lane];
-    const double tau = unknowns[2*lanes + lane];
-    const double tau1 = unknowns[3*lanes + lane];
-    const double tau2 = unknowns[4*lanes + lane];
-    const double e1 = unknowns[5*lanes + lane];
+    const double chi = parameters[lane], V = parameters[2*lanes + lane],
+        e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[6*lanes + lane];
+    const double z10 = unknowns[lane], z20 = unknowns[1*lanes + lane],
+        tau = unknowns[2*lanes + lane], tau1 = unknowns[3*lanes + lane],
+        tau2 = unknowns[4*lanes + lane], e1 = unknowns[5*lanes + lane];
     /* functions of tau in slip-stick */
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
     const double cos_tau = wave_0.cosine;
@@ -3413,18 +3219,18 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
-    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
-    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
-    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
-    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
-    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
-    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
-    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
-    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
-    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
-    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
-    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane],
+        omega1_by_eta = spectrum_derivatives[3*lanes + lane],
+        omega2_by_chi = spectrum_derivatives[4*lanes + lane],
+        omega2_by_eta = spectrum_derivatives[5*lanes + lane],
+        p1_by_chi = spectrum_derivatives[6*lanes + lane],
+        p1_by_eta = spectrum_derivatives[7*lanes + lane],
+        p2_by_chi = spectrum_derivatives[8*lanes + lane],
+        p2_by_eta = spectrum_derivatives[9*lanes + lane],
+        p3_by_chi = spectrum_derivatives[10*lanes + lane],
+        p3_by_eta = spectrum_derivatives[11*lanes + lane],
+        omega3_by_chi = spectrum_derivatives[12*lanes + lane],
+        omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
     const double t70 = 1 - cos_tau;
     const double z1_2_by_chi = V*(-sin_tau + tau) + t70*z20;
@@ -3546,20 +3352,14 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
-    const double V = parameters[2*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
-    const double z10 = unknowns[lane];
-    const double z20 = unknowns[1*lanes + lane];
-    const double tau = unknowns[2*lanes + lane];
-    const double tau1 = unknowns[3*lanes + lane];
-    const double tau2 = unknowns[4*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane],
+        V = parameters[2*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[6*lanes + lane];
+    const double z10 = unknowns[lane], z20 = unknowns[1*lanes + lane],
+        tau = unknowns[2*lanes + lane], tau1 = unknowns[3*lanes + lane],
+        tau2 = unknowns[4*lanes + lane];
     /* functions of tau in slip-stick */
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
     const double cos_tau = wave_0.cosine;
@@ -3705,18 +3505,18 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane];
-    const double omega1_by_eta = spectrum_derivatives[3*lanes + lane];
-    const double omega2_by_chi = spectrum_derivatives[4*lanes + lane];
-    const double omega2_by_eta = spectrum_derivatives[5*lanes + lane];
-    const double p1_by_chi = spectrum_derivatives[6*lanes + lane];
-    const double p1_by_eta = spectrum_derivatives[7*lanes + lane];
-    const double p2_by_chi = spectrum_derivatives[8*lanes + lane];
-    const double p2_by_eta = spectrum_derivatives[9*lanes + lane];
-    const double p3_by_chi = spectrum_derivatives[10*lanes + lane];
-    const double p3_by_eta = spectrum_derivatives[11*lanes + lane];
-    const double omega3_by_chi = spectrum_derivatives[12*lanes + lane];
-    const double omega3_by_eta = spectrum_derivatives[13*lanes + lane];
+    const double omega1_by_chi = spectrum_derivatives[2*lanes + lane],
+        omega1_by_eta = spectrum_derivatives[3*lanes + lane],
+        omega2_by_chi = spectrum_derivatives[4*lanes + lane],
+        omega2_by_eta = spectrum_derivatives[5*lanes + lane],
+        p1_by_chi = spectrum_derivatives[6*lanes + lane],
+        p1_by_eta = spectrum_derivatives[7*lanes + lane],
+        p2_by_chi = spectrum_derivatives[8*lanes + lane],
+        p2_by_eta = spectrum_derivatives[9*lanes + lane],
+        p3_by_chi = spectrum_derivatives[10*lanes + lane],
+        p3_by_eta = spectrum_derivatives[11*lanes + lane],
+        omega3_by_chi = spectrum_derivatives[12*lanes + lane],
+        omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: rate of the exit boundary after tau2 */
     const double t52 = (1.0/(rate_4*rate_4));
     const double slope_by_rate_4 = V*carried_v2_4_by_z10*t52 + carried_v2_4_by_z20*t52*v2_4;
@@ -3904,21 +3704,11 @@ void dry_friction_solution_ii_passage(
     const double parameters[4], const double spectrum[7], const double unknowns[6], double *states,
     double *coefficients, double *frequencies)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double tau = unknowns[2];
-    const double tau1 = unknowns[3];
-    const double tau2 = unknowns[4];
-    const double e1 = unknowns[5];
+    const double chi = parameters[0], V = parameters[2], e2 = parameters[3];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
+    const double z10 = unknowns[0], z20 = unknowns[1], tau = unknowns[2], tau1 = unknowns[3],
+        tau2 = unknowns[4], e1 = unknowns[5];
     /* functions of tau in slip-stick */
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
@@ -4058,20 +3848,11 @@ void dry_friction_solution_ii_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     double *poincare_jacobian, double *saltations, double *monodromy)
 {
-    const double chi = parameters[0];
-    const double eta = parameters[1];
-    const double V = parameters[2];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double z10 = unknowns[0];
-    const double z20 = unknowns[1];
-    const double tau = unknowns[2];
-    const double tau1 = unknowns[3];
-    const double tau2 = unknowns[4];
+    const double chi = parameters[0], eta = parameters[1], V = parameters[2];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
+    const double z10 = unknowns[0], z20 = unknowns[1], tau = unknowns[2], tau1 = unknowns[3],
+        tau2 = unknowns[4];
     /* functions of tau in slip-stick */
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
@@ -4340,10 +4121,7 @@ void dry_friction_solution_ii_flow_slip_stick(
     const double chi = parameters[0];
     (void)spectrum;
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = sin(t);
     const double t1 = chi*t0;
@@ -4363,16 +4141,10 @@ void dry_friction_solution_ii_flow_slip_slip(
     double state_after[4])
 {
     (void)parameters;
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -4405,10 +4177,7 @@ void dry_friction_solution_ii_flow_stick_slip(
     (void)parameters;
     const double omega3 = spectrum[6];
     const double t = time;
-    const double z1 = state[0];
-    const double z2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega3*t;
     const double t1 = sin(t0);
@@ -4427,10 +4196,8 @@ void dry_friction_solution_ii_flow_stick_slip(
 static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double chi = parameters[lane];
-    const double V = parameters[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
+    const double chi = parameters[lane], V = parameters[2*lanes + lane];
+    const double p1 = spectrum[3*lanes + lane], omega3 = spectrum[6*lanes + lane];
     const double t1 = (1.0/((chi - 1)));
     /* slip-slip for tau1 */
     const double t8 = 1 - p1;
@@ -4450,24 +4217,14 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *fixed,
     const double *reduced, double *unknowns, double *reduced_residual, double *reduced_jacobian)
 {
-    const double chi = parameters[lane];
-    const double eta = parameters[1*lanes + lane];
-    const double V = parameters[2*lanes + lane];
-    const double e2 = parameters[3*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[6*lanes + lane];
-    const double t1 = fixed[lane];
-    const double t8 = fixed[1*lanes + lane];
-    const double t22 = fixed[2*lanes + lane];
-    const double t28 = fixed[3*lanes + lane];
-    const double t29 = fixed[4*lanes + lane];
-    const double tau = reduced[lane];
-    const double tau1 = reduced[1*lanes + lane];
-    const double e1 = reduced[2*lanes + lane];
+    const double chi = parameters[lane], eta = parameters[1*lanes + lane],
+        V = parameters[2*lanes + lane], e2 = parameters[3*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[6*lanes + lane];
+    const double t1 = fixed[lane], t8 = fixed[1*lanes + lane], t22 = fixed[2*lanes + lane],
+        t28 = fixed[3*lanes + lane], t29 = fixed[4*lanes + lane];
+    const double tau = reduced[lane], tau1 = reduced[1*lanes + lane], e1 = reduced[2*lanes + lane];
     /* functions of tau in slip-stick */
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
     const double cos_tau = wave_0.cosine;
@@ -4649,19 +4406,10 @@ void dry_friction_solution_ii_period_map(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
     double *period_map, double *linear_start, double *compatibility)
 {
-    const double chi = parameters[0];
-    const double V = parameters[2];
-    const double e2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
-    const double tau = unknowns[2];
-    const double tau1 = unknowns[3];
-    const double tau2 = unknowns[4];
-    const double e1 = unknowns[5];
+    const double chi = parameters[0], V = parameters[2], e2 = parameters[3];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
+    const double tau = unknowns[2], tau1 = unknowns[3], tau2 = unknowns[4], e1 = unknowns[5];
     /* functions of tau in slip-stick */
     const double cos_tau = cos(tau);
     const double sin_tau = sin(tau);
@@ -4863,76 +4611,28 @@ void dry_friction_symmetric_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
 {
-    static const int sums[] = {2, 3}, terms[] = {2, 1}, at_once[] = {0, 0};
+    static const int counts[] = {2, 3}, at_once[] = {0, 0}, exits[] = {6, 16};
     static const int opened[] = {-1, -1, -1, -1, 0};
-    static const int exits[] = {6, 16}, first_frequency[] = {0, 2};
     static const int begins[] = {0, 1, 0, 0, 0};
     static const double per_unit[] = {0.0, 0.0, 0.0, 0.0, 2.0};
+    static const nonsmooth_boundaries boundaries = {
+        2, 1, counts, at_once, exits, opened, begins, per_unit};
+    static const int terms[] = {2, 1}, first[] = {0, 2};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 4 * point, *const u = unknowns + 5 * point;
         const double q[2] = {p[0], p[1]};
         const double durations[] = {u[3], u[4]};
-        double spectral[7], coefficients[24], frequencies[3];
-        dry_friction_spectrum(q, spectral, NULL);
-        dry_friction_symmetric_passage(p, spectral, u, NULL, coefficients, frequencies);
-        /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {p[0], p[2], p[3], u[0], u[1], u[2]};
-        double size = 0.0, missed = 0.0;
-        for (int i = 0; i < 6; ++i)
-            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
-        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
-        for (int phase = 0; phase < 2; ++phase) {
-            const double miss = fabs(
-                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
-                                   coefficients + exits[phase], durations[phase]).value);
-            missed = miss > missed ? miss : missed;
-        }
-        const double most_missed = 0x1p-30 * size;
-        const double noise = 32.0 * DBL_EPSILON * size +
-                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
-        double least[1], most = 0.0, when = 0.0;
-        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
-        const double *coefficient = coefficients, *frequency = frequencies;
-        for (int i = 0; i < 1; ++i)
-            least[i] = 0.0;
-        for (int phase = 0; phase < 2 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
-            const double duration = durations[phase];
-            const int length = 2 + 2 * terms[phase];
-            double usual[3], floor[3], maximum[3], time[3];
-            if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
-            for (int i = 0; i < sums[phase]; ++i) {
-                const double *const function = coefficient + i * length;
-                usual[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
-                    : least[opened[row + i]] * per_unit[row + i];
-                /* a phase that begins on a boundary and rises crosses it, however little */
-                const int rises = begins[row + i] && duration > 0.0 &&
-                                  nonsmooth_rises(terms[phase], frequency, function, noise);
-                floor[i] = rises ? -(double)INFINITY : usual[i];
-            }
-            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
-                             maximum, time);
-            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
-                if (!(maximum[i] >= floor[i])) {
-                    found = DRY_FRICTION_UNDECIDED;
-                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
-                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
-                } else if (maximum[i] > floor[i]) {
-                    found = row + i;
-                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
-                    when = maximum[i] > usual[i] ? time[i] : 0.0;
-                }
-            }
-            row += sums[phase];
-            coefficient += sums[phase] * length;
-            frequency += terms[phase];
-        }
-        for (int i = 0; i < 1; ++i)
-            bounds[1 * point + i] = least[i];
-        boundary[point] = found;
-        excess[point] = most;
-        instant[point] = when;
+        double spectral[7], work[12], rows[24], frequencies[3];
+        dry_friction_spectrum(q, spectral, NULL);
+        dry_friction_symmetric_passage(p, spectral, u, NULL, rows, frequencies);
+        const nonsmooth_phase_sums sums = {terms, first, frequencies};
+        const nonsmooth_along along = nonsmooth_along_sums(&sums, durations, rows);
+        const nonsmooth_verdict verdict =
+            nonsmooth_judge(&boundaries, &along, 6, measures, work, bounds + 1 * point);
+        boundary[point] = verdict.boundary;
+        excess[point] = verdict.excess;
+        instant[point] = verdict.instant;
     }
 }
 
@@ -5043,76 +4743,28 @@ void dry_friction_global_stick_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
 {
-    static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {0, 0, 0, 0};
+    static const int counts[] = {4, 3, 2, 3}, at_once[] = {0, 0, 0, 0}, exits[] = {0, 12, 20, 40};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
-    static const int exits[] = {0, 12, 20, 40}, first_frequency[] = {0, 0, 1, 3};
     static const int begins[] = {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
+    static const nonsmooth_boundaries boundaries = {
+        4, 2, counts, at_once, exits, opened, begins, per_unit};
+    static const int terms[] = {0, 1, 2, 1}, first[] = {0, 0, 1, 3};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 6 * point;
         const double q[2] = {p[0], p[1]};
         const double durations[] = {u[2], u[3], u[4], u[5]};
-        double spectral[7], coefficients[44], frequencies[4];
-        dry_friction_spectrum(q, spectral, NULL);
-        dry_friction_global_stick_passage(p, spectral, u, NULL, coefficients, frequencies);
-        /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {p[0], p[2], p[3], p[4], u[0], u[1]};
-        double size = 0.0, missed = 0.0;
-        for (int i = 0; i < 6; ++i)
-            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
-        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
-        for (int phase = 0; phase < 4; ++phase) {
-            const double miss = fabs(
-                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
-                                   coefficients + exits[phase], durations[phase]).value);
-            missed = miss > missed ? miss : missed;
-        }
-        const double most_missed = 0x1p-30 * size;
-        const double noise = 32.0 * DBL_EPSILON * size +
-                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
-        double least[2], most = 0.0, when = 0.0;
-        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
-        const double *coefficient = coefficients, *frequency = frequencies;
-        for (int i = 0; i < 2; ++i)
-            least[i] = 0.0;
-        for (int phase = 0; phase < 4 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
-            const double duration = durations[phase];
-            const int length = 2 + 2 * terms[phase];
-            double usual[4], floor[4], maximum[4], time[4];
-            if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
-            for (int i = 0; i < sums[phase]; ++i) {
-                const double *const function = coefficient + i * length;
-                usual[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
-                    : least[opened[row + i]] * per_unit[row + i];
-                /* a phase that begins on a boundary and rises crosses it, however little */
-                const int rises = begins[row + i] && duration > 0.0 &&
-                                  nonsmooth_rises(terms[phase], frequency, function, noise);
-                floor[i] = rises ? -(double)INFINITY : usual[i];
-            }
-            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
-                             maximum, time);
-            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
-                if (!(maximum[i] >= floor[i])) {
-                    found = DRY_FRICTION_UNDECIDED;
-                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
-                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
-                } else if (maximum[i] > floor[i]) {
-                    found = row + i;
-                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
-                    when = maximum[i] > usual[i] ? time[i] : 0.0;
-                }
-            }
-            row += sums[phase];
-            coefficient += sums[phase] * length;
-            frequency += terms[phase];
-        }
-        for (int i = 0; i < 2; ++i)
-            bounds[2 * point + i] = least[i];
-        boundary[point] = found;
-        excess[point] = most;
-        instant[point] = when;
+        double spectral[7], work[16], rows[44], frequencies[4];
+        dry_friction_spectrum(q, spectral, NULL);
+        dry_friction_global_stick_passage(p, spectral, u, NULL, rows, frequencies);
+        const nonsmooth_phase_sums sums = {terms, first, frequencies};
+        const nonsmooth_along along = nonsmooth_along_sums(&sums, durations, rows);
+        const nonsmooth_verdict verdict =
+            nonsmooth_judge(&boundaries, &along, 6, measures, work, bounds + 2 * point);
+        boundary[point] = verdict.boundary;
+        excess[point] = verdict.excess;
+        instant[point] = verdict.instant;
     }
 }
 
@@ -5221,75 +4873,27 @@ void dry_friction_solution_ii_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant)
 {
-    static const int sums[] = {4, 3, 2, 3}, terms[] = {0, 1, 2, 1}, at_once[] = {1, 0, 0, 0};
+    static const int counts[] = {4, 3, 2, 3}, at_once[] = {1, 0, 0, 0}, exits[] = {0, 12, 20, 40};
     static const int opened[] = {-1, 0, -1, 1, -1, -1, 1, -1, -1, -1, 0, -1};
-    static const int exits[] = {0, 12, 20, 40}, first_frequency[] = {0, 0, 1, 3};
     static const int begins[] = {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     static const double per_unit[] = {0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
+    static const nonsmooth_boundaries boundaries = {
+        4, 2, counts, at_once, exits, opened, begins, per_unit};
+    static const int terms[] = {0, 1, 2, 1}, first[] = {0, 0, 1, 3};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 4 * point, *const u = unknowns + 6 * point;
         const double q[2] = {p[0], p[1]};
         const double durations[] = {0, u[2], u[3], u[4]};
-        double spectral[7], coefficients[44], frequencies[4];
-        dry_friction_spectrum(q, spectral, NULL);
-        dry_friction_solution_ii_passage(p, spectral, u, NULL, coefficients, frequencies);
-        /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {p[0], p[2], p[3], u[0], u[1], u[5]};
-        double size = 0.0, missed = 0.0;
-        for (int i = 0; i < 6; ++i)
-            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
-        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
-        for (int phase = 0; phase < 4; ++phase) {
-            const double miss = fabs(
-                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
-                                   coefficients + exits[phase], durations[phase]).value);
-            missed = miss > missed ? miss : missed;
-        }
-        const double most_missed = 0x1p-30 * size;
-        const double noise = 32.0 * DBL_EPSILON * size +
-                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
-        double least[2], most = 0.0, when = 0.0;
-        int found = DRY_FRICTION_ADMISSIBLE, row = 0;
-        const double *coefficient = coefficients, *frequency = frequencies;
-        for (int i = 0; i < 2; ++i)
-            least[i] = 0.0;
-        for (int phase = 0; phase < 4 && found == DRY_FRICTION_ADMISSIBLE; ++phase) {
-            const double duration = durations[phase];
-            const int length = 2 + 2 * terms[phase];
-            double usual[4], floor[4], maximum[4], time[4];
-            if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? DRY_FRICTION_NO_DURATION : DRY_FRICTION_UNDECIDED;
-            for (int i = 0; i < sums[phase]; ++i) {
-                const double *const function = coefficient + i * length;
-                usual[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
-                    : least[opened[row + i]] * per_unit[row + i];
-                /* a phase that begins on a boundary and rises crosses it, however little */
-                const int rises = begins[row + i] && duration > 0.0 &&
-                                  nonsmooth_rises(terms[phase], frequency, function, noise);
-                floor[i] = rises ? -(double)INFINITY : usual[i];
-            }
-            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
-                             maximum, time);
-            for (int i = 0; i < sums[phase] && found == DRY_FRICTION_ADMISSIBLE; ++i) {
-                if (!(maximum[i] >= floor[i])) {
-                    found = DRY_FRICTION_UNDECIDED;
-                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
-                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
-                } else if (maximum[i] > floor[i]) {
-                    found = row + i;
-                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
-                    when = maximum[i] > usual[i] ? time[i] : 0.0;
-                }
-            }
-            row += sums[phase];
-            coefficient += sums[phase] * length;
-            frequency += terms[phase];
-        }
-        for (int i = 0; i < 2; ++i)
-            bounds[2 * point + i] = least[i];
-        boundary[point] = found;
-        excess[point] = most;
-        instant[point] = when;
+        double spectral[7], work[16], rows[44], frequencies[4];
+        dry_friction_spectrum(q, spectral, NULL);
+        dry_friction_solution_ii_passage(p, spectral, u, NULL, rows, frequencies);
+        const nonsmooth_phase_sums sums = {terms, first, frequencies};
+        const nonsmooth_along along = nonsmooth_along_sums(&sums, durations, rows);
+        const nonsmooth_verdict verdict =
+            nonsmooth_judge(&boundaries, &along, 6, measures, work, bounds + 2 * point);
+        boundary[point] = verdict.boundary;
+        excess[point] = verdict.excess;
+        instant[point] = verdict.instant;
     }
 }

@@ -1,9 +1,9 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 7dfe2a59c5f17aec */
-#ifndef NONSMOOTH_DRY_FRICTION_H
-#define NONSMOOTH_DRY_FRICTION_H
+ * SymPy 1.14.0, derivation 14dea5d1dc651811 */
+#ifndef NONSMOOTH_SYSTEM_DRY_FRICTION_H
+#define NONSMOOTH_SYSTEM_DRY_FRICTION_H
 
 /* dry-friction: two coupled oscillators on a driving belt with dry friction (Sec. 3)
  *

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 7dfe2a59c5f17aec
+# SymPy 1.14.0, derivation 14dea5d1dc651811
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "7dfe2a59c5f17aec"
+DERIVATION = "14dea5d1dc651811"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",

@@ -1,16 +1,17 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 3328f93005bf3d28 */
+ * SymPy 1.14.0, derivation 5f8f043c2ae8726a */
 #include "elastic_stop.h"
 
 #include <math.h>
 
+#include "nonsmooth_admissible.h"
+#include "nonsmooth_admissible_sums.h"
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
 #include "nonsmooth_newton.h"
-#include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
@@ -18,11 +19,9 @@
 static NONSMOOTH_INLINE void elastic_stop_spectrum_in_lane(
     int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double m1 = parameters[lane];
-    const double m2 = parameters[1*lanes + lane];
-    const double k1 = parameters[2*lanes + lane];
-    const double k2 = parameters[3*lanes + lane];
-    const double k3 = parameters[4*lanes + lane];
+    const double m1 = parameters[lane], m2 = parameters[1*lanes + lane],
+        k1 = parameters[2*lanes + lane], k2 = parameters[3*lanes + lane],
+        k3 = parameters[4*lanes + lane];
     /* spectrum */
     const double t0 = (1.0/(m1));
     const double t1 = k1 + k3;
@@ -267,19 +266,11 @@ void elastic_stop_flow_contact(
     const double parameters[5], const double spectrum[12], double time, const double state[4],
     double state_after[4])
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double k1 = parameters[2], k2 = parameters[3], k3 = parameters[4];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -318,16 +309,10 @@ void elastic_stop_flow_free(
     double state_after[4])
 {
     (void)parameters;
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
+    const double omega3 = spectrum[7], omega4 = spectrum[8], p4 = spectrum[9], p5 = spectrum[10],
+        p6 = spectrum[11];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega3*t;
     const double t1 = sin(t0);
@@ -355,11 +340,8 @@ void elastic_stop_flow_free(
 void elastic_stop_fields(
     const double parameters[5], double fields[40])
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
+    const double m1 = parameters[0], m2 = parameters[1], k1 = parameters[2], k2 = parameters[3],
+        k3 = parameters[4];
     /* fields */
     const double t0 = (1.0/(m1));
     const double t1 = k1*t0;
@@ -419,19 +401,10 @@ void elastic_stop_resets(
 void elastic_stop_modes(
     const double parameters[5], const double spectrum[12], double *exponents, double *coefficients)
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
+    const double k1 = parameters[2], k2 = parameters[3], k3 = parameters[4];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[7], omega4 = spectrum[8], p4 = spectrum[9],
+        p5 = spectrum[10], p6 = spectrum[11];
     if (exponents) {
         for (int i = 0; i < 12; ++i)
             exponents[i] = 0.0;
@@ -542,24 +515,15 @@ static NONSMOOTH_INLINE void elastic_stop_one_contact_equations_in_lane(
     const double *spectrum_derivatives, double *residual, double *jacobian,
     double *parameter_jacobian)
 {
-    const double k1 = parameters[2*lanes + lane];
-    const double k2 = parameters[3*lanes + lane];
-    const double k3 = parameters[4*lanes + lane];
-    const double T = parameters[5*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[7*lanes + lane];
-    const double omega4 = spectrum[8*lanes + lane];
-    const double p4 = spectrum[9*lanes + lane];
-    const double p5 = spectrum[10*lanes + lane];
-    const double p6 = spectrum[11*lanes + lane];
-    const double y = unknowns[lane];
-    const double u = unknowns[1*lanes + lane];
-    const double w = unknowns[2*lanes + lane];
-    const double tau = unknowns[3*lanes + lane];
+    const double k1 = parameters[2*lanes + lane], k2 = parameters[3*lanes + lane],
+        k3 = parameters[4*lanes + lane], T = parameters[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[7*lanes + lane], omega4 = spectrum[8*lanes + lane],
+        p4 = spectrum[9*lanes + lane], p5 = spectrum[10*lanes + lane],
+        p6 = spectrum[11*lanes + lane];
+    const double y = unknowns[lane], u = unknowns[1*lanes + lane], w = unknowns[2*lanes + lane],
+        tau = unknowns[3*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
     /* functions of half_tau in contact */
@@ -672,56 +636,56 @@ static NONSMOOTH_INLINE void elastic_stop_one_contact_equations_in_lane(
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_m1 = spectrum_derivatives[5*lanes + lane];
-    const double omega1_by_m2 = spectrum_derivatives[6*lanes + lane];
-    const double omega1_by_k1 = spectrum_derivatives[7*lanes + lane];
-    const double omega1_by_k2 = spectrum_derivatives[8*lanes + lane];
-    const double omega1_by_k3 = spectrum_derivatives[9*lanes + lane];
-    const double omega2_by_m1 = spectrum_derivatives[10*lanes + lane];
-    const double omega2_by_m2 = spectrum_derivatives[11*lanes + lane];
-    const double omega2_by_k1 = spectrum_derivatives[12*lanes + lane];
-    const double omega2_by_k2 = spectrum_derivatives[13*lanes + lane];
-    const double omega2_by_k3 = spectrum_derivatives[14*lanes + lane];
-    const double p1_by_m1 = spectrum_derivatives[15*lanes + lane];
-    const double p1_by_m2 = spectrum_derivatives[16*lanes + lane];
-    const double p1_by_k1 = spectrum_derivatives[17*lanes + lane];
-    const double p1_by_k2 = spectrum_derivatives[18*lanes + lane];
-    const double p1_by_k3 = spectrum_derivatives[19*lanes + lane];
-    const double p2_by_m1 = spectrum_derivatives[20*lanes + lane];
-    const double p2_by_m2 = spectrum_derivatives[21*lanes + lane];
-    const double p2_by_k1 = spectrum_derivatives[22*lanes + lane];
-    const double p2_by_k2 = spectrum_derivatives[23*lanes + lane];
-    const double p2_by_k3 = spectrum_derivatives[24*lanes + lane];
-    const double p3_by_m1 = spectrum_derivatives[25*lanes + lane];
-    const double p3_by_m2 = spectrum_derivatives[26*lanes + lane];
-    const double p3_by_k1 = spectrum_derivatives[27*lanes + lane];
-    const double p3_by_k2 = spectrum_derivatives[28*lanes + lane];
-    const double p3_by_k3 = spectrum_derivatives[29*lanes + lane];
-    const double omega3_by_m1 = spectrum_derivatives[35*lanes + lane];
-    const double omega3_by_m2 = spectrum_derivatives[36*lanes + lane];
-    const double omega3_by_k1 = spectrum_derivatives[37*lanes + lane];
-    const double omega3_by_k2 = spectrum_derivatives[38*lanes + lane];
-    const double omega3_by_k3 = spectrum_derivatives[39*lanes + lane];
-    const double omega4_by_m1 = spectrum_derivatives[40*lanes + lane];
-    const double omega4_by_m2 = spectrum_derivatives[41*lanes + lane];
-    const double omega4_by_k1 = spectrum_derivatives[42*lanes + lane];
-    const double omega4_by_k2 = spectrum_derivatives[43*lanes + lane];
-    const double omega4_by_k3 = spectrum_derivatives[44*lanes + lane];
-    const double p4_by_m1 = spectrum_derivatives[45*lanes + lane];
-    const double p4_by_m2 = spectrum_derivatives[46*lanes + lane];
-    const double p4_by_k1 = spectrum_derivatives[47*lanes + lane];
-    const double p4_by_k2 = spectrum_derivatives[48*lanes + lane];
-    const double p4_by_k3 = spectrum_derivatives[49*lanes + lane];
-    const double p5_by_m1 = spectrum_derivatives[50*lanes + lane];
-    const double p5_by_m2 = spectrum_derivatives[51*lanes + lane];
-    const double p5_by_k1 = spectrum_derivatives[52*lanes + lane];
-    const double p5_by_k2 = spectrum_derivatives[53*lanes + lane];
-    const double p5_by_k3 = spectrum_derivatives[54*lanes + lane];
-    const double p6_by_m1 = spectrum_derivatives[55*lanes + lane];
-    const double p6_by_m2 = spectrum_derivatives[56*lanes + lane];
-    const double p6_by_k1 = spectrum_derivatives[57*lanes + lane];
-    const double p6_by_k2 = spectrum_derivatives[58*lanes + lane];
-    const double p6_by_k3 = spectrum_derivatives[59*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[5*lanes + lane],
+        omega1_by_m2 = spectrum_derivatives[6*lanes + lane],
+        omega1_by_k1 = spectrum_derivatives[7*lanes + lane],
+        omega1_by_k2 = spectrum_derivatives[8*lanes + lane],
+        omega1_by_k3 = spectrum_derivatives[9*lanes + lane],
+        omega2_by_m1 = spectrum_derivatives[10*lanes + lane],
+        omega2_by_m2 = spectrum_derivatives[11*lanes + lane],
+        omega2_by_k1 = spectrum_derivatives[12*lanes + lane],
+        omega2_by_k2 = spectrum_derivatives[13*lanes + lane],
+        omega2_by_k3 = spectrum_derivatives[14*lanes + lane],
+        p1_by_m1 = spectrum_derivatives[15*lanes + lane],
+        p1_by_m2 = spectrum_derivatives[16*lanes + lane],
+        p1_by_k1 = spectrum_derivatives[17*lanes + lane],
+        p1_by_k2 = spectrum_derivatives[18*lanes + lane],
+        p1_by_k3 = spectrum_derivatives[19*lanes + lane],
+        p2_by_m1 = spectrum_derivatives[20*lanes + lane],
+        p2_by_m2 = spectrum_derivatives[21*lanes + lane],
+        p2_by_k1 = spectrum_derivatives[22*lanes + lane],
+        p2_by_k2 = spectrum_derivatives[23*lanes + lane],
+        p2_by_k3 = spectrum_derivatives[24*lanes + lane],
+        p3_by_m1 = spectrum_derivatives[25*lanes + lane],
+        p3_by_m2 = spectrum_derivatives[26*lanes + lane],
+        p3_by_k1 = spectrum_derivatives[27*lanes + lane],
+        p3_by_k2 = spectrum_derivatives[28*lanes + lane],
+        p3_by_k3 = spectrum_derivatives[29*lanes + lane],
+        omega3_by_m1 = spectrum_derivatives[35*lanes + lane],
+        omega3_by_m2 = spectrum_derivatives[36*lanes + lane],
+        omega3_by_k1 = spectrum_derivatives[37*lanes + lane],
+        omega3_by_k2 = spectrum_derivatives[38*lanes + lane],
+        omega3_by_k3 = spectrum_derivatives[39*lanes + lane],
+        omega4_by_m1 = spectrum_derivatives[40*lanes + lane],
+        omega4_by_m2 = spectrum_derivatives[41*lanes + lane],
+        omega4_by_k1 = spectrum_derivatives[42*lanes + lane],
+        omega4_by_k2 = spectrum_derivatives[43*lanes + lane],
+        omega4_by_k3 = spectrum_derivatives[44*lanes + lane],
+        p4_by_m1 = spectrum_derivatives[45*lanes + lane],
+        p4_by_m2 = spectrum_derivatives[46*lanes + lane],
+        p4_by_k1 = spectrum_derivatives[47*lanes + lane],
+        p4_by_k2 = spectrum_derivatives[48*lanes + lane],
+        p4_by_k3 = spectrum_derivatives[49*lanes + lane],
+        p5_by_m1 = spectrum_derivatives[50*lanes + lane],
+        p5_by_m2 = spectrum_derivatives[51*lanes + lane],
+        p5_by_k1 = spectrum_derivatives[52*lanes + lane],
+        p5_by_k2 = spectrum_derivatives[53*lanes + lane],
+        p5_by_k3 = spectrum_derivatives[54*lanes + lane],
+        p6_by_m1 = spectrum_derivatives[55*lanes + lane],
+        p6_by_m2 = spectrum_derivatives[56*lanes + lane],
+        p6_by_k1 = spectrum_derivatives[57*lanes + lane],
+        p6_by_k2 = spectrum_derivatives[58*lanes + lane],
+        p6_by_k3 = spectrum_derivatives[59*lanes + lane];
     /* d/dm1 of: functions of half_tau in contact */
     const double t52 = half_tau*omega1_by_m1;
     const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t52;
@@ -894,26 +858,16 @@ static NONSMOOTH_INLINE void elastic_stop_one_contact_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double m1 = parameters[lane];
-    const double m2 = parameters[1*lanes + lane];
-    const double k1 = parameters[2*lanes + lane];
-    const double k2 = parameters[3*lanes + lane];
-    const double k3 = parameters[4*lanes + lane];
-    const double T = parameters[5*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[7*lanes + lane];
-    const double omega4 = spectrum[8*lanes + lane];
-    const double p4 = spectrum[9*lanes + lane];
-    const double p5 = spectrum[10*lanes + lane];
-    const double p6 = spectrum[11*lanes + lane];
-    const double y = unknowns[lane];
-    const double u = unknowns[1*lanes + lane];
-    const double w = unknowns[2*lanes + lane];
-    const double tau = unknowns[3*lanes + lane];
+    const double m1 = parameters[lane], m2 = parameters[1*lanes + lane],
+        k1 = parameters[2*lanes + lane], k2 = parameters[3*lanes + lane],
+        k3 = parameters[4*lanes + lane], T = parameters[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[7*lanes + lane], omega4 = spectrum[8*lanes + lane],
+        p4 = spectrum[9*lanes + lane], p5 = spectrum[10*lanes + lane],
+        p6 = spectrum[11*lanes + lane];
+    const double y = unknowns[lane], u = unknowns[1*lanes + lane], w = unknowns[2*lanes + lane],
+        tau = unknowns[3*lanes + lane];
     /* functions of tau in contact */
     const double t0 = omega1*tau;
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
@@ -1070,56 +1024,56 @@ static NONSMOOTH_INLINE void elastic_stop_one_contact_trace_in_lane(
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_m1 = spectrum_derivatives[5*lanes + lane];
-    const double omega1_by_m2 = spectrum_derivatives[6*lanes + lane];
-    const double omega1_by_k1 = spectrum_derivatives[7*lanes + lane];
-    const double omega1_by_k2 = spectrum_derivatives[8*lanes + lane];
-    const double omega1_by_k3 = spectrum_derivatives[9*lanes + lane];
-    const double omega2_by_m1 = spectrum_derivatives[10*lanes + lane];
-    const double omega2_by_m2 = spectrum_derivatives[11*lanes + lane];
-    const double omega2_by_k1 = spectrum_derivatives[12*lanes + lane];
-    const double omega2_by_k2 = spectrum_derivatives[13*lanes + lane];
-    const double omega2_by_k3 = spectrum_derivatives[14*lanes + lane];
-    const double p1_by_m1 = spectrum_derivatives[15*lanes + lane];
-    const double p1_by_m2 = spectrum_derivatives[16*lanes + lane];
-    const double p1_by_k1 = spectrum_derivatives[17*lanes + lane];
-    const double p1_by_k2 = spectrum_derivatives[18*lanes + lane];
-    const double p1_by_k3 = spectrum_derivatives[19*lanes + lane];
-    const double p2_by_m1 = spectrum_derivatives[20*lanes + lane];
-    const double p2_by_m2 = spectrum_derivatives[21*lanes + lane];
-    const double p2_by_k1 = spectrum_derivatives[22*lanes + lane];
-    const double p2_by_k2 = spectrum_derivatives[23*lanes + lane];
-    const double p2_by_k3 = spectrum_derivatives[24*lanes + lane];
-    const double p3_by_m1 = spectrum_derivatives[25*lanes + lane];
-    const double p3_by_m2 = spectrum_derivatives[26*lanes + lane];
-    const double p3_by_k1 = spectrum_derivatives[27*lanes + lane];
-    const double p3_by_k2 = spectrum_derivatives[28*lanes + lane];
-    const double p3_by_k3 = spectrum_derivatives[29*lanes + lane];
-    const double omega3_by_m1 = spectrum_derivatives[35*lanes + lane];
-    const double omega3_by_m2 = spectrum_derivatives[36*lanes + lane];
-    const double omega3_by_k1 = spectrum_derivatives[37*lanes + lane];
-    const double omega3_by_k2 = spectrum_derivatives[38*lanes + lane];
-    const double omega3_by_k3 = spectrum_derivatives[39*lanes + lane];
-    const double omega4_by_m1 = spectrum_derivatives[40*lanes + lane];
-    const double omega4_by_m2 = spectrum_derivatives[41*lanes + lane];
-    const double omega4_by_k1 = spectrum_derivatives[42*lanes + lane];
-    const double omega4_by_k2 = spectrum_derivatives[43*lanes + lane];
-    const double omega4_by_k3 = spectrum_derivatives[44*lanes + lane];
-    const double p4_by_m1 = spectrum_derivatives[45*lanes + lane];
-    const double p4_by_m2 = spectrum_derivatives[46*lanes + lane];
-    const double p4_by_k1 = spectrum_derivatives[47*lanes + lane];
-    const double p4_by_k2 = spectrum_derivatives[48*lanes + lane];
-    const double p4_by_k3 = spectrum_derivatives[49*lanes + lane];
-    const double p5_by_m1 = spectrum_derivatives[50*lanes + lane];
-    const double p5_by_m2 = spectrum_derivatives[51*lanes + lane];
-    const double p5_by_k1 = spectrum_derivatives[52*lanes + lane];
-    const double p5_by_k2 = spectrum_derivatives[53*lanes + lane];
-    const double p5_by_k3 = spectrum_derivatives[54*lanes + lane];
-    const double p6_by_m1 = spectrum_derivatives[55*lanes + lane];
-    const double p6_by_m2 = spectrum_derivatives[56*lanes + lane];
-    const double p6_by_k1 = spectrum_derivatives[57*lanes + lane];
-    const double p6_by_k2 = spectrum_derivatives[58*lanes + lane];
-    const double p6_by_k3 = spectrum_derivatives[59*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[5*lanes + lane],
+        omega1_by_m2 = spectrum_derivatives[6*lanes + lane],
+        omega1_by_k1 = spectrum_derivatives[7*lanes + lane],
+        omega1_by_k2 = spectrum_derivatives[8*lanes + lane],
+        omega1_by_k3 = spectrum_derivatives[9*lanes + lane],
+        omega2_by_m1 = spectrum_derivatives[10*lanes + lane],
+        omega2_by_m2 = spectrum_derivatives[11*lanes + lane],
+        omega2_by_k1 = spectrum_derivatives[12*lanes + lane],
+        omega2_by_k2 = spectrum_derivatives[13*lanes + lane],
+        omega2_by_k3 = spectrum_derivatives[14*lanes + lane],
+        p1_by_m1 = spectrum_derivatives[15*lanes + lane],
+        p1_by_m2 = spectrum_derivatives[16*lanes + lane],
+        p1_by_k1 = spectrum_derivatives[17*lanes + lane],
+        p1_by_k2 = spectrum_derivatives[18*lanes + lane],
+        p1_by_k3 = spectrum_derivatives[19*lanes + lane],
+        p2_by_m1 = spectrum_derivatives[20*lanes + lane],
+        p2_by_m2 = spectrum_derivatives[21*lanes + lane],
+        p2_by_k1 = spectrum_derivatives[22*lanes + lane],
+        p2_by_k2 = spectrum_derivatives[23*lanes + lane],
+        p2_by_k3 = spectrum_derivatives[24*lanes + lane],
+        p3_by_m1 = spectrum_derivatives[25*lanes + lane],
+        p3_by_m2 = spectrum_derivatives[26*lanes + lane],
+        p3_by_k1 = spectrum_derivatives[27*lanes + lane],
+        p3_by_k2 = spectrum_derivatives[28*lanes + lane],
+        p3_by_k3 = spectrum_derivatives[29*lanes + lane],
+        omega3_by_m1 = spectrum_derivatives[35*lanes + lane],
+        omega3_by_m2 = spectrum_derivatives[36*lanes + lane],
+        omega3_by_k1 = spectrum_derivatives[37*lanes + lane],
+        omega3_by_k2 = spectrum_derivatives[38*lanes + lane],
+        omega3_by_k3 = spectrum_derivatives[39*lanes + lane],
+        omega4_by_m1 = spectrum_derivatives[40*lanes + lane],
+        omega4_by_m2 = spectrum_derivatives[41*lanes + lane],
+        omega4_by_k1 = spectrum_derivatives[42*lanes + lane],
+        omega4_by_k2 = spectrum_derivatives[43*lanes + lane],
+        omega4_by_k3 = spectrum_derivatives[44*lanes + lane],
+        p4_by_m1 = spectrum_derivatives[45*lanes + lane],
+        p4_by_m2 = spectrum_derivatives[46*lanes + lane],
+        p4_by_k1 = spectrum_derivatives[47*lanes + lane],
+        p4_by_k2 = spectrum_derivatives[48*lanes + lane],
+        p4_by_k3 = spectrum_derivatives[49*lanes + lane],
+        p5_by_m1 = spectrum_derivatives[50*lanes + lane],
+        p5_by_m2 = spectrum_derivatives[51*lanes + lane],
+        p5_by_k1 = spectrum_derivatives[52*lanes + lane],
+        p5_by_k2 = spectrum_derivatives[53*lanes + lane],
+        p5_by_k3 = spectrum_derivatives[54*lanes + lane],
+        p6_by_m1 = spectrum_derivatives[55*lanes + lane],
+        p6_by_m2 = spectrum_derivatives[56*lanes + lane],
+        p6_by_k1 = spectrum_derivatives[57*lanes + lane],
+        p6_by_k2 = spectrum_derivatives[58*lanes + lane],
+        p6_by_k3 = spectrum_derivatives[59*lanes + lane];
     /* back through: derivatives of the time to the boundary after tau1 */
     const double slope_by_delay_tau1_by_w = t77;
     const double slope_by_delay_tau1_by_u = t74;
@@ -1349,24 +1303,11 @@ void elastic_stop_one_contact_passage(
     const double parameters[6], const double spectrum[12], const double unknowns[4], double *states,
     double *coefficients, double *frequencies)
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
+    const double k1 = parameters[2], k2 = parameters[3], k3 = parameters[4], T = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[7], omega4 = spectrum[8], p4 = spectrum[9],
+        p5 = spectrum[10], p6 = spectrum[11];
+    const double y = unknowns[0], u = unknowns[1], w = unknowns[2], tau = unknowns[3];
     /* functions of tau in contact */
     const double t0 = omega1*tau;
     const double cos_omega1_tau = cos(t0);
@@ -1478,26 +1419,12 @@ void elastic_stop_one_contact_linearisation(
     const double parameters[6], const double spectrum[12], const double unknowns[4],
     double *poincare_jacobian, double *saltations, double *monodromy)
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double k3 = parameters[4];
-    const double T = parameters[5];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[7];
-    const double omega4 = spectrum[8];
-    const double p4 = spectrum[9];
-    const double p5 = spectrum[10];
-    const double p6 = spectrum[11];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
-    const double w = unknowns[2];
-    const double tau = unknowns[3];
+    const double m1 = parameters[0], m2 = parameters[1], k1 = parameters[2], k2 = parameters[3],
+        k3 = parameters[4], T = parameters[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[7], omega4 = spectrum[8], p4 = spectrum[9],
+        p5 = spectrum[10], p6 = spectrum[11];
+    const double y = unknowns[0], u = unknowns[1], w = unknowns[2], tau = unknowns[3];
     /* functions of tau in contact */
     const double t0 = omega1*tau;
     const double cos_omega1_tau = cos(t0);
@@ -1764,18 +1691,12 @@ void elastic_stop_one_contact_linearisation(
 static NONSMOOTH_INLINE void elastic_stop_one_contact_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
-    const double k1 = parameters[2*lanes + lane];
-    const double k2 = parameters[3*lanes + lane];
-    const double k3 = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[7*lanes + lane];
-    const double omega4 = spectrum[8*lanes + lane];
-    const double p4 = spectrum[9*lanes + lane];
-    const double p5 = spectrum[10*lanes + lane];
+    const double k1 = parameters[2*lanes + lane], k2 = parameters[3*lanes + lane],
+        k3 = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[7*lanes + lane], omega4 = spectrum[8*lanes + lane],
+        p4 = spectrum[9*lanes + lane], p5 = spectrum[10*lanes + lane];
     /* coefficients of the linear equations */
     const double t4 = k2*k3;
     const double t5 = k1*k2;
@@ -1830,34 +1751,17 @@ static NONSMOOTH_INLINE void elastic_stop_one_contact_reduced_in_lane(
     double *reduced_jacobian)
 {
     const double T = parameters[5*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double omega3 = spectrum[7*lanes + lane];
-    const double omega4 = spectrum[8*lanes + lane];
-    const double p4 = spectrum[9*lanes + lane];
-    const double p5 = spectrum[10*lanes + lane];
-    const double p6 = spectrum[11*lanes + lane];
-    const double t7 = fixed[lane];
-    const double t9 = fixed[1*lanes + lane];
-    const double t12 = fixed[2*lanes + lane];
-    const double t14 = fixed[3*lanes + lane];
-    const double t16 = fixed[4*lanes + lane];
-    const double t19 = fixed[5*lanes + lane];
-    const double t20 = fixed[6*lanes + lane];
-    const double t21 = fixed[7*lanes + lane];
-    const double t22 = fixed[8*lanes + lane];
-    const double t23 = fixed[9*lanes + lane];
-    const double t38 = fixed[10*lanes + lane];
-    const double t41 = fixed[11*lanes + lane];
-    const double t46 = fixed[12*lanes + lane];
-    const double t47 = fixed[13*lanes + lane];
-    const double t53 = fixed[14*lanes + lane];
-    const double t54 = fixed[15*lanes + lane];
-    const double t55 = fixed[16*lanes + lane];
-    const double t56 = fixed[17*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
+        omega3 = spectrum[7*lanes + lane], omega4 = spectrum[8*lanes + lane],
+        p4 = spectrum[9*lanes + lane], p5 = spectrum[10*lanes + lane],
+        p6 = spectrum[11*lanes + lane];
+    const double t7 = fixed[lane], t9 = fixed[1*lanes + lane], t12 = fixed[2*lanes + lane],
+        t14 = fixed[3*lanes + lane], t16 = fixed[4*lanes + lane], t19 = fixed[5*lanes + lane],
+        t20 = fixed[6*lanes + lane], t21 = fixed[7*lanes + lane], t22 = fixed[8*lanes + lane],
+        t23 = fixed[9*lanes + lane], t38 = fixed[10*lanes + lane], t41 = fixed[11*lanes + lane],
+        t46 = fixed[12*lanes + lane], t47 = fixed[13*lanes + lane], t53 = fixed[14*lanes + lane],
+        t54 = fixed[15*lanes + lane], t55 = fixed[16*lanes + lane], t56 = fixed[17*lanes + lane];
     const double tau = reduced[lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
@@ -2102,74 +2006,28 @@ void elastic_stop_one_contact_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, int32_t *boundary,
     double *excess, double *instant)
 {
-    static const int sums[] = {1, 1}, terms[] = {2, 2}, at_once[] = {0, 0};
+    static const int counts[] = {1, 1}, at_once[] = {0, 0}, exits[] = {0, 6};
     static const int opened[] = {-1, -1};
-    static const int exits[] = {0, 6}, first_frequency[] = {0, 2};
     static const int begins[] = {1, 1};
     static const double per_unit[] = {0.0, 0.0};
+    static const nonsmooth_boundaries boundaries = {
+        2, 0, counts, at_once, exits, opened, begins, per_unit};
+    static const int terms[] = {2, 2}, first[] = {0, 2};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 6 * point, *const u = unknowns + 4 * point;
         const double q[5] = {p[0], p[1], p[2], p[3], p[4]};
         const double durations[] = {u[3], p[5] - u[3]};
-        double spectral[12], coefficients[12], frequencies[4];
-        elastic_stop_spectrum(q, spectral, NULL);
-        elastic_stop_one_contact_passage(p, spectral, u, NULL, coefficients, frequencies);
-        /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {u[0], u[1], u[2]};
-        double size = 0.0, missed = 0.0;
-        for (int i = 0; i < 3; ++i)
-            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
-        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
-        for (int phase = 0; phase < 2; ++phase) {
-            const double miss = fabs(
-                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
-                                   coefficients + exits[phase], durations[phase]).value);
-            missed = miss > missed ? miss : missed;
-        }
-        const double most_missed = 0x1p-30 * size;
-        const double noise = 32.0 * DBL_EPSILON * size +
-                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
-        double least[1], most = 0.0, when = 0.0;
-        int found = ELASTIC_STOP_ADMISSIBLE, row = 0;
-        const double *coefficient = coefficients, *frequency = frequencies;
-        for (int i = 0; i < 1; ++i)
-            least[i] = 0.0;
-        for (int phase = 0; phase < 2 && found == ELASTIC_STOP_ADMISSIBLE; ++phase) {
-            const double duration = durations[phase];
-            const int length = 2 + 2 * terms[phase];
-            double usual[1], floor[1], maximum[1], time[1];
-            if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? ELASTIC_STOP_NO_DURATION : ELASTIC_STOP_UNDECIDED;
-            for (int i = 0; i < sums[phase]; ++i) {
-                const double *const function = coefficient + i * length;
-                usual[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
-                    : least[opened[row + i]] * per_unit[row + i];
-                /* a phase that begins on a boundary and rises crosses it, however little */
-                const int rises = begins[row + i] && duration > 0.0 &&
-                                  nonsmooth_rises(terms[phase], frequency, function, noise);
-                floor[i] = rises ? -(double)INFINITY : usual[i];
-            }
-            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
-                             maximum, time);
-            for (int i = 0; i < sums[phase] && found == ELASTIC_STOP_ADMISSIBLE; ++i) {
-                if (!(maximum[i] >= floor[i])) {
-                    found = ELASTIC_STOP_UNDECIDED;
-                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
-                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
-                } else if (maximum[i] > floor[i]) {
-                    found = row + i;
-                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
-                    when = maximum[i] > usual[i] ? time[i] : 0.0;
-                }
-            }
-            row += sums[phase];
-            coefficient += sums[phase] * length;
-            frequency += terms[phase];
-        }
-        boundary[point] = found;
-        excess[point] = most;
-        instant[point] = when;
+        double spectral[12], work[4], rows[12], frequencies[4];
+        elastic_stop_spectrum(q, spectral, NULL);
+        elastic_stop_one_contact_passage(p, spectral, u, NULL, rows, frequencies);
+        const nonsmooth_phase_sums sums = {terms, first, frequencies};
+        const nonsmooth_along along = nonsmooth_along_sums(&sums, durations, rows);
+        const nonsmooth_verdict verdict =
+            nonsmooth_judge(&boundaries, &along, 3, measures, work, NULL);
+        boundary[point] = verdict.boundary;
+        excess[point] = verdict.excess;
+        instant[point] = verdict.instant;
     }
 }
 

@@ -1,9 +1,9 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 3328f93005bf3d28 */
-#ifndef NONSMOOTH_ELASTIC_STOP_H
-#define NONSMOOTH_ELASTIC_STOP_H
+ * SymPy 1.14.0, derivation 5f8f043c2ae8726a */
+#ifndef NONSMOOTH_SYSTEM_ELASTIC_STOP_H
+#define NONSMOOTH_SYSTEM_ELASTIC_STOP_H
 
 /* elastic-stop: two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)
  *

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 3328f93005bf3d28
+# SymPy 1.14.0, derivation 5f8f043c2ae8726a
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "3328f93005bf3d28"
+DERIVATION = "5f8f043c2ae8726a"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",

@@ -1,16 +1,17 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 43f1c7d4d9619c09 */
+ * SymPy 1.14.0, derivation 1ddee22da7d00c72 */
 #include "rigid_stop.h"
 
 #include <math.h>
 
+#include "nonsmooth_admissible.h"
+#include "nonsmooth_admissible_sums.h"
 #include "nonsmooth_compiler.h"
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_lanes.h"
 #include "nonsmooth_newton.h"
-#include "nonsmooth_sums.h"
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
@@ -18,10 +19,8 @@
 static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
     int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
-    const double m1 = parameters[lane];
-    const double m2 = parameters[1*lanes + lane];
-    const double k1 = parameters[2*lanes + lane];
-    const double k2 = parameters[3*lanes + lane];
+    const double m1 = parameters[lane], m2 = parameters[1*lanes + lane],
+        k1 = parameters[2*lanes + lane], k2 = parameters[3*lanes + lane];
     /* spectrum */
     const double t0 = (1.0/(m1));
     const double t1 = k1*t0;
@@ -153,16 +152,10 @@ void rigid_stop_flow_free(
     double state_after[4])
 {
     (void)parameters;
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = omega1*t;
     const double t1 = sin(t0);
@@ -191,14 +184,10 @@ void rigid_stop_flow_contact(
     const double parameters[5], const double spectrum[7], double time, const double state[4],
     double state_after[4])
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
+    const double k1 = parameters[2], k2 = parameters[3];
     const double omega3 = spectrum[6];
     const double t = time;
-    const double x1 = state[0];
-    const double x2 = state[1];
-    const double v1 = state[2];
-    const double v2 = state[3];
+    const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = (1.0/((k1 + k2)));
     const double t1 = k1*t0;
@@ -219,10 +208,7 @@ void rigid_stop_flow_contact(
 void rigid_stop_fields(
     const double parameters[5], double fields[40])
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
+    const double m1 = parameters[0], m2 = parameters[1], k1 = parameters[2], k2 = parameters[3];
     /* fields */
     const double t0 = k1/m1;
     const double t1 = (1.0/(m2));
@@ -284,14 +270,9 @@ void rigid_stop_resets(
 void rigid_stop_modes(
     const double parameters[5], const double spectrum[7], double *exponents, double *coefficients)
 {
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double omega3 = spectrum[6];
+    const double k1 = parameters[2], k2 = parameters[3];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5], omega3 = spectrum[6];
     if (exponents) {
         for (int i = 0; i < 10; ++i)
             exponents[i] = 0.0;
@@ -362,13 +343,9 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_equations_in_lane(
     double *parameter_jacobian)
 {
     const double T = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double y = unknowns[lane];
-    const double u = unknowns[1*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
+    const double y = unknowns[lane], u = unknowns[1*lanes + lane];
     /* half of T */
     const double half_T = (1.0/2.0)*T;
     /* functions of half_T in free */
@@ -407,26 +384,26 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_equations_in_lane(
     }
     if (!parameter_jacobian)
         return;
-    const double omega1_by_m1 = spectrum_derivatives[4*lanes + lane];
-    const double omega1_by_m2 = spectrum_derivatives[5*lanes + lane];
-    const double omega1_by_k1 = spectrum_derivatives[6*lanes + lane];
-    const double omega1_by_k2 = spectrum_derivatives[7*lanes + lane];
-    const double omega2_by_m1 = spectrum_derivatives[8*lanes + lane];
-    const double omega2_by_m2 = spectrum_derivatives[9*lanes + lane];
-    const double omega2_by_k1 = spectrum_derivatives[10*lanes + lane];
-    const double omega2_by_k2 = spectrum_derivatives[11*lanes + lane];
-    const double p1_by_m1 = spectrum_derivatives[12*lanes + lane];
-    const double p1_by_m2 = spectrum_derivatives[13*lanes + lane];
-    const double p1_by_k1 = spectrum_derivatives[14*lanes + lane];
-    const double p1_by_k2 = spectrum_derivatives[15*lanes + lane];
-    const double p2_by_m1 = spectrum_derivatives[16*lanes + lane];
-    const double p2_by_m2 = spectrum_derivatives[17*lanes + lane];
-    const double p2_by_k1 = spectrum_derivatives[18*lanes + lane];
-    const double p2_by_k2 = spectrum_derivatives[19*lanes + lane];
-    const double p3_by_m1 = spectrum_derivatives[20*lanes + lane];
-    const double p3_by_m2 = spectrum_derivatives[21*lanes + lane];
-    const double p3_by_k1 = spectrum_derivatives[22*lanes + lane];
-    const double p3_by_k2 = spectrum_derivatives[23*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[4*lanes + lane],
+        omega1_by_m2 = spectrum_derivatives[5*lanes + lane],
+        omega1_by_k1 = spectrum_derivatives[6*lanes + lane],
+        omega1_by_k2 = spectrum_derivatives[7*lanes + lane],
+        omega2_by_m1 = spectrum_derivatives[8*lanes + lane],
+        omega2_by_m2 = spectrum_derivatives[9*lanes + lane],
+        omega2_by_k1 = spectrum_derivatives[10*lanes + lane],
+        omega2_by_k2 = spectrum_derivatives[11*lanes + lane],
+        p1_by_m1 = spectrum_derivatives[12*lanes + lane],
+        p1_by_m2 = spectrum_derivatives[13*lanes + lane],
+        p1_by_k1 = spectrum_derivatives[14*lanes + lane],
+        p1_by_k2 = spectrum_derivatives[15*lanes + lane],
+        p2_by_m1 = spectrum_derivatives[16*lanes + lane],
+        p2_by_m2 = spectrum_derivatives[17*lanes + lane],
+        p2_by_k1 = spectrum_derivatives[18*lanes + lane],
+        p2_by_k2 = spectrum_derivatives[19*lanes + lane],
+        p3_by_m1 = spectrum_derivatives[20*lanes + lane],
+        p3_by_m2 = spectrum_derivatives[21*lanes + lane],
+        p3_by_k1 = spectrum_derivatives[22*lanes + lane],
+        p3_by_k2 = spectrum_derivatives[23*lanes + lane];
     /* d/dm1 of: functions of half_T in free */
     const double t14 = half_T*omega1_by_m1;
     const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t14;
@@ -506,18 +483,12 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
 {
-    const double m1 = parameters[lane];
-    const double m2 = parameters[1*lanes + lane];
-    const double k1 = parameters[2*lanes + lane];
-    const double k2 = parameters[3*lanes + lane];
-    const double T = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
-    const double y = unknowns[lane];
-    const double u = unknowns[1*lanes + lane];
+    const double m1 = parameters[lane], m2 = parameters[1*lanes + lane],
+        k1 = parameters[2*lanes + lane], k2 = parameters[3*lanes + lane],
+        T = parameters[4*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
+    const double y = unknowns[lane], u = unknowns[1*lanes + lane];
     /* functions of T in free */
     const double t0 = T*omega1;
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, t0);
@@ -580,26 +551,26 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
     }
     if (!trace_gradient)
         return;
-    const double omega1_by_m1 = spectrum_derivatives[4*lanes + lane];
-    const double omega1_by_m2 = spectrum_derivatives[5*lanes + lane];
-    const double omega1_by_k1 = spectrum_derivatives[6*lanes + lane];
-    const double omega1_by_k2 = spectrum_derivatives[7*lanes + lane];
-    const double omega2_by_m1 = spectrum_derivatives[8*lanes + lane];
-    const double omega2_by_m2 = spectrum_derivatives[9*lanes + lane];
-    const double omega2_by_k1 = spectrum_derivatives[10*lanes + lane];
-    const double omega2_by_k2 = spectrum_derivatives[11*lanes + lane];
-    const double p1_by_m1 = spectrum_derivatives[12*lanes + lane];
-    const double p1_by_m2 = spectrum_derivatives[13*lanes + lane];
-    const double p1_by_k1 = spectrum_derivatives[14*lanes + lane];
-    const double p1_by_k2 = spectrum_derivatives[15*lanes + lane];
-    const double p2_by_m1 = spectrum_derivatives[16*lanes + lane];
-    const double p2_by_m2 = spectrum_derivatives[17*lanes + lane];
-    const double p2_by_k1 = spectrum_derivatives[18*lanes + lane];
-    const double p2_by_k2 = spectrum_derivatives[19*lanes + lane];
-    const double p3_by_m1 = spectrum_derivatives[20*lanes + lane];
-    const double p3_by_m2 = spectrum_derivatives[21*lanes + lane];
-    const double p3_by_k1 = spectrum_derivatives[22*lanes + lane];
-    const double p3_by_k2 = spectrum_derivatives[23*lanes + lane];
+    const double omega1_by_m1 = spectrum_derivatives[4*lanes + lane],
+        omega1_by_m2 = spectrum_derivatives[5*lanes + lane],
+        omega1_by_k1 = spectrum_derivatives[6*lanes + lane],
+        omega1_by_k2 = spectrum_derivatives[7*lanes + lane],
+        omega2_by_m1 = spectrum_derivatives[8*lanes + lane],
+        omega2_by_m2 = spectrum_derivatives[9*lanes + lane],
+        omega2_by_k1 = spectrum_derivatives[10*lanes + lane],
+        omega2_by_k2 = spectrum_derivatives[11*lanes + lane],
+        p1_by_m1 = spectrum_derivatives[12*lanes + lane],
+        p1_by_m2 = spectrum_derivatives[13*lanes + lane],
+        p1_by_k1 = spectrum_derivatives[14*lanes + lane],
+        p1_by_k2 = spectrum_derivatives[15*lanes + lane],
+        p2_by_m1 = spectrum_derivatives[16*lanes + lane],
+        p2_by_m2 = spectrum_derivatives[17*lanes + lane],
+        p2_by_k1 = spectrum_derivatives[18*lanes + lane],
+        p2_by_k2 = spectrum_derivatives[19*lanes + lane],
+        p3_by_m1 = spectrum_derivatives[20*lanes + lane],
+        p3_by_m2 = spectrum_derivatives[21*lanes + lane],
+        p3_by_k1 = spectrum_derivatives[22*lanes + lane],
+        p3_by_k2 = spectrum_derivatives[23*lanes + lane];
     /* back through: derivatives of the time to the boundary after T */
     const double slope_by_delay_T_by_w = t29;
     const double slope_by_delay_T_by_u = t24;
@@ -685,13 +656,9 @@ void rigid_stop_one_impact_passage(
     double *coefficients, double *frequencies)
 {
     const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
+    const double y = unknowns[0], u = unknowns[1];
     /* functions of T in free */
     const double t0 = T*omega1;
     const double cos_omega1_T = cos(t0);
@@ -752,18 +719,11 @@ void rigid_stop_one_impact_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
     double *poincare_jacobian, double *saltations, double *monodromy)
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double k1 = parameters[2];
-    const double k2 = parameters[3];
-    const double T = parameters[4];
-    const double omega1 = spectrum[1];
-    const double omega2 = spectrum[2];
-    const double p1 = spectrum[3];
-    const double p2 = spectrum[4];
-    const double p3 = spectrum[5];
-    const double y = unknowns[0];
-    const double u = unknowns[1];
+    const double m1 = parameters[0], m2 = parameters[1], k1 = parameters[2], k2 = parameters[3],
+        T = parameters[4];
+    const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
+        p3 = spectrum[5];
+    const double y = unknowns[0], u = unknowns[1];
     /* functions of T in free */
     const double t0 = T*omega1;
     const double cos_omega1_T = cos(t0);
@@ -916,11 +876,8 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_reduced_in_lane(
     double *determinants)
 {
     const double T = parameters[4*lanes + lane];
-    const double omega1 = spectrum[1*lanes + lane];
-    const double omega2 = spectrum[2*lanes + lane];
-    const double p1 = spectrum[3*lanes + lane];
-    const double p2 = spectrum[4*lanes + lane];
-    const double p3 = spectrum[5*lanes + lane];
+    const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
+        p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
     /* half of T */
     const double half_T = (1.0/2.0)*T;
     /* functions of half_T in free */
@@ -1039,74 +996,28 @@ void rigid_stop_one_impact_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, int32_t *boundary,
     double *excess, double *instant)
 {
-    static const int sums[] = {1}, terms[] = {2}, at_once[] = {0};
+    static const int counts[] = {1}, at_once[] = {0}, exits[] = {0};
     static const int opened[] = {-1};
-    static const int exits[] = {0}, first_frequency[] = {0};
     static const int begins[] = {1};
     static const double per_unit[] = {0.0};
+    static const nonsmooth_boundaries boundaries = {
+        1, 0, counts, at_once, exits, opened, begins, per_unit};
+    static const int terms[] = {2}, first[] = {0};
     for (ptrdiff_t point = 0; point < count; ++point) {
         const double *const p = parameters + 5 * point, *const u = unknowns + 2 * point;
         const double q[4] = {p[0], p[1], p[2], p[3]};
         const double durations[] = {p[4]};
-        double spectral[7], coefficients[6], frequencies[2];
-        rigid_stop_spectrum(q, spectral, NULL);
-        rigid_stop_one_impact_passage(p, spectral, u, NULL, coefficients, frequencies);
-        /* the coefficients are differences of the data and carry their rounding */
         const double measures[] = {u[0], u[1]};
-        double size = 0.0, missed = 0.0;
-        for (int i = 0; i < 2; ++i)
-            size = fabs(measures[i]) > size ? fabs(measures[i]) : size;
-        /* by as much as a phase misses the boundary that ends it, all may be off: to a limit */
-        for (int phase = 0; phase < 1; ++phase) {
-            const double miss = fabs(
-                nonsmooth_evaluate(terms[phase], frequencies + first_frequency[phase],
-                                   coefficients + exits[phase], durations[phase]).value);
-            missed = miss > missed ? miss : missed;
-        }
-        const double most_missed = 0x1p-30 * size;
-        const double noise = 32.0 * DBL_EPSILON * size +
-                             (2.0 * missed < most_missed ? 2.0 * missed : most_missed);
-        double least[1], most = 0.0, when = 0.0;
-        int found = RIGID_STOP_ADMISSIBLE, row = 0;
-        const double *coefficient = coefficients, *frequency = frequencies;
-        for (int i = 0; i < 1; ++i)
-            least[i] = 0.0;
-        for (int phase = 0; phase < 1 && found == RIGID_STOP_ADMISSIBLE; ++phase) {
-            const double duration = durations[phase];
-            const int length = 2 + 2 * terms[phase];
-            double usual[1], floor[1], maximum[1], time[1];
-            if (!(duration > 0.0) && !at_once[phase])
-                found = duration <= 0.0 ? RIGID_STOP_NO_DURATION : RIGID_STOP_UNDECIDED;
-            for (int i = 0; i < sums[phase]; ++i) {
-                const double *const function = coefficient + i * length;
-                usual[i] = opened[row + i] < 0
-                    ? noise + nonsmooth_rounding(terms[phase], frequency, function, duration)
-                    : least[opened[row + i]] * per_unit[row + i];
-                /* a phase that begins on a boundary and rises crosses it, however little */
-                const int rises = begins[row + i] && duration > 0.0 &&
-                                  nonsmooth_rises(terms[phase], frequency, function, noise);
-                floor[i] = rises ? -(double)INFINITY : usual[i];
-            }
-            nonsmooth_maxima(sums[phase], terms[phase], frequency, coefficient, duration, floor,
-                             maximum, time);
-            for (int i = 0; i < sums[phase] && found == RIGID_STOP_ADMISSIBLE; ++i) {
-                if (!(maximum[i] >= floor[i])) {
-                    found = RIGID_STOP_UNDECIDED;
-                } else if (maximum[i] > floor[i] && opened[row + i] >= 0) {
-                    least[opened[row + i]] = maximum[i] / per_unit[row + i];
-                } else if (maximum[i] > floor[i]) {
-                    found = row + i;
-                    most = maximum[i] > 0.0 ? maximum[i] : 0.0;
-                    when = maximum[i] > usual[i] ? time[i] : 0.0;
-                }
-            }
-            row += sums[phase];
-            coefficient += sums[phase] * length;
-            frequency += terms[phase];
-        }
-        boundary[point] = found;
-        excess[point] = most;
-        instant[point] = when;
+        double spectral[7], work[4], rows[6], frequencies[2];
+        rigid_stop_spectrum(q, spectral, NULL);
+        rigid_stop_one_impact_passage(p, spectral, u, NULL, rows, frequencies);
+        const nonsmooth_phase_sums sums = {terms, first, frequencies};
+        const nonsmooth_along along = nonsmooth_along_sums(&sums, durations, rows);
+        const nonsmooth_verdict verdict =
+            nonsmooth_judge(&boundaries, &along, 2, measures, work, NULL);
+        boundary[point] = verdict.boundary;
+        excess[point] = verdict.excess;
+        instant[point] = verdict.instant;
     }
 }
 

@@ -1,9 +1,9 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 43f1c7d4d9619c09 */
-#ifndef NONSMOOTH_RIGID_STOP_H
-#define NONSMOOTH_RIGID_STOP_H
+ * SymPy 1.14.0, derivation 1ddee22da7d00c72 */
+#ifndef NONSMOOTH_SYSTEM_RIGID_STOP_H
+#define NONSMOOTH_SYSTEM_RIGID_STOP_H
 
 /* rigid-stop: two coupled oscillators, the first in front of a rigid stop (Sec. 2.1)
  *

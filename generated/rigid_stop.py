@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 43f1c7d4d9619c09
+# SymPy 1.14.0, derivation 1ddee22da7d00c72
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "43f1c7d4d9619c09"
+DERIVATION = "1ddee22da7d00c72"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",

@@ -10,10 +10,9 @@
 `parts`               the elements as local regimes
 `element_parts`       how each element becomes a part
 `assembly`            motion, reactions and boundaries of the products of regimes
-`transitions`         what follows each set of boundaries that are reached at once
+`transitions`         what follows boundaries that are reached at once; the law of contacts
 `impacts`             Newton's and Moreau's laws of impact for any mass matrix
 `resting`             contacts at rest, or that lift, land, are exhausted or recover
-`coupling`            the law of contacts that the mass matrix couples
 `growing`             systems whose configurations are made when they are visited
 ====================  =========================================================
 """

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, product
+from typing import TypeVar
 
 import sympy as sp
 
@@ -18,6 +19,7 @@ from nonsmooth.derive.declaration.dynamics import Dynamics, FirstOrder, SecondOr
 __all__ = ["Assembly", "Regimes", "changed"]
 
 Regimes = tuple[str, ...]
+_Kind = TypeVar("_Kind", SwitchPart, FrictionPart, StopPart)
 
 
 def changed(regimes: Regimes, changes: Mapping[int, str]) -> Regimes:
@@ -46,23 +48,25 @@ class Assembly:
     @cached_property
     def switches(self) -> dict[int, SwitchPart]:
         """The parts whose regimes follow each other independently of the others."""
-        return {i: part for i, part in enumerate(self.parts) if isinstance(part, SwitchPart)}
+        return self._of(SwitchPart)
 
     @cached_property
     def frictions(self) -> dict[int, FrictionPart]:
         """The contacts with friction."""
-        return {i: part for i, part in enumerate(self.parts) if isinstance(part, FrictionPart)}
+        return self._of(FrictionPart)
 
     @cached_property
     def stops(self) -> dict[int, StopPart]:
         """The rigid stops."""
-        return {i: part for i, part in enumerate(self.parts) if isinstance(part, StopPart)}
+        return self._of(StopPart)
+
+    def _of(self, kind: type[_Kind]) -> dict[int, _Kind]:
+        return {i: part for i, part in enumerate(self.parts) if isinstance(part, kind)}
 
     @cached_property
     def holders(self) -> dict[int, Holder]:
         """Friction contacts and rigid stops, the parts that may be active, in their order."""
-        holders: dict[int, Holder] = {**self.frictions, **self.stops}
-        return dict(sorted(holders.items()))
+        return dict(sorted({**self.frictions, **self.stops}.items()))
 
     def name(self, regimes: Regimes) -> str:
         """Name of a configuration: its regimes joined by hyphens, or `free` without elements."""

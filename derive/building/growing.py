@@ -18,9 +18,9 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
-from nonsmooth.derive.building.coupling import contact_law
 from nonsmooth.derive.building.parts import FrictionPart, Part
 from nonsmooth.derive.building.transitions import (
+    contact_law,
     transitions_alone,
     transitions_at,
     transitions_from,
@@ -211,7 +211,7 @@ class GrowingSystem(System):
         solve for.
         """
         from nonsmooth.derive.codegen.derived import Underived
-        from nonsmooth.derive.codegen.tables import composed_table
+        from nonsmooth.derive.codegen.python_file import composed_table
 
         reason = "its system's configurations are made when they are first visited"
         if orbit.vanishing or orbit.presentation or orbit.solved_for:

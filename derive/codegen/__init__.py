@@ -4,12 +4,11 @@ naming          every emitted name
 body            common subexpressions, eliminated once
 any_arithmetic  Python over any arithmetic, and the tables of a system
 c               C99 functions and their header
-solver          Newton's method on the reduced equations, compiled over lanes of points
-directions      derivatives of an orbit by its parameters, compiled over the same lanes
+function        what a C function takes and gives
+solver          Newton's method and derivatives of an orbit, compiled over lanes of points
 gufunc          NumPy generalized ufuncs around the C functions
 admissibility   the compiled admissibility test
-tables          names and domains as literals beside the kernels
-python_file     the Python file of one system, for a first answer at once
+python_file     the Python file of one system: tables of names and domains, then kernels
 piece           one configuration of a system that has too many to list
 emit            the files of one system, and of the package
 regenerate      write them, or check them against the derivation

@@ -8,6 +8,7 @@ mpmath and ball arithmetic.
 from __future__ import annotations
 
 from functools import lru_cache
+from textwrap import wrap
 
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
@@ -160,11 +161,12 @@ def _pack(output: Output) -> str:
     return "[" + ", ".join(f"[{', '.join(row)}]" for row in rows) + "]"
 
 
-def _wrap(text: str, width: int = 92, indent: str = "        ") -> list[str]:
-    words, lines, line = text.split(" "), [], "   "
-    for word in words:
-        if len(line) + 1 + len(word) > width:
-            lines.append(line)
-            line = indent[1:]
-        line += " " + word
-    return [*lines, line]
+def _wrap(text: str, indent: str = "        ") -> list[str]:
+    return wrap(
+        text,
+        92,
+        initial_indent="    ",
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )

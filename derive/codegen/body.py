@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from typing import Any
 
 import sympy as sp
 
@@ -47,6 +48,10 @@ class Constant(sp.AtomicExpr):
 
     def _hashable_content(self) -> tuple[str, ...]:
         return (self.text,)
+
+    def sort_key(self, order: str | None = None) -> tuple[Any, ...]:
+        """What SymPy orders it by: its text, where it would take the class for all constants."""
+        return self.class_key(), (1, (self.text,)), sp.S.One.sort_key(), sp.S.One
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from textwrap import fill, wrap
+from textwrap import wrap
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
@@ -13,16 +13,14 @@ from sympy.printing.precedence import PRECEDENCE
 
 from nonsmooth.derive.codegen.any_arithmetic import Ordered
 from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of, needed, split
-from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.codegen.function import c_declaration, function_of_kernel, listed
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 
 __all__ = [
     "Scope",
-    "c_declaration",
     "c_kernel",
-    "c_prototype",
     "count_of_fixed",
     "fixed_part",
     "in_lane",
@@ -187,34 +185,20 @@ def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
     return sources
 
 
-def c_declaration(name: str, parameters: Iterable[str]) -> str:
-    """C declaration of a function without a result, without the semicolon."""
-    joined = ", ".join(parameter.replace(" ", "\0") for parameter in parameters)
-    lines = fill(joined, 100, initial_indent="    ", subsequent_indent="    ")
-    return f"void {name}(\n{lines})".replace("\0", " ")
-
-
-def c_prototype(kernel: Kernel, system: str, orbit: str | None) -> str:
-    """C declaration of one kernel, without the semicolon."""
-    some = len(kernel.outputs) > 1
-    parameters = [_declare(a, constant=True, optional=a.since > 0) for a in kernel.arguments]
-    parameters += [_declare(o, constant=False, optional=some) for o in kernel.outputs]
-    return c_declaration(c_function(system, kernel.name, orbit), parameters)
-
-
 def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
     """C definition of one kernel, which ends behind the last output that is wanted.
 
     One that functions of many points call is the case of one lane of its `in_lane`.
     """
-    body, function = body_of(kernel), c_function(system, kernel.name, orbit)
+    body, described = body_of(kernel), function_of_kernel(kernel, system, orbit)
+    function = described.name
     comment = [
         f"/* {kernel.title}",
         f" * Operations: {body.operations}. Intermediate terms: {len(body.lines)}. */",
     ]
     # orbits with other parameters may have the same body
     public = ["NONSMOOTH_UNMERGED"] if orbit is not None else []
-    public += [c_prototype(kernel, system, orbit), "{"]
+    public += [described.prototype, "{"]
     if not _runs_in_lanes(kernel):
         return "\n".join([*comment, *public, *_statements(body, lanes=False), "}"])
     fixed, moving = _parts(kernel)
@@ -314,12 +298,12 @@ def _loads(argument: Argument, used: frozenset[sp.Symbol], *, lanes: bool) -> li
     """C statements that name the entries of an argument."""
     if not set(argument.symbols) & used:
         return [f"    (void){argument.name};"]
-    return [
-        f"    const double {symbol} = "
-        f"{_entry(argument, position, lanes=lanes) if argument.shape else argument.name};"
+    named = (
+        f"{symbol} = {_entry(argument, position, lanes=lanes) if argument.shape else argument.name}"
         for position, symbol in enumerate(argument.symbols)
         if symbol in used
-    ]
+    )
+    return listed("const double ", named, ";", "    ", " " * 8)
 
 
 def _entry(array: Argument | Output, position: int, *, lanes: bool) -> str:
@@ -366,15 +350,3 @@ def _stores(output: Output, scope: Scope) -> list[str]:
         f"{indent}for (int i = 0; i < {len(places)}; ++i)",
         f"{indent}    {output.name}[i] = {table}_values[{table}_places[i]];",
     ]
-
-
-def _declare(array: Argument | Output, *, constant: bool, optional: bool) -> str:
-    qualifier = "const " if constant else ""
-    if not array.shape:
-        return f"double {array.name}" if constant else f"double *{array.name}"
-    size = 1
-    for extent in array.shape:
-        size *= extent
-    if optional or not size:
-        return f"{qualifier}double *{array.name}"
-    return f"{qualifier}double {array.name}[{size}]"

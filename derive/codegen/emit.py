@@ -5,39 +5,34 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
+from importlib.resources import files
+from itertools import chain
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.admissibility import (
-    ADMISSIBLE,
-    OPEN,
-    admissible_prototype,
-    admissible_source,
-)
-from nonsmooth.derive.codegen.any_arithmetic import shape_text
-from nonsmooth.derive.codegen.c import c_kernel, c_prototype, in_lane
+from nonsmooth.derive.codegen.admissibility import admissible_function, admissible_source
+from nonsmooth.derive.codegen.c import c_kernel, in_lane
 from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
-from nonsmooth.derive.codegen.directions import (
-    DIRECTIONS,
-    directions_prototype,
-    directions_source,
-)
-from nonsmooth.derive.codegen.gufunc import (
-    Wrapped,
-    extension_source,
-    wrapped_directions,
-    wrapped_functions,
-    wrapped_solvers,
-)
-from nonsmooth.derive.codegen.header import Declared, Missing, header_file
+from nonsmooth.derive.codegen.function import Function, function_of_kernel
+from nonsmooth.derive.codegen.gufunc import Wrapped, extension_source, wrapped
+from nonsmooth.derive.codegen.header import header_file
 from nonsmooth.derive.codegen.naming import module_file
-from nonsmooth.derive.codegen.python_file import GENERATE, Stamp, python_file, text_hash
-from nonsmooth.derive.codegen.solver import SOLVE, solve_prototype, solve_source
-from nonsmooth.derive.codegen.support_files import included, including
-from nonsmooth.derive.codegen.tables import system_tables
+from nonsmooth.derive.codegen.python_file import (
+    GENERATE,
+    Stamp,
+    python_file,
+    system_tables,
+    text_hash,
+)
+from nonsmooth.derive.codegen.solver import (
+    directions_function,
+    directions_source,
+    solve_function,
+    solve_source,
+)
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
@@ -45,16 +40,27 @@ from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["EmittedSystem", "emit_library", "emit_many_points", "emit_package", "emit_system"]
+__all__ = [
+    "EmittedSystem",
+    "emit_library",
+    "emit_many_points",
+    "emit_package",
+    "emit_system",
+    "included",
+    "including",
+]
 
 EXTENSION = "_kernels.c"
 PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"
 
 
+_INCLUDE = re.compile(r'^#include "(\w+\.h)"$', re.MULTILINE)
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_NAME = re.compile(r"\bnonsmooth_\w+|\bNONSMOOTH_\w+")
+
 # SymPy says NotImplementedError of what it cannot print in C
 _NOT_IN_C = (DerivationError, NotImplementedError)
-_MOST_ENTRIES = 4096  # of one point: a block of 64 takes 2 MB at most, on the stack up to 32 kB
 
 
 @dataclass(frozen=True)
@@ -67,15 +73,6 @@ class EmittedSystem:
     files: dict[str, str]  # text by file name
     wrapped: tuple[Wrapped, ...]
     underived: dict[str, str]  # by orbit that is composed at run time: why it has no kernels
-
-
-@dataclass(frozen=True)
-class _Function:
-    """A C function: declaration, definition, and its wrapper."""
-
-    declared: Declared
-    definition: str
-    wrapped: tuple[Wrapped, ...]
 
 
 def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
@@ -98,16 +95,7 @@ def emit_many_points(system: System, orbits: Sequence[Itinerary], source: str) -
 
 def _emit_compiled(derived: DerivedSystem, source: str) -> dict[str, str]:
     """The files of an extension and of the Python that it compiles, without documents."""
-    name, tables = derived.system.name, system_tables(derived)
-    functions, missing = _c_functions(derived)
-    derivation = text_hash(tables, *derived.functions)
-    stamp = Stamp(source, derivation, GENERATE)
-    files = {
-        module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
-        **_c_files(stamp, derived, functions, missing),
-    }
-    emitted = EmittedSystem(name, source, derivation, files, _wrapped(functions), {})
-    return emit_package([emitted], GENERATE)
+    return emit_package([_emitted(derived, source, GENERATE)], GENERATE)
 
 
 def emit_system(
@@ -123,93 +111,69 @@ def emit_system(
     `source` names the module that declares the system and `command` says how the files are
     made again, both for the stamps; `progress` gets the name of each step when it begins.
     """
-    name = system.name
     derived = derive_system(system, orbits, progress)
-    progress(f"{name}: Python")
-    tables = system_tables(derived)
-    progress(f"{name}: C")
+    progress(f"{system.name}: equations in LaTeX")
+    orbits_told = (o if isinstance(o, EquationSystem) else o.itinerary for o in derived.orbits)
+    documents = [describe_system(system), *map(describe_orbit, orbits_told)]
+    progress(f"{system.name}: Python and C")
+    return _emitted(derived, source, command, tuple(map(to_markdown, documents)))
+
+
+def _emitted(
+    derived: DerivedSystem, source: str, command: str, documents: Sequence[str] = ()
+) -> EmittedSystem:
+    """A system's files in Python and C, and one of its documents if there are some."""
+    name, tables = derived.system.name, system_tables(derived)
     functions, missing = _c_functions(derived)
-    definitions = [f.definition for f in functions]
+    definitions = functions.values() if documents else ()
     derivation = text_hash(tables, *derived.functions, *definitions)
     stamp = Stamp(source, derivation, command)
     emitted = {
         module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
         **_c_files(stamp, derived, functions, missing),
     }
-    progress(f"{name}: equations in LaTeX")
-    emitted[module_file(name, ".md")] = _markdown_file(stamp, derived)
+    if documents:
+        comment = "\n".join(["<!--", *stamp.lines, "-->"])
+        emitted[module_file(name, ".md")] = "\n\n".join([comment, *documents]) + "\n"
     return EmittedSystem(
         name,
         source,
         derivation,
         emitted,
-        _wrapped(functions),
+        tuple(chain.from_iterable(map(wrapped, functions))),
         {orbit.itinerary.name: orbit.reason for orbit in derived.underived},
     )
 
 
-def _c_functions(derived: DerivedSystem) -> tuple[list[_Function], list[Missing]]:
-    """Kernels, solvers, admissibility tests and derivatives in C, and those that it cannot hold."""
+def _c_functions(derived: DerivedSystem) -> tuple[dict[Function, str], dict[Function, str]]:
+    """Definitions of all functions in C, and of those that it cannot hold the reason."""
     system = derived.system.name
-    functions: list[_Function] = []
-    missing: list[Missing] = []
-
-    def add(
-        orbit: str | None,
-        title: str,
-        prototype: str,
-        wrapped: Sequence[Wrapped],
-        define: Callable[[], str],
-    ) -> None:
+    wanted: list[tuple[Function, Callable[[], str]]] = [
+        (function_of_kernel(kernel, system, orbit), partial(c_kernel, kernel, system, orbit))
+        for kernel, orbit in derived.kernels
+    ]
+    wanted += [
+        (describe(orbit), partial(define, orbit))
+        for orbit in derived.derived
+        for describe, define in (
+            (solve_function, solve_source),
+            (admissible_function, admissible_source),
+            (directions_function, directions_source),
+        )
+    ]
+    defined: dict[Function, str] = {}
+    missing: dict[Function, str] = {}
+    for function, define in wanted:
         try:
             definition = define()
-            for absent in missing:
+            for absent, reason in missing.items():
                 if re.search(rf"\b{in_lane(absent.name)}\(", definition):
-                    raise DerivationError(absent.reason)
+                    raise DerivationError(reason)
         except _NOT_IN_C as problem:
-            missing.append(Missing(orbit, wrapped[0].function, " ".join(str(problem).split())))
+            missing[function] = " ".join(str(problem).split())
         else:
-            declared = Declared(orbit, title, prototype, wrapped[0].many)
-            functions.append(_Function(declared, definition, tuple(wrapped)))
-
-    for kernel, orbit in derived.kernels:
-        prototype = c_prototype(kernel, system, orbit)
-        title = kernel.title
-        if kernel.name == "spectrum":
-            names = ", ".join(map(str, derived.form.spectrum.parameters))
-            title += f" Its `parameters` are {names}, in this order." if names else ""
-        if len(kernel.outputs) > 1:
-            title += f" Gives {', '.join(map(shape_text, kernel.outputs))}."
-        for late in (a for a in kernel.arguments if a.since):
-            title += f" Takes {shape_text(late)} for {kernel.outputs[late.since].name}, else NULL."
-        wrapped = wrapped_functions(system, kernel, orbit)
-        add(orbit, title, prototype, wrapped, partial(c_kernel, kernel, system, orbit))
-    for equations in derived.derived:
-        solver, test = wrapped_solvers(equations)
-        moved = wrapped_directions(equations)
-        verdict = ADMISSIBLE + (OPEN if equations.open_parameters else "")
-        for title, declare, wrapper, define in (
-            (SOLVE, solve_prototype, solver, solve_source),
-            (verdict, admissible_prototype, test, admissible_source),
-            (DIRECTIONS, directions_prototype, moved, directions_source),
-        ):
-            prototype = declare(equations)
-            add(equations.itinerary.name, title, prototype, [wrapper], partial(define, equations))
-    return functions, missing
-
-
-def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
-    """Wrappers of those functions that NumPy can take.
-
-    Such a function has entries on both sides, and not too many of them.
-    """
-
-    def taken(wrapped: Wrapped) -> bool:
-        arrays = (*wrapped.taken, *wrapped.given)
-        some = bool(wrapped.taken) and bool(wrapped.given)
-        return some and sum(a.size for a in arrays) <= _MOST_ENTRIES
-
-    return tuple(w for f in functions for w in f.wrapped if taken(w))
+            defined[function] = definition
+    return defined, missing
 
 
 def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:
@@ -224,7 +188,7 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
         emitted |= system.files
         origins |= {file: (system.source, system.derivation) for file in system.files}
     extension = extension_source(
-        [function for system in systems for function in system.wrapped],
+        [ufunc for system in systems for ufunc in system.wrapped],
         [(s.name, s.derivation) for s in systems],
     )
     headers = included([*emitted.values(), extension])
@@ -256,31 +220,47 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
 def _c_files(
     stamp: Stamp,
     derived: DerivedSystem,
-    functions: Sequence[_Function],
-    missing: Sequence[Missing],
+    functions: Mapping[Function, str],
+    missing: Mapping[Function, str],
 ) -> dict[str, str]:
     """Header and source of a system in C, by file name."""
     header, source = (module_file(derived.system.name, suffix) for suffix in (".h", ".c"))
-    body = "\n\n".join(f.definition for f in functions)
+    body = "\n\n".join(functions.values())
     support = "\n".join(f'#include "{name}"' for name in including(body))
     head = [f'{stamp.c()}\n#include "{header}"', "#include <math.h>", *filter(None, [support])]
     return {
-        header: header_file(stamp, derived, [f.declared for f in functions], missing),
+        header: header_file(stamp, derived, functions, missing),
         source: "\n\n".join([*head, f"{body}\n"]),
     }
 
 
-def _markdown_file(stamp: Stamp, derived: DerivedSystem) -> str:
-    comment = "\n".join(["<!--", *stamp.lines, "-->"])
-    return comment + "\n\n" + "\n\n".join(_documents(derived)) + "\n"
+@cache
+def _texts() -> dict[str, str]:
+    """Texts of all support headers by name."""
+    folder = files("nonsmooth.derive.codegen").joinpath("support")
+    found = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+    return dict(sorted(found.items()))
 
 
-def _documents(derived: DerivedSystem) -> list[str]:
-    """Markdown documents of the system and of its orbits."""
-    found = [to_markdown(describe_system(derived.system))]
-    for orbit in derived.orbits:
-        if isinstance(orbit, EquationSystem):
-            found.append(to_markdown(describe_orbit(orbit)))
-        else:
-            found.append(to_markdown(describe_orbit(orbit.itinerary)))
-    return found
+def included(sources: Iterable[str]) -> dict[str, str]:
+    """Texts, by name, of the support headers that sources include, directly or through others."""
+    texts, waiting = _texts(), list(sources)
+    names: set[str] = set()
+    while waiting:
+        more = {*_INCLUDE.findall(waiting.pop())} & texts.keys() - names
+        names |= more
+        waiting += [texts[name] for name in more]
+    return {name: text for name, text in texts.items() if name in names}
+
+
+def including(body: str) -> list[str]:
+    """Names of the support headers whose own names occur in C definitions."""
+    used = {*_NAME.findall(body)}
+    return [name for name, text in _texts().items() if used & _own_names(text)]
+
+
+@cache
+def _own_names(text: str) -> frozenset[str]:
+    """Names in the code of a support header that none of those it includes has."""
+    code, *others = (_COMMENT.sub("", each) for each in (text, *included([text]).values()))
+    return frozenset(_NAME.findall(code)).difference(*map(_NAME.findall, others))

@@ -7,130 +7,59 @@ broadcasts work. NumPy releases the GIL around it; between two blocks it asks wh
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from string import Template
-from textwrap import wrap
+from typing import NamedTuple
 
-from nonsmooth.derive.codegen.naming import c_function, module_file
-from nonsmooth.derive.equations.equation_system import EquationSystem
-from nonsmooth.derive.equations.program import Kernel
+from nonsmooth.derive.codegen.function import Array, Function, listed
+from nonsmooth.derive.codegen.naming import module_file
 
-__all__ = ["Array", "Wrapped", "extension_source", "wrapped_directions", "wrapped_functions"]
+__all__ = ["Wrapped", "extension_source", "wrapped"]
 
-
-@dataclass(frozen=True)
-class Array:
-    """Core shape and C type of one argument or result."""
-
-    shape: tuple[int, ...]
-    ctype: str = "double"
-    since: int = 0  # for a result its own place, for an argument that of the first to need it
-
-    @property
-    def size(self) -> int:
-        """Number of core entries."""
-        size = 1
-        for extent in self.shape:
-            size *= extent
-        return size
+_MOST_ENTRIES = 4096  # of one point: a block of 64 takes 2 MB at most, on the stack up to 32 kB
 
 
-@dataclass(frozen=True)
-class Wrapped:
-    """A C function to wrap; one call takes one point, or `many` with their count first.
+class Wrapped(NamedTuple):
+    """A ufunc that gives the first outputs of a C function.
 
     In place of an array whose `since` is not below `wanted`, or that has no entries, C gets NULL,
-    and the wrapper takes and gives none. A function is `long` if one point may take as much time as
-    thousands of others: it gets one point at a time. Other functions of `many` points take and give
-    columns.
+    and the ufunc takes and gives none.
     """
 
-    name: str  # of the wrapper
-    function: str
-    inputs: tuple[Array, ...]
-    outputs: tuple[Array, ...]
-    wanted: int = 1
-    many: bool = False
-    long: bool = False
+    name: str
+    function: Function
+    wanted: int
 
-    def uses(self, array: Array) -> bool:
-        """Whether the wrapper takes or gives this array."""
-        return array.since < self.wanted and array.size > 0
-
-    @property
-    def taken(self) -> tuple[Array, ...]:
-        """Inputs of the wrapper."""
-        return tuple(filter(self.uses, self.inputs))
-
-    @property
-    def given(self) -> tuple[Array, ...]:
-        """Outputs of the wrapper."""
-        return tuple(filter(self.uses, self.outputs))
+    def used(self, arrays: Iterable[Array]) -> list[Array]:
+        """Those of the C function's arrays that the ufunc takes or gives."""
+        return [a for a in arrays if a.since < self.wanted and a.size > 0]
 
     @property
     def signature(self) -> str:
         """Signature of the generalized ufunc, with the core sizes frozen."""
+        taken, given = (
+            ",".join(f"({','.join(map(str, a.shape))})" for a in self.used(arrays))
+            for arrays in (self.function.inputs, self.function.outputs)
+        )
+        return f"{taken}->{given}"
 
-        def text(arrays: Sequence[Array]) -> str:
-            return ",".join(f"({','.join(map(str, a.shape))})" for a in arrays)
 
-        return f"{text(self.taken)}->{text(self.given)}"
+def wrapped(function: Function) -> list[Wrapped]:
+    """The ufuncs of a C function that NumPy can take.
 
-
-def wrapped_functions(system: str, kernel: Kernel, orbit: str | None) -> list[Wrapped]:
-    """Wrappers of a plain kernel: the one whose name ends in n gives its first n outputs."""
-    function = c_function(system, kernel.name, orbit)
-    inputs = tuple(Array(a.shape, since=a.since) for a in kernel.arguments)
-    outputs = tuple(Array(o.shape, since=place) for place, o in enumerate(kernel.outputs))
+    Of a function of one point the one whose name ends in n gives the first n outputs. There are
+    entries on both sides, and not too many of them.
+    """
+    found = [Wrapped(function.name, function, 1)]
+    if not function.many:
+        counts = range(1, len(function.outputs) + 1)
+        found = [Wrapped(f"{function.name}_{n}", function, n) for n in counts]
+    sides = ((each, each.used(function.inputs), each.used(function.outputs)) for each in found)
     return [
-        Wrapped(f"{function}_{count}", function, inputs, outputs, count)
-        for count in range(1, len(outputs) + 1)
+        each
+        for each, taken, given in sides
+        if taken and given and sum(a.size for a in (*taken, *given)) <= _MOST_ENTRIES
     ]
-
-
-def wrapped_solvers(orbit: EquationSystem) -> list[Wrapped]:
-    """Wrappers of the compiled solver and admissibility test of an orbit."""
-    system, name = orbit.system.name, orbit.itinerary.name
-    parameters = Array((len(orbit.parameters),))
-    unknowns = Array((len(orbit.unknowns),))
-    scalar, count = Array(()), Array((), "int32_t")
-    # NumPy takes no cores of no entries
-    guess, bounds = (
-        tuple(Array((len(symbols),)) for symbols in (group,) if symbols)
-        for group in (orbit.reduction.unknowns, orbit.open_parameters)
-    )
-    solve, admissible = (c_function(system, kind, name) for kind in ("solve", "admissible"))
-    return [
-        Wrapped(
-            solve,
-            solve,
-            (parameters, *guess),
-            (unknowns, scalar, scalar, count, count),
-            many=True,
-        ),
-        Wrapped(
-            admissible,
-            admissible,
-            (parameters, unknowns),
-            (*bounds, count, scalar, scalar),
-            many=True,
-            long=True,
-        ),
-    ]
-
-
-def wrapped_directions(orbit: EquationSystem) -> Wrapped:
-    """Wrapper of the compiled derivatives of an orbit."""
-    parameters, unknowns = len(orbit.parameters), len(orbit.unknowns)
-    function = c_function(orbit.system.name, "directions", orbit.itinerary.name)
-    return Wrapped(
-        function,
-        function,
-        (Array((parameters,)), Array((unknowns,))),
-        (Array((unknowns + 1, parameters)),),
-        many=True,
-    )
 
 
 _MODULE = Template("""\
@@ -379,10 +308,11 @@ PyMODINIT_FUNC PyInit__kernels(void)
 """)
 
 
-def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]) -> str:
+def extension_source(ufuncs: Sequence[Wrapped], derivations: Sequence[tuple[str, str]]) -> str:
     """C source of the extension module for all systems, without a stamp."""
+    functions = dict.fromkeys(ufunc.function for ufunc in ufuncs)
     table = [
-        f'    {{"{f.name}", &of_{f.function}, {f.wanted}, "{f.signature}"}},' for f in functions
+        f'    {{"{u.name}", &of_{u.function.name}, {u.wanted}, "{u.signature}"}},' for u in ufuncs
     ]
     constants = [
         f'    if (PyModule_AddStringConstant(module, "derivation_{module_file(name, "")}",'
@@ -392,39 +322,30 @@ def extension_source(functions: Sequence[Wrapped], derivations: Sequence[tuple[s
     return _MODULE.substitute(
         includes="\n".join(f'#include "{module_file(name, ".h")}"' for name, _ in derivations),
         most=max((len(f.inputs) + len(f.outputs) for f in functions), default=1),
-        functions="\n".join({f.function: _function(f) for f in functions}.values()),
+        functions="\n".join(map(_function, functions)),
         table="\n".join(table),
         derivations="\n".join(constants),
     )
 
 
-def _function(function: Wrapped) -> str:
+def _function(function: Function) -> str:
     """The lines of a C function: what calls it for a block of points, and its arrays."""
     arrays, inputs = (*function.inputs, *function.outputs), len(function.inputs)
     layout = "in_rows" if not function.many else "one_point" if function.long else "in_columns"
-    if function.many:
-        caller, passed = "ALL_POINTS", [f"a[{place}]" for place in range(len(arrays))]
-    else:
-        caller, passed = (
-            "EACH_POINT",
-            [
-                f"{'' if array.shape or place >= inputs else '*'}ROW({place})"
-                for place, array in enumerate(arrays)
-            ],
-        )
+    caller = "ALL_POINTS" if function.many else "EACH_POINT"
+    passed = [
+        f"a[{place}]"
+        if function.many
+        else f"{'' if array.shape or place >= inputs else '*'}ROW({place})"
+        for place, array in enumerate(arrays)
+    ]
     sizes = [str(inputs), str(len(function.outputs)), *map(_array, arrays)]
     return "\n".join(
         [
-            *_macro(caller, [function.function, *passed]),
-            *_macro("FUNCTION", [function.function, layout, *sizes]),
+            *listed(f"{caller}(", [function.name, *passed], ")"),
+            *listed("FUNCTION(", [function.name, layout, *sizes], ")"),
         ]
     )
-
-
-def _macro(name: str, arguments: Sequence[str]) -> list[str]:
-    """Lines of the use of a macro, broken between its arguments alone."""
-    whole = f"{name}({', '.join(a.replace(' ', chr(0)) for a in arguments)})"
-    return [line.replace(chr(0), " ") for line in wrap(whole, 100, subsequent_indent="    ")]
 
 
 def _array(array: Array) -> str:

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from textwrap import wrap
-from typing import NamedTuple
+from string import Template
+from textwrap import indent, wrap
 
 from nonsmooth.derive.codegen.admissibility import VERDICTS
 from nonsmooth.derive.codegen.derived import DerivedSystem, reduced_names
+from nonsmooth.derive.codegen.function import Function
 from nonsmooth.derive.codegen.naming import (
     c_function,
     constant,
@@ -25,7 +26,7 @@ from nonsmooth.derive.codegen.solver import STATUSES
 from nonsmooth.derive.declaration.parameter import Parameter, exact
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
-__all__ = ["Declared", "Missing", "header_file"]
+__all__ = ["header_file"]
 
 _WIDTH = 100
 
@@ -49,23 +50,6 @@ _ARRAYS = {
     "reduced_jacobian": "of reduced_residual[i] by reduced[j]",
     "directions": "of unknowns[i], and of the trace in the last row, by parameters[j]",
 }
-
-
-class Declared(NamedTuple):
-    """A function that a header declares."""
-
-    orbit: str | None
-    text: str
-    prototype: str  # without the semicolon
-    many: bool  # whether it takes many points
-
-
-class Missing(NamedTuple):
-    """A function that C has not, and the reason."""
-
-    orbit: str | None
-    name: str
-    reason: str
 
 
 class _Constants:
@@ -97,19 +81,84 @@ class _Constants:
         return _enum(title, [*lines, (f"{number} = {len(texts)}", "how many")]), number
 
 
+_FILE = Template("""\
+$stamp
+#ifndef $guard
+#define $guard
+
+$head
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+$body
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+""")
+
+_HEAD = Template("""\
+$description
+
+    cc -std=c99 -O2 program.c $source -lm
+
+Loops over points use vectors with -O3 -fopenmp-simd -DNONSMOOTH_OPENMP_SIMD.
+
+Functions write their results and nothing else, keep nothing between calls and allocate
+no memory: any number of threads may call them. Results must not overlap arguments.
+Of several results of a function for one point any may be NULL: then it is not wanted,
+and what is behind the last one that is wanted is not computed.
+
+The enums name the places in arrays. Matrices stand row by row: entry (i, j) of one with
+n columns at [n*i + j]. Several functions share these arrays:
+
+$arrays""")
+
+_EXAMPLE = Template("""\
+#include <stdio.h>
+#include "$header"
+
+int main(void)
+{
+$arrays
+    double unknowns[$unknowns], trace, residual;
+    int32_t iterations, status;
+    $solver(
+        $arguments);
+    printf("status %d, trace %.15g\\n", (int)status, trace);
+    for (int i = 0; i < $unknowns; ++i)
+        printf("%.15g\\n", unknowns[i]);
+    return status != $converged;
+}""")
+
+
 def header_file(
-    stamp: Stamp, derived: DerivedSystem, functions: Sequence[Declared], missing: Sequence[Missing]
+    stamp: Stamp,
+    derived: DerivedSystem,
+    functions: Iterable[Function],
+    missing: Mapping[Function, str],
 ) -> str:
-    """Text of the header of a system with these functions, in front of which it explains them."""
+    """Text of the header of a system with these functions, in front of which it explains them.
+
+    It names those that C has not with the reason.
+    """
     system = derived.system
-    guard = constant(f"nonsmooth_{system.name}", "h")  # a name that nothing in a kernel has
     constants = _Constants(system.name)
-    parameters, _ = constants.places(
-        None, "parameters", "parameters of the system", _parameter_texts(system.parameters)
-    )
     state = [(str(s), "") for s in system.states]
-    places, _ = constants.places(None, "states", "state of the system", state)
-    blocks = [parameters, places]
+    blocks = [
+        constants.places(None, count, title, texts)[0]
+        for count, title, texts in (
+            ("parameters", "parameters of the system", _parameter_texts(system.parameters)),
+            ("states", "state of the system", state),
+        )
+    ]
     if any(f.many for f in functions):
         blocks += [
             _enum(title, [(f"{constant(system.name, n)} = {v}", t) for n, (v, t) in codes.items()])
@@ -119,55 +168,36 @@ def header_file(
             )
         ]
     blocks += _functions(None, functions, missing)
-    example = None
+    example = ""
     for orbit in derived.derived:
         name = orbit.itinerary.name
         known, by_name = _known(orbit), {p.name: p for p in orbit.system.parameters}
         texts = _parameter_texts([by_name[str(s)] for s in orbit.parameters], known)
-        unknowns = _unknown_texts(orbit, known)
-        sizes, enums = {}, []
-        for kind, title, entries in (
-            ("parameters", "parameters of this orbit", texts),
-            ("unknowns", "unknowns, columns of the jacobian", unknowns),
-        ):
-            enum, sizes[kind] = constants.places(name, kind, title, entries)
-            enums.append(enum)
-        blocks += [_orbit_comment(orbit), *enums, *_functions(name, functions, missing)]
+        (parameters, count), (unknowns, unknown_count) = (
+            constants.places(name, kind, title, entries)
+            for kind, title, entries in (
+                ("parameters", "parameters of this orbit", texts),
+                ("unknowns", "unknowns, columns of the jacobian", _unknown_texts(orbit, known)),
+            )
+        )
+        members = _functions(name, functions, missing)
+        blocks += [_orbit_comment(orbit), parameters, unknowns, *members]
         solver = c_function(system.name, "solve", name)
-        if example is None and any(f"{solver}(" in f.prototype for f in functions):
-            example = _example(orbit, solver, sizes, known)
+        if not example and solver in (f.name for f in functions):
+            example = _example(orbit, solver, count, unknown_count, known)
     for other in derived.underived:
         blocks.append(_comment(f"Orbit {other.itinerary.name} has no functions: {other.reason}."))
-    head = _head(derived, functions, example)
-    body = "\n\n".join(blocks)
-    return (
-        f"{stamp.c()}\n#ifndef {guard}\n#define {guard}\n\n{head}\n\n"
-        "#include <stddef.h>\n#include <stdint.h>\n\n"
-        '#ifdef __cplusplus\nextern "C" {\n#endif\n\n'
-        f"{body}\n\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
+    return _FILE.substitute(
+        stamp=stamp.c(),
+        guard=constant(f"nonsmooth_system_{system.name}", "h"),  # nothing in a kernel has that name
+        head=_head(derived, functions, example),
+        body="\n\n".join(blocks),
     )
 
 
-def _head(derived: DerivedSystem, functions: Sequence[Declared], example: list[str] | None) -> str:
+def _head(derived: DerivedSystem, functions: Iterable[Function], example: str) -> str:
     """The comment on what holds for the whole header."""
     system, spectrum = derived.system, derived.form.spectrum
-    source = module_file(system.name, ".c")
-    lines = _wrapped(f"{system.name}: {_plain(system.description)}", _WIDTH - 4)
-    lines += [
-        "",
-        f"    cc -std=c99 -O2 program.c {source} -lm",
-        "",
-        "Loops over points use vectors with -O3 -fopenmp-simd -DNONSMOOTH_OPENMP_SIMD.",
-        "",
-        "Functions write their results and nothing else, keep nothing between calls and allocate",
-        "no memory: any number of threads may call them. Results must not overlap arguments.",
-        "Of several results of a function for one point any may be NULL: then it is not wanted,",
-        "and what is behind the last one that is wanted is not computed.",
-        "",
-        "The enums name the places in arrays. Matrices stand row by row: entry (i, j) of one with",
-        "n columns at [n*i + j]. Several functions share these arrays:",
-        "",
-    ]
     texts = {
         "spectrum": ", ".join(map(str, spectrum.symbols)) or "nothing",
         "parameters": ", ".join(map(str, spectrum.parameters)) or "no parameters",
@@ -175,23 +205,41 @@ def _head(derived: DerivedSystem, functions: Sequence[Declared], example: list[s
         "states": ", ".join(map(str, system.states)),
     }
     every = " ".join(f.prototype for f in functions)
-    for name, text in _ARRAYS.items():
-        if re.search(rf"\b{name}\b", every):
-            described = _wrapped(text.format(**texts), _WIDTH - 30)
-            lines.append(f"    {name:<21} {described[0]}")
-            lines += [f"{'':<26}{line}" for line in described[1:]]
+    arrays = [
+        line
+        for name, text in _ARRAYS.items()
+        if re.search(rf"\b{name}\b", every)
+        for line in _listed(name, 21, [text.format(**texts)])
+    ]
+    description = f"{system.name}: {_plain(system.description)}"
+    head = _HEAD.substitute(
+        description="\n".join(_wrapped(description, _WIDTH - 4)),
+        source=module_file(system.name, ".c"),
+        arrays="\n".join(arrays),
+    )
     if example:
-        lines += ["", "Example:", "", *(f"    {line}".rstrip() for line in example)]
-    return _block(lines)
+        head += "\n\nExample:\n\n" + indent(example, "    ")
+    return _block(head.split("\n"))
+
+
+def _listed(label: str, width: int, texts: Iterable[str]) -> list[str]:
+    """Lines of a label and of the texts beside it, in columns."""
+    lines = [x for text in texts for x in _wrapped(_plain(text), _WIDTH - width - 9)]
+    labels = [label, *[""] * (len(lines) - 1)]
+    return [f"    {a:<{width}} {line}" for a, line in zip(labels, lines, strict=False)]
 
 
 def _functions(
-    orbit: str | None, functions: Sequence[Declared], missing: Sequence[Missing]
+    orbit: str | None, functions: Iterable[Function], missing: Mapping[Function, str]
 ) -> list[str]:
     """Declarations of the functions of an orbit, or of the system, and what C has not."""
     members = sorted((f for f in functions if f.orbit == orbit), key=lambda f: not f.many)
     declared = [f"{_comment(f.text)}\n{f.prototype};" for f in members]
-    absent = [_comment(f"There is no {m.name}: {m.reason}.") for m in missing if m.orbit == orbit]
+    absent = [
+        _comment(f"There is no {f.name}: {reason}.")
+        for f, reason in missing.items()
+        if f.orbit == orbit
+    ]
     return ["\n".join(declared), *absent] if declared else absent
 
 
@@ -216,12 +264,8 @@ def _orbit_comment(orbit: EquationSystem) -> str:
     for row, b in enumerate(orbit.boundary_functions):
         rows.setdefault(b.phase, []).append(f"[{row}] {b.boundary}")
     facts["boundary"] = [f"in phase {k + 1}: {', '.join(names)}" for k, names in rows.items()]
-    lines = [f"Orbit {itinerary.name}.", ""]
-    for name, texts in facts.items():
-        described = [x for text in texts for x in _wrapped(_plain(text), _WIDTH - 24)]
-        labels = [f"    {name:<15} ", *[" " * 20] * (len(described) - 1)]
-        lines += [label + text for label, text in zip(labels, described, strict=False)]
-    return _block(lines)
+    listed = (line for name, texts in facts.items() for line in _listed(name, 15, texts))
+    return _block([f"Orbit {itinerary.name}.", "", *listed])
 
 
 def _state_texts(orbit: EquationSystem) -> list[str]:
@@ -283,38 +327,26 @@ def _known(orbit: EquationSystem) -> dict[str, float]:
 
 
 def _example(
-    orbit: EquationSystem, solver: str, sizes: Mapping[str, str], known: Mapping[str, float]
-) -> list[str] | None:
-    """A program that solves an orbit at its reference; None without one, or a part of it."""
+    orbit: EquationSystem, solver: str, count: str, unknown_count: str, known: Mapping[str, float]
+) -> str:
+    """A program that solves an orbit at its reference; empty without one, or a part of it."""
     names, guessed = [str(s) for s in orbit.parameters], reduced_names(orbit)
     if not names or not known.keys() >= {*names, *guessed}:
-        return None
-    given = ["1", "parameters", *(["guess"] if guessed else []), "unknowns", "&trace", "&residual"]
-    arrays = {f"parameters[{sizes['parameters']}]": names, f"guess[{len(guessed)}]": guessed}
-
-    def filled(array: str, entries: Sequence[str]) -> list[str]:
-        begin = f"    const double {array} ="
-        values = f"{{{', '.join(repr(known[n]) for n in entries)}}};"
-        line = f"{begin} {values}"
-        return [line] if len(line) < _WIDTH - 8 else [begin, f"        {values}"]
-
-    return [
-        "#include <stdio.h>",
-        f'#include "{module_file(orbit.system.name, ".h")}"',
-        "",
-        "int main(void)",
-        "{",
-        *(line for name, entries in arrays.items() if entries for line in filled(name, entries)),
-        f"    double unknowns[{sizes['unknowns']}], trace, residual;",
-        "    int32_t iterations, status;",
-        f"    {solver}(",
-        f"        {', '.join([*given, '&iterations', '&status'])});",
-        '    printf("status %d, trace %.15g\\n", (int)status, trace);',
-        f"    for (int i = 0; i < {sizes['unknowns']}; ++i)",
-        '        printf("%.15g\\n", unknowns[i]);',
-        f"    return status != {constant(orbit.system.name, 'converged')};",
-        "}",
-    ]
+        return ""
+    arrays, newline = [], "\n" + " " * 8
+    for array, entries in ((f"parameters[{count}]", names), (f"guess[{len(guessed)}]", guessed)):
+        begin, values = f"    const double {array} =", ", ".join(repr(known[n]) for n in entries)
+        wide = len(begin) + len(values) >= _WIDTH - 12
+        arrays += [f"{begin}{newline if wide else ' '}{{{values}}};"] if entries else []
+    guess = "guess, " * bool(guessed)
+    return _EXAMPLE.substitute(
+        header=module_file(orbit.system.name, ".h"),
+        arrays="\n".join(arrays),
+        unknowns=unknown_count,
+        solver=solver,
+        arguments=f"1, parameters, {guess}unknowns, &trace, &residual, &iterations, &status",
+        converged=constant(orbit.system.name, "converged"),
+    )
 
 
 def _enum(title: str, entries: Sequence[tuple[str, str]]) -> str:

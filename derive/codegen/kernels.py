@@ -44,9 +44,9 @@ def spectrum_kernel(spectrum: Spectrum) -> Kernel:
     return Kernel(
         "spectrum",
         "Frequencies and projector coefficients, with their derivatives by the parameters.",
-        (_vector("parameters", parameters),),
+        (Argument.vector("parameters", parameters),),
         (
-            Output("spectrum", (len(spectrum.symbols),), spectrum.symbols),
+            Output.of("spectrum", spectrum.symbols),
             Output("spectrum_derivatives", (len(spectrum.symbols), len(parameters)), derivatives),
         ),
         (stage, *stages),
@@ -64,16 +64,16 @@ def flow_kernels(
     They take all parameters of the system, or those given.
     """
     arguments = (
-        _vector("parameters", parameters or tuple(p.symbol for p in system.parameters)),
-        _vector("spectrum", spectrum.symbols),
+        Argument.vector("parameters", parameters or tuple(p.symbol for p in system.parameters)),
+        Argument.vector("spectrum", spectrum.symbols),
         Argument("time", (), (TIME,)),
-        _vector("state", system.states),
+        Argument.vector("state", system.states),
     )
     kernels = []
     for flow in flows.values():
         end = flow.matrix() * sp.Matrix(system.states) + flow.offset()
         title = f"State after a time in {flow.configuration}."
-        outputs = (Output("state_after", (len(system.states),), tuple(end)),)
+        outputs = (Output.of("state_after", [*end]),)
         kernels.append(Kernel(f"flow_{flow.configuration}", title, arguments, outputs, ()))
     return tuple(kernels)
 
@@ -103,9 +103,9 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
 def _point(orbit: EquationSystem) -> tuple[Argument, Argument, Argument]:
     """What the equations are evaluated at."""
     return (
-        _vector("parameters", orbit.parameters),
-        _vector("spectrum", orbit.spectrum.symbols),
-        _vector("unknowns", orbit.unknowns),
+        Argument.vector("parameters", orbit.parameters),
+        Argument.vector("spectrum", orbit.spectrum.symbols),
+        Argument.vector("unknowns", orbit.unknowns),
     )
 
 
@@ -127,9 +127,9 @@ def _equations_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> K
         " parameters, in total, through the spectrum too.",
         arguments,
         (
-            _flat("residual", orbit.residual),
-            _table("jacobian", jacobian),
-            _table("parameter_jacobian", parameter_jacobian),
+            Output.of("residual", orbit.residual),
+            Output.of("jacobian", jacobian),
+            Output.of("parameter_jacobian", parameter_jacobian),
         ),
         merged(merged(orbit.stages, jacobian_stages), moved_stages),
     )
@@ -143,7 +143,7 @@ def _trace_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kerne
         "Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by"
         " the parameters.",
         arguments,
-        (_scalar("trace", trace), _flat("trace_gradient", gradient)),
+        (Output.of("trace", trace), Output.of("trace_gradient", gradient)),
         stages,
     )
 
@@ -154,14 +154,16 @@ def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Ker
     along: tuple[Output, ...]
     if orbit.trigonometric:
         along = (
-            _flat("coefficients", [c for b in functions for c in b.coefficients]),
-            _flat("frequencies", [w for phase in orbit.frequencies for w in phase]),
+            Output.of("coefficients", [c for b in functions for c in b.coefficients]),
+            Output.of("frequencies", [w for phase in orbit.frequencies for w in phase]),
         )
     else:
         along = (
-            _table("fields", sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links))),
-            _table("ends", sp.Matrix([list(k.after) for k in links])),
-            _table("boundaries", sp.Matrix([[*b.normal, b.constant] for b in functions])),
+            Output.of(
+                "fields", sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links))
+            ),
+            Output.of("ends", sp.Matrix([list(k.after) for k in links])),
+            Output.of("boundaries", sp.Matrix([[*b.normal, b.constant] for b in functions])),
         )
     return _kernel(
         "passage",
@@ -174,25 +176,25 @@ def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Ker
             " along them [n, c]."
         ),
         arguments,
-        (_table("states", sp.Matrix([list(s) for s in states])), *along),
+        (Output.of("states", sp.Matrix([list(s) for s in states])), *along),
         orbit.chain.stages,
     )
 
 
 def _linearisation_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
-    chain, names = orbit.chain, orbit.system.states
+    chain = orbit.chain
     poincare_stages, poincare = orbit.map_program
-    saltation_stages, saltations = saltation_matrices(chain, names)
-    monodromy_stages, full = monodromy(chain, names)
+    saltation_stages, saltations = saltation_matrices(chain)
+    monodromy_stages, full = monodromy(chain)
     return _kernel(
         "linearisation",
         "Jacobian of the Poincare map in the section's coordinates; saltation matrices, one"
         " below the other; monodromy matrix.",
         arguments,
         (
-            _table("poincare_jacobian", poincare),
-            _table("saltations", sp.Matrix.vstack(*saltations)),
-            _table("monodromy", full),
+            Output.of("poincare_jacobian", poincare),
+            Output.of("saltations", sp.Matrix.vstack(*saltations)),
+            Output.of("monodromy", full),
         ),
         merged(merged(merged(chain.stages, poincare_stages), saltation_stages), monodromy_stages),
     )
@@ -221,9 +223,9 @@ def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
         " switching conditions. The start among the unknowns is not read.",
         _point(orbit),
         (
-            _table("period_map", sp.Matrix.hstack(turn.matrix, turn.offset)),
-            _flat("linear_start", list(starts.values())),
-            _flat("compatibility", conditions),
+            Output.of("period_map", sp.Matrix.hstack(turn.matrix, turn.offset)),
+            Output.of("linear_start", list(starts.values())),
+            Output.of("compatibility", conditions),
         ),
         stages,
     )
@@ -233,19 +235,19 @@ def reduced_kernel(orbit: EquationSystem) -> Kernel:
     """Kernel of all unknowns from the reduced ones, and of the equations that are left."""
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
-    outputs = [_flat("unknowns", [reduction.values[u] for u in orbit.unknowns])]
+    outputs = [Output.of("unknowns", [reduction.values[u] for u in orbit.unknowns])]
     title = "All unknowns from the reduced ones" if reduction.unknowns else "All unknowns"
     if reduction.determinants:
         values = [value / bound for value, bound in reduction.determinants]
-        outputs.append(_flat("determinants", values))
+        outputs.append(Output.of("determinants", values))
         title += "; how singular the linear equations for them are: 0 if they are"
     parameters, spectrum, _ = _point(orbit)
     point = [parameters, spectrum]
     if reduction.unknowns:
-        point.append(_vector("reduced", reduction.unknowns))
+        point.append(Argument.vector("reduced", reduction.unknowns))
         outputs += [
-            _flat("reduced_residual", [e for _, e in reduction.equations]),
-            _table("reduced_jacobian", jacobian),
+            Output.of("reduced_residual", [e for _, e in reduction.equations]),
+            Output.of("reduced_jacobian", jacobian),
         ]
         title += "; the equations for these and their derivatives"
     return _kernel("reduced", f"{title}.", point, outputs, (*reduction.stages, *stages))
@@ -261,19 +263,3 @@ def _kernel(
     """A kernel with those stages that its outputs need."""
     wanted = [e for output in outputs for e in output.expressions]
     return Kernel(name, title, tuple(arguments), tuple(outputs), prune(stages, wanted))
-
-
-def _vector(name: str, symbols: Sequence[sp.Symbol]) -> Argument:
-    return Argument(name, (len(symbols),), tuple(symbols))
-
-
-def _flat(name: str, expressions: Sequence[sp.Expr]) -> Output:
-    return Output(name, (len(expressions),), tuple(expressions))
-
-
-def _scalar(name: str, expression: sp.Expr) -> Output:
-    return Output(name, (), (expression,))
-
-
-def _table(name: str, matrix: sp.Matrix) -> Output:
-    return Output(name, matrix.shape, tuple(matrix))

@@ -17,9 +17,8 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.python_file import text_hash
+from nonsmooth.derive.codegen.python_file import system_table, text_hash
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.declaration.algebra import affine_terms
 from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.system import System
@@ -119,12 +118,11 @@ def _rows(system: System, functions: Iterable[sp.Expr]) -> _Entries:
 
 
 def _function(name: str, system: System, entries: tuple[sp.Expr, ...]) -> str:
-    symbols = tuple(p.symbol for p in system.parameters)
     kernel = Kernel(
         f"{name}_entries",
         "What depends on parameters, in the order of its places.",
-        (Argument("parameters", (len(symbols),), symbols),),
-        (Output("entries", (len(entries),), entries),),
+        (Argument.vector("parameters", (p.symbol for p in system.parameters)),),
+        (Output.of("entries", entries),),
         (),
     )
     return python_kernel(kernel, None)

@@ -91,47 +91,40 @@ class SimulationForm:
     def kernels(self) -> tuple[Kernel, ...]:
         """Kernels of rows, fields, resets and, where they have a closed form, modes."""
         system = self.system
-        parameters = _vector("parameters", (p.symbol for p in system.parameters))
-        spectrum = _vector("spectrum", self.spectrum.symbols)
+        parameters = Argument.vector("parameters", (p.symbol for p in system.parameters))
         fields = [c.dynamics.field(system.states) for c in system.configurations]
-        kernels = [
-            Kernel(
+        tables = (
+            (
                 "fields",
                 "Vector fields of the configurations, one below the other, offsets last.",
-                (parameters,),
-                (_stacked("fields", (matrix.row_join(b) for matrix, b in fields)),),
-                (),
+                (matrix.row_join(b) for matrix, b in fields),
             ),
-            Kernel(
+            (
                 "rows",
                 "Affine functions of the state: gradients, constants last.",
-                (parameters,),
-                (_stacked("rows", (self._affine([row]) for row in self.rows)),),
-                (),
+                (self._affine([row]) for row in self.rows),
             ),
-            Kernel(
+            (
                 "resets",
                 "Affine resets of the state, one below the other, offsets last.",
-                (parameters,),
-                (_stacked("resets", (self._affine(column) for column in self.resets)),),
-                (),
+                map(self._affine, self.resets),
             ),
+        )
+        kernels = [
+            Kernel(name, title, (parameters,), (_stacked(name, matrices),), ())
+            for name, title, matrices in tables
         ]
         if self.modes is not None:
-            exponents = [
-                sp.Matrix([[0, mode.frequency]]) for modes in self.modes.values() for mode in modes
-            ]
-            matrices = [
-                self._coefficient(name, term)
-                for name, modes in self.modes.items()
-                for mode in modes
-                for term in mode.terms
-            ]
+            every = [(name, mode) for name, modes in self.modes.items() for mode in modes]
+            exponents = (sp.Matrix([[0, mode.frequency]]) for _, mode in every)
+            matrices = (
+                self._coefficient(name, term) for name, mode in every for term in mode.terms
+            )
             kernels.append(
                 Kernel(
                     "modes",
                     "Exponents of the modes; coefficients of their functions, offsets last.",
-                    (parameters, spectrum),
+                    (parameters, Argument.vector("spectrum", self.spectrum.symbols)),
                     (_stacked("exponents", exponents), _stacked("coefficients", matrices)),
                     (),
                 )
@@ -274,11 +267,5 @@ def _rates(matrix: sp.Matrix, offset: sp.Matrix, states: Sequence[sp.Symbol]) ->
     return [sp.Add(*each) for each in terms]
 
 
-def _vector(name: str, symbols: Iterable[sp.Symbol]) -> Argument:
-    symbols = tuple(symbols)
-    return Argument(name, (len(symbols),), symbols)
-
-
 def _stacked(name: str, matrices: Iterable[sp.Matrix]) -> Output:
-    whole = sp.Matrix.vstack(*matrices)
-    return Output(name, whole.shape, tuple(whole))
+    return Output.of(name, sp.Matrix.vstack(*matrices))

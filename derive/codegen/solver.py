@@ -1,8 +1,11 @@
-"""Compiled Newton's method on the reduced equations, for many points side by side.
+"""Compiled functions of many points: Newton's method on reduced equations, and derivatives.
 
 Points are taken in blocks of lanes; within a block every statement runs over all lanes, so
 that a compiler vectorises it. A lane that has converged is frozen: no point's result
 depends on its neighbours, on the block it falls into or on the number of threads.
+
+Derivatives of an orbit by its parameters are those of the implicit function theorem on its
+equations, by an elimination with partial pivoting in each lane.
 """
 
 from __future__ import annotations
@@ -13,13 +16,8 @@ from textwrap import wrap
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.c import (
-    c_declaration,
-    count_of_fixed,
-    fixed_part,
-    in_lane,
-    print_c,
-)
+from nonsmooth.derive.codegen.c import count_of_fixed, fixed_part, in_lane, print_c
+from nonsmooth.derive.codegen.function import Array, Function, function_of_orbit
 from nonsmooth.derive.codegen.kernels import reduced_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
@@ -27,17 +25,16 @@ from nonsmooth.derive.errors import DerivationError
 
 __all__ = [
     "MOST_REDUCED",
-    "SOLVE",
     "STATUSES",
-    "lane_call",
-    "lanes_of_spectrum",
-    "loop_over_lanes",
-    "solve_prototype",
+    "directions_function",
+    "directions_source",
+    "solve_function",
     "solve_source",
 ]
 
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
 MOST_STEPS = 32
+MOST_NUMBERS = 4096  # of a lane, so that all lanes fit on the stack of a thread
 
 # codes of nonsmooth.runtime.shooting.newton by name, and what to do
 STATUSES = {
@@ -47,11 +44,17 @@ STATUSES = {
     "not_positive": (3, "a duration is not positive: no orbit, guess another"),
     "singular": (5, "the start is not determined: move a parameter"),
 }
-SOLVE = (
+_SOLVE_TEXT = (
     "Newton's method on the reduced equations for `count` points, each from its guess: unknowns,"
     " trace of poincare_jacobian, largest reduced residual, steps and a status of each. Arrays hold"
     " columns: entry i of a point stands at [i*count + point]. Where the equations have several"
     " solutions the guess decides."
+)
+
+_DIRECTIONS_TEXT = (
+    "Derivatives of the unknowns and the trace by the parameters, at solutions, for `count` points."
+    " Arrays hold columns: entry i of a point stands at [i*count + point]. NaN where the equations"
+    " are singular."
 )
 
 _INDENT = " " * 8
@@ -102,21 +105,39 @@ $step
         }""")
 
 
-def solve_prototype(orbit: EquationSystem) -> str:
-    """C declaration of the solver of an orbit, without the semicolon."""
-    name = c_function(orbit.system.name, "solve", orbit.itinerary.name)
-    guess = ["const double *guess"] if orbit.reduction.unknowns else []
-    results = ("unknowns", "trace", "residual")
-    return c_declaration(
-        name,
-        [
-            "ptrdiff_t count",
-            "const double *parameters",
-            *guess,
-            *(f"double *{result}" for result in results),
-            "int32_t *iterations",
-            "int32_t *status",
-        ],
+_DIRECTIONS = Template("""\
+/* Derivatives of the unknowns and the trace by the parameters, at solutions of the equations, for
+ * `count` points. */
+NONSMOOTH_MULTIVERSION
+$prototype
+{
+    enum { lanes = NONSMOOTH_LANES, n = $n, p = $p };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        double parameter[p * lanes], unknown[n * lanes];
+        double jacobian[n * n * lanes], moved[n * p * lanes], slope[(n + p) * lanes];
+        nonsmooth_load(lanes, p, parameters, count, start, parameter);
+        nonsmooth_load(lanes, n, unknowns, count, start, unknown);
+$kernels
+        nonsmooth_implicit_derivatives(n, p, jacobian, moved, slope);
+        nonsmooth_store(lanes, n * p, moved, count, start, directions);
+        nonsmooth_store(lanes, p, slope + n * lanes, count, start, directions + n * p * count);
+    }
+}""")
+
+
+def solve_function(orbit: EquationSystem) -> Function:
+    """The solver of an orbit."""
+    guessed = len(orbit.reduction.unknowns)
+    return function_of_orbit(
+        orbit,
+        "solve",
+        _SOLVE_TEXT,
+        [Array("guess", (guessed,))] if guessed else [],  # NumPy takes no cores of no entries
+        (
+            Array("unknowns", (len(orbit.unknowns),)),
+            *map(Array, ("trace", "residual")),
+            *(Array(name, ctype="int32_t") for name in ("iterations", "status")),
+        ),
     )
 
 
@@ -134,16 +155,16 @@ def solve_source(orbit: EquationSystem) -> str:
         )
     kernel = reduced_kernel(orbit)
     function, fixed = c_function(system, kernel.name, name), count_of_fixed(kernel)
-    (spectrum,), lines = lanes_of_spectrum(orbit, ["spectrum"])
+    (spectrum,), lines = _lanes_of_spectrum(orbit, ["spectrum"])
     point = ["parameter", spectrum]
     if fixed:
-        lines += loop_over_lanes([lane_call(fixed_part(function), [*point, "fixed"])])
+        lines += _loop_over_lanes([_lane_call(fixed_part(function), [*point, "fixed"])])
     taken = [*point, *(["fixed"] if fixed else []), *(["x"] if count else [])]
 
     def computed(results: Mapping[str, str]) -> str:
         """Statement that computes results of the kernel, each into an array."""
         given = [results.get(output.name, "NULL") for output in kernel.outputs]
-        return lane_call(function, [*taken, *given])
+        return _lane_call(function, [*taken, *given])
 
     equations = {"reduced_residual": "equation"}
     if count:
@@ -156,13 +177,13 @@ def solve_source(orbit: EquationSystem) -> str:
         lines += _NEWTON.substitute(
             positive=", ".join(str(int(u in dwell_times)) for u in unknowns),
             most=MOST_STEPS,
-            step="\n".join(loop_over_lanes(step, _INDENT + "    ")),
+            step="\n".join(_loop_over_lanes(step, _INDENT + "    ")),
         ).split("\n")
     trace = [*point, "unknown", "NULL", "slope", "NULL"]
-    lines += loop_over_lanes(
+    lines += _loop_over_lanes(
         [
             computed({"unknowns": "unknown", "determinants": "determinant", **equations}),
-            lane_call(c_function(system, "trace", name), trace),
+            _lane_call(c_function(system, "trace", name), trace),
         ]
     )
     sizes = {
@@ -179,7 +200,7 @@ def solve_source(orbit: EquationSystem) -> str:
         reduced=count,
         # one lane takes its sines and cosines from the C library, whatever the phases are
         lanes="NONSMOOTH_LANES" if count else "1",
-        prototype=solve_prototype(orbit),
+        prototype=solve_function(orbit).prototype,
         arrays=f"{_INDENT}double {arrays};" if arrays else "",
         lines="\n".join(lines),
         equations="equation" if count else "NULL",
@@ -221,7 +242,42 @@ def _status(orbit: EquationSystem) -> list[str]:
     ]
 
 
-def lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[list[str], list[str]]:
+def directions_function(orbit: EquationSystem) -> Function:
+    """The derivatives of an orbit by its parameters."""
+    count = len(orbit.unknowns)
+    directions = Array("directions", (count + 1, len(orbit.parameters)))
+    unknowns = Array("unknowns", (count,))
+    return function_of_orbit(orbit, "directions", _DIRECTIONS_TEXT, [unknowns], [directions])
+
+
+def directions_source(orbit: EquationSystem) -> str:
+    """C definition of the derivatives of an orbit by its parameters, which calls its kernels.
+
+    DerivationError refuses a border collision, whose derivatives are one-sided, and equations
+    of too many numbers.
+    """
+    name = orbit.itinerary.name
+    if orbit.itinerary.vanishing:
+        raise DerivationError(f"orbit {name!r} is a border collision: it has no derivatives")
+    n, p = len(orbit.unknowns), len(orbit.parameters)
+    entries, own = len(orbit.spectrum.symbols), orbit.spectrum.parameters
+    numbers = (n + 1) * (n + p) + n + p + len(own) + entries * (1 + len(own))
+    if numbers > MOST_NUMBERS:
+        raise DerivationError(
+            f"the derivatives of orbit {name!r} take {numbers} numbers for each point,"
+            f" more than {MOST_NUMBERS}"
+        )
+    spectrum, lines = _lanes_of_spectrum(orbit, ("spectrum", "spectrum_derivatives"))
+    point = ("parameter", spectrum[0], "unknown", spectrum[1], "NULL")
+    for kernel, results in (("equations", ("jacobian", "moved")), ("trace", ("slope",))):
+        function = c_function(orbit.system.name, kernel, name)
+        lines += _loop_over_lanes([_lane_call(function, [*point, *results])])
+    return _DIRECTIONS.substitute(
+        n=n, p=p, prototype=directions_function(orbit).prototype, kernels="\n".join(lines)
+    )
+
+
+def _lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[list[str], list[str]]:
     """Arrays of the spectrum and, if wanted, its derivatives; the C lines that fill them.
 
     An array without entries is NULL.
@@ -241,16 +297,16 @@ def lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[lis
         lines.append(f"{indent}nonsmooth_load(lanes, 1, {given});")
     function = c_function(orbit.system.name, "spectrum", None)
     taken = "own" if parameters else "NULL"
-    lines += loop_over_lanes([lane_call(function, [taken, *arrays])])
+    lines += _loop_over_lanes([_lane_call(function, [taken, *arrays])])
     return arrays[: len(wanted)], lines
 
 
-def lane_call(kernel: str, arguments: Sequence[str]) -> str:
+def _lane_call(kernel: str, arguments: Sequence[str]) -> str:
     """C statement that computes a kernel for one lane; `kernel` is the name of its function."""
     return f"{in_lane(kernel)}(lanes, lane, {', '.join(arguments)});"
 
 
-def loop_over_lanes(statements: Sequence[str], indent: str = _INDENT) -> list[str]:
+def _loop_over_lanes(statements: Sequence[str], indent: str = _INDENT) -> list[str]:
     """C lines that make statements for each lane."""
     inner, head = indent + "    ", f"{indent}for (int lane = 0; lane < lanes; ++lane)"
     lines = [

@@ -14,7 +14,7 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.forcing import Forcing
-from nonsmooth.derive.equations.program import Equation, Stage, affine_sum, assign
+from nonsmooth.derive.equations.program import Equation, Stage, affine_sum, assign, assign_matrix
 from nonsmooth.derive.equations.section import Passage, Section, passages_of
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
@@ -131,30 +131,29 @@ def follow(
     """The chain of an itinerary, from its start through all phases and transitions."""
     states = itinerary.presented_system.states
     names = [Symbol("state", s, 0) for s in states]
-    begin, values = assign("start on the section", names, start.state)
-    stages, state, links = [begin], sp.Matrix(values), []
+    begin, state = assign_matrix("start on the section", names, start.state)
+    stages, links = [begin], []
     for index, passage in enumerate(passages_of(itinerary), start=1):
         flow, dwell = flows[passage.configuration.name], passage.dwell
         naming, functions = name_functions(flow, dwell, 0 if passage.duration == 0 else dwell)
         names = [Symbol("state", s, index) for s in states]
         title = f"{flow.configuration} for {dwell}, until {passage.boundary}"
-        step, values = assign(title, names, flow.end(functions, state))
-        after = sp.Matrix(values)
+        step, after = assign_matrix(title, names, flow.end(functions, state))
         title = f"transition to {passage.transition.target}"
         names = [Symbol("reset", s, index) for s in states]
-        jump, values = assign(title, names, passage.behind(after))
+        jump, following = assign_matrix(title, names, passage.behind(after))
         stages += [derived_time(dwell, passage.duration), naming, step, jump]
-        before, state = state, sp.Matrix(values)
         links.append(
             Link(
                 **vars(passage),
                 flow=flow,
                 functions=tuple(functions),
-                before=before,
+                before=state,
                 after=after,
-                following=state,
+                following=following,
             )
         )
+        state = following
     kept = tuple(s for s in stages if s.assignments)
     return Chain(section, start, tuple(links), kept, forcing)
 
@@ -189,8 +188,7 @@ def affine_in(
     parts = sp.Matrix.hstack(constant, state.jacobian(coordinates)).T.applyfunc(sp.factor_terms)
     places = [(i, q) for q in (1, *coordinates) for i in range(state.rows)]
     names = [Symbol("part", i, q, dwell) for i, q in places]
-    step, values = assign(f"state after {dwell}, affine in the section", names, parts)
-    table = sp.Matrix(*parts.shape, values)
+    step, table = assign_matrix(f"state after {dwell}, affine in the section", names, parts)
     return step, sp.Matrix([affine_sum(table[:, i], coordinates) for i in range(state.rows)])
 
 

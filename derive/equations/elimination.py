@@ -333,11 +333,18 @@ def _named(
         *(([k], "right-hand sides of the linear equations") for k in range(size, table.cols)),
     ):
         cells = [(i, j) for i in range(size) for j in columns]
-        step, values = assign(title, [names[i][j] for i, j in cells], [table[c] for c in cells])
-        stages.append(step)
-        for cell, value in zip(cells, values, strict=True):
-            table[cell] = value
+        stages.append(_named_cells(title, table, cells, [names[i][j] for i, j in cells]))
     return stages, table, names
+
+
+def _named_cells(
+    title: str, table: sp.Matrix, cells: Sequence[tuple[int, int]], names: Sequence[Symbol]
+) -> Stage:
+    """A stage that assigns cells of a table to names, which stand in the table from then on."""
+    step, values = assign(title, names, [table[cell] for cell in cells])
+    for cell, value in zip(cells, values, strict=True):
+        table[cell] = value
+    return step
 
 
 def _cramer(
@@ -354,9 +361,9 @@ def _cramer(
     parts: list[list[sp.Expr]] = []
     sides = [_sides(Symbol("numerator", j + 1), kept) for j in range(size)]
     for k, names in enumerate(zip(*sides, strict=True), start=size):
-        replaced = [matrix.copy() for _ in coordinates]
-        for j, numerator in enumerate(replaced):
-            numerator[:, j] = table[:, k]
+        replaced = (
+            sp.Matrix.hstack(matrix[:, :j], table[:, k], matrix[:, j + 1 :]) for j in range(size)
+        )
         determinants = [sp.expand(m.det()) for m in replaced]
         minors, values = assign("numerators of Cramer's rule", names, determinants)
         stages.append(minors)
@@ -385,16 +392,12 @@ def _successively(
         rows.remove(i)
         places.remove(j)
         order.append((i, j))
-        names, values = [], []
         cells = [(k, m) for k in rows for m in (*places, *range(size, table.cols))]
-        for k, m in cells:
-            numbers[k, m] -= numbers[k, j] * numbers[i, m] / numbers[i, j]
-            names.append(Symbol("without", entries[k][m], len(order)))
-            values.append(table[k, m] - table[k, j] * table[i, m] / table[i, j])
-        step, found = assign(f"without {coordinates[j]}", names, values)
-        for cell, value in zip(cells, found, strict=True):
-            table[cell] = value
-        stages.append(step)
+        for each in (numbers, table):
+            for k, m in cells:
+                each[k, m] -= each[k, j] * each[i, m] / each[i, j]
+        names = [Symbol("without", entries[k][m], len(order)) for k, m in cells]
+        stages.append(_named_cells(f"without {coordinates[j]}", table, cells, names))
     known: dict[int, list[sp.Expr]] = {}
     for i, j in reversed(order):
         parts = [

@@ -229,7 +229,7 @@ class EquationSystem:
         if itinerary.reversor or itinerary.solved_for or itinerary.period is not None:
             seeds = {u: {u: sp.Integer(1)} for u in self.unknowns}
             return jacobian(self.stages, self.residual, seeds)
-        stages, ends = sensitivities(chain, self.system.states, self.unknowns)
+        stages, ends = sensitivities(chain, self.unknowns)
         rows = [link.normal * end for link, end in zip(chain.links, ends[:-1], strict=True)]
         for coordinate, place in chain.closing:
             closure = sp.Matrix(ends[-1][place, :])
@@ -261,7 +261,7 @@ class EquationSystem:
     @cached_property
     def map_program(self) -> Program:
         """Stages and entries of the Poincare map's Jacobian on the section."""
-        return Program(*poincare_jacobian(self.chain, self.system.states))
+        return poincare_jacobian(self.chain)
 
     @cached_property
     def trace_program(self) -> Program:

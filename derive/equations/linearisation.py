@@ -17,7 +17,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.equations.chain import Chain
-from nonsmooth.derive.equations.program import Stage, assign
+from nonsmooth.derive.equations.program import Program, Stage, assign, assign_matrix
 from nonsmooth.derive.symbols import Symbol, derivative
 
 __all__ = [
@@ -30,7 +30,7 @@ __all__ = [
 
 
 def sensitivities(
-    chain: Chain, states: Sequence[sp.Symbol], unknowns: Sequence[sp.Symbol]
+    chain: Chain, unknowns: Sequence[sp.Symbol]
 ) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
     """Stages and derivatives (N x n) of the states at all ends of phases and behind the last.
 
@@ -38,58 +38,52 @@ def sensitivities(
     rule S' = Phi S + f e^T, with f the vector field at the end and e the derivatives of the
     phase's dwell time.
     """
-    columns = len(unknowns)
-    matrix = sp.Matrix.hstack(
-        chain.start.embedding, sp.zeros(len(states), columns - chain.start.dimension)
-    )
+    embedding = chain.start.embedding
+    others = sp.zeros(embedding.rows, len(unknowns) - embedding.cols)
+    matrix = sp.Matrix.hstack(embedding, others)
     stages, ends = [], []
-    for index, link in enumerate(chain.links):
+    for index, link in enumerate(chain.links, start=1):
         moved = sp.Matrix(link.transfer * matrix)
         for column, unknown in enumerate(unknowns):
             moved[:, column] += sp.diff(link.duration, unknown) * link.velocity
-        behind = [Symbol("state", s, index + 1) for s in states]
-        names = [derivative(s, u) for s in behind for u in unknowns]
-        step, values = assign(f"derivatives of the state after {link.dwell}", names, moved)
-        ends.append(sp.Matrix(len(states), columns, values))
-        matrix = link.reset * ends[-1]
+        names = [derivative(Symbol("state", s, index), u) for s in link.states for u in unknowns]
+        step, end = assign_matrix(f"derivatives of the state after {link.dwell}", names, moved)
+        ends.append(end)
+        matrix = link.reset * end
         stages.append(step)
     return tuple(stages), [*ends, matrix]
 
 
-def poincare_jacobian(
-    chain: Chain, states: Sequence[sp.Symbol]
-) -> tuple[tuple[Stage, ...], sp.Matrix]:
+def poincare_jacobian(chain: Chain) -> Program:
     """Stages and Jacobian (d x d) of the Poincare map, a product of local maps (Sec. 4).
 
     Each phase carries a perturbation by Phi and projects it along the vector field onto its
     exit boundary, (I - f n/(n f)) Phi; the transition's reset follows.
     """
     matrix, stages, columns = chain.directions, [], chain.coordinates
-    for index, link in enumerate(chain.links):
-        behind = [Symbol("state", s, index + 1) for s in states]
+    for index, link in enumerate(chain.links, start=1):
+        behind = [Symbol("state", s, index) for s in link.states]
         names = [derivative(Symbol("carried", s), q) for s in behind for q in columns]
-        step, values = assign(f"Phi along {link.dwell}", names, link.transfer * matrix)
-        carried = sp.Matrix(len(states), len(columns), values)
+        step, carried = assign_matrix(f"Phi along {link.dwell}", names, link.transfer * matrix)
         velocity = link.velocity
         rate, (speed,) = assign(
             f"rate of the exit boundary after {link.dwell}",
-            [Symbol("rate", index + 1)],
+            [Symbol("rate", index)],
             [(link.normal * velocity)[0]],
         )
-        delays = [-(link.normal * carried[:, j])[0] / speed for j in range(len(columns))]
-        delay, values = assign(
+        delay, delays = assign_matrix(
             f"derivatives of the time to the boundary after {link.dwell}",
             [derivative(Symbol("delay", link.dwell), q) for q in columns],
-            delays,
+            -(link.normal * carried) / speed,
         )
-        projected = carried + velocity * sp.Matrix(1, len(columns), values)
         names = [derivative(Symbol("on boundary", s), q) for s in behind for q in columns]
-        landing, values = assign(
-            f"perturbation on the boundary after {link.dwell}", names, link.reset * projected
+        landing, matrix = assign_matrix(
+            f"perturbation on the boundary after {link.dwell}",
+            names,
+            link.reset * (carried + velocity * delays),
         )
-        matrix = sp.Matrix(len(states), len(columns), values)
         stages += [step, rate, delay, landing]
-    return tuple(stages), chain.returning(matrix)
+    return Program(tuple(stages), chain.returning(matrix))
 
 
 def saltation_matrix(
@@ -104,34 +98,32 @@ def saltation_matrix(
     return reset + (behind - reset * before) * normal / (normal * before)[0]
 
 
-def saltation_matrices(
-    chain: Chain, states: Sequence[sp.Symbol]
-) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
+def saltation_matrices(chain: Chain) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
     """Stages and saltation matrix (N x N) of each transition along an orbit."""
     stages, matrices = [], []
-    fields = [link.flow for link in chain.links]
-    for index, link in enumerate(chain.links):
-        following = fields[(index + 1) % len(fields)]
+    for index, link in enumerate(chain.links, start=1):
+        following = chain.links[index % len(chain.links)].flow
         sides = ("field before", "field behind")
-        names = [Symbol(side, s, index + 1) for side in sides for s in states]
-        velocities = [*link.velocity, *following.velocity(link.following)]
-        step, values = assign(f"vector fields at transition {index + 1}", names, velocities)
-        before, behind = (sp.Matrix(v) for v in (values[: len(states)], values[len(states) :]))
+        names = [Symbol(side, s, index) for side in sides for s in link.states]
+        fields = sp.Matrix.vstack(link.velocity, following.velocity(link.following))
+        step, fields = assign_matrix(f"vector fields at transition {index}", names, fields)
+        size = len(link.states)
         stages.append(step)
-        matrices.append(saltation_matrix(link.reset, link.normal, before, behind))
+        matrices.append(
+            saltation_matrix(link.reset, link.normal, fields[:size, :], fields[size:, :])
+        )
     return tuple(s for s in stages if s.assignments), matrices
 
 
-def monodromy(chain: Chain, states: Sequence[sp.Symbol]) -> tuple[tuple[Stage, ...], sp.Matrix]:
+def monodromy(chain: Chain) -> Program:
     """Stages and monodromy matrix (N x N): the product of S Phi over all phases."""
-    size = len(states)
-    found, matrices = saltation_matrices(chain, states)
+    size = len(chain.links[0].states)
+    found, matrices = saltation_matrices(chain)
     stages, product = list(found), sp.eye(size)
+    places = [(i, j) for i in range(size) for j in range(size)]
     for index, (link, saltation) in enumerate(zip(chain.links, matrices, strict=True), start=1):
         for title, factor in (("Phi", link.transfer), ("saltation", saltation)):
-            places = [(i, j) for i in range(size) for j in range(size)]
             names = [Symbol("product", title.lower(), index, i, j) for i, j in places]
-            step, values = assign(f"{title} of phase {index}", names, factor * product)
+            step, product = assign_matrix(f"{title} of phase {index}", names, factor * product)
             stages.append(step)
-            product = sp.Matrix(size, size, values)
-    return tuple(stages), product
+    return Program(tuple(stages), product)

@@ -22,7 +22,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import Chain, Link, name_functions
 from nonsmooth.derive.equations.elimination import solve_linear
-from nonsmooth.derive.equations.program import Equation, Stage, assign, prune
+from nonsmooth.derive.equations.program import Equation, Stage, assign_matrix, prune
 from nonsmooth.derive.equations.section import coordinates_of, is_zero
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import Symbol, derivative
@@ -212,12 +212,10 @@ def _turn(
             what = meaning if meaning == "reset" else link.flow.configuration
             title = f"{what} after {link.dwell}, by the start"
             names = [derivative(s, q) for s in behind for q in entries]
-            step, values = assign(title, names, product * matrix)
-            matrix = sp.Matrix(size, size, values)
+            step, matrix = assign_matrix(title, names, product * matrix)
             # the bars of other affine states mean other starts
             mark = "_reset" if meaning == "reset" else ""
             names = [Symbol("offset", i, number, mark) for i in range(1, size + 1)]
-            constants, values = assign(title, names, product * offset + shift)
-            offset = sp.Matrix(values)
+            constants, offset = assign_matrix(title, names, product * offset + shift)
             stages += [step, constants]
     return prune(stages, [*matrix, *offset]), matrix, offset

@@ -24,6 +24,7 @@ __all__ = [
     "Stage",
     "affine_sum",
     "assign",
+    "assign_matrix",
     "coefficients_of",
     "differentiate",
     "evaluate",
@@ -65,6 +66,12 @@ class Argument:
     symbols: tuple[sp.Symbol, ...]
     since: int = 0
 
+    @classmethod
+    def vector(cls, name: str, symbols: Iterable[sp.Symbol]) -> Argument:
+        """The array of some symbols."""
+        entries = tuple(symbols)
+        return cls(name, (len(entries),), entries)
+
 
 @dataclass(frozen=True)
 class Output:
@@ -73,6 +80,15 @@ class Output:
     name: str
     shape: tuple[int, ...]
     expressions: tuple[sp.Expr, ...]
+
+    @classmethod
+    def of(cls, name: str, value: sp.Expr | sp.Matrix | Sequence[sp.Expr]) -> Output:
+        """The scalar of an expression, the table of a matrix, or the vector of several."""
+        if isinstance(value, sp.MatrixBase):  # immutable ones are expressions, too
+            return cls(name, value.shape, tuple(value))
+        if isinstance(value, sp.Expr):
+            return cls(name, (), (value,))
+        return cls(name, (len(value),), tuple(value))
 
 
 @dataclass(frozen=True)
@@ -105,6 +121,14 @@ def assign(
             assignments.append((symbol, expression))
             values.append(symbol)
     return Stage(title, tuple(assignments)), values
+
+
+def assign_matrix(
+    title: str, symbols: Iterable[sp.Symbol], matrix: sp.Matrix
+) -> tuple[Stage, sp.Matrix]:
+    """As `assign`, for the entries of a matrix row by row."""
+    step, values = assign(title, symbols, matrix)
+    return step, sp.Matrix(*matrix.shape, values)
 
 
 def name_parts(
@@ -275,11 +299,9 @@ def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ..
     return tuple(reversed(kept))
 
 
-def merged(
-    first: Sequence[Stage], second: Sequence[Stage], inputs: Iterable[sp.Symbol] = ()
-) -> tuple[Stage, ...]:
-    """Both lists of stages, without assigning a symbol twice, nor one of the inputs."""
-    known = {symbol for stage in first for symbol, _ in stage.assignments} | set(inputs)
+def merged(first: Sequence[Stage], second: Sequence[Stage]) -> tuple[Stage, ...]:
+    """Both lists of stages, without assigning a symbol twice."""
+    known = {symbol for stage in first for symbol, _ in stage.assignments}
     rest = [
         Stage(s.title, tuple((x, e) for x, e in s.assignments if x not in known)) for s in second
     ]

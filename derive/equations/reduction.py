@@ -31,7 +31,7 @@ from nonsmooth.derive.equations.program import (
     Program,
     Stage,
     affine_sum,
-    assign,
+    assign_matrix,
     jacobian,
     merged,
     name_parts,
@@ -108,16 +108,14 @@ class Reduction:
             # with (dq/dx) t = 1 carries it
             rows = sp.Matrix.vstack(rows, moved[1, :])
             names = self._derivatives_of(*moving, Symbol("start"))
-            step, values = assign("derivatives of the equations and of the start", names, rows)
-            right = sp.Matrix([0] * followers + [1])
-            tangent = sp.Matrix(*rows.shape, values).LUsolve(right)
+            step, rows = assign_matrix("derivatives of the equations and of the start", names, rows)
+            tangent = rows.LUsolve(sp.Matrix([0] * followers + [1]))
             slope = sum((b * e for b, e in zip(by, tangent, strict=True)), sp.Integer(0))
             return Program((*merged(stages, more), step), slope)
         if followers:
             names = self._derivatives_of(*moving)
-            step, values = assign("derivatives of the equations", names, rows)
+            step, rows = assign_matrix("derivatives of the equations", names, rows)
             stages = (*stages, step)
-            rows = sp.Matrix(*rows.shape, values)
             response = -rows[:, 1:].LUsolve(rows[:, 0])
             numerator += sum(b * r for b, r in zip(by[1:], response, strict=True))
         return Program(merged(stages, more), numerator / start_rate)
@@ -152,9 +150,9 @@ class _Draft:
 
     def name(self, title: str, names: Sequence[sp.Symbol], state: sp.Matrix) -> sp.Matrix:
         """The state with names for its entries, which a stage assigns."""
-        step, values = assign(title, names, state)
+        step, named = assign_matrix(title, names, state)
         self.stages.append(step)
-        return sp.Matrix(values)
+        return named
 
 
 def reduce_itinerary(

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sysconfig
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -198,8 +199,8 @@ def awkward(damped: bool) -> System:
     )
 
 
-def library(damped: bool) -> dict[str, str]:
-    system = awkward(damped)
+def library(damped: bool, name: str = "awkward") -> dict[str, str]:
+    system = replace(awkward(damped), name=name)
     phases = (("right", "falls", "V0"), ("left", "rises", "tb"))
     reference = Reference({"k": "1", "K": "4", "h": "1"}, {"v0": "2", "V0": "3", "tb": "1.5"})
     loop = Itinerary("loop", system, phases, reference=reference)
@@ -230,7 +231,7 @@ def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_pat
     header = files["awkward.h"]
     constants = re.findall(r"^    (AWKWARD_\w+) = ", header, re.MULTILINE)
     assert len(constants) == len({*constants}) > 10
-    assert header.count("NONSMOOTH_AWKWARD_H") == 2
+    assert header.count("NONSMOOTH_SYSTEM_AWKWARD_H") == 2
     source = compiled(compiler, tmp_path / "awkward.c", tmp_path)
     status, *unknowns = ran(compiler, example_of(header), source, tmp_path, tmp_path).splitlines()
     assert status.startswith("status 0")
@@ -238,9 +239,19 @@ def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_pat
     assert [float(u) for u in unknowns] == pytest.approx([2, np.pi, np.pi / 2], rel=1e-12)
 
 
+@each_compiler
+def test_a_system_may_have_the_name_of_a_support_header(compiler: str, tmp_path: Path) -> None:
+    for name, text in library(damped=False, name="sums").items():
+        (tmp_path / name).write_text(text)
+    compiled(compiler, tmp_path / "sums.c", tmp_path)
+
+
 def test_only_the_support_that_is_used_is_written() -> None:
     """An undamped orbit is solved and searched in sines, damped flows alone are exponentials."""
-    solved = ("compiler", "elimination", "lanes", "newton", "search", "sums", "trigonometry")
+    solved = (
+        *("admissible", "admissible_sums", "compiler", "elimination", "lanes", "newton", "search"),
+        *("sums", "trigonometry"),
+    )
     flows = ("compiler", "exponentials", "trigonometry")
     for damped, names in ((False, solved), (True, flows)):
         written = {name for name in library(damped) if name.startswith("nonsmooth_")}

@@ -24,12 +24,11 @@ from nonsmooth import InputError
 from nonsmooth.derive import DerivationError, Parameter, RigidStop, oscillator
 from nonsmooth.derive.codegen import regenerate
 from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
-from nonsmooth.derive.codegen.body import body_of, needed, split
+from nonsmooth.derive.codegen.body import Constant, body_of, needed, split
 from nonsmooth.derive.codegen.c import c_kernel, print_c
 from nonsmooth.derive.codegen.emit import COMMAND, emit_system
-from nonsmooth.derive.codegen.python_file import emit_python
+from nonsmooth.derive.codegen.python_file import emit_python, system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
 from nonsmooth.derive.flows.modal import derive_flows
@@ -260,14 +259,22 @@ def test_numpy_is_given_no_function_of_nothing() -> None:
         system = oscillator("struck", ["x"], [[1]], [[stiffness]], elements=stops)
         emitted = emit_system(system, [], "tests")
         assert "void struck_fields" in emitted.files["struck.c"]
-        assert any(each.function == "struck_flow_free" for each in emitted.wrapped)
+        assert any(each.function.name == "struck_flow_free" for each in emitted.wrapped)
         for each in emitted.wrapped:
-            assert all(a.size for a in (*each.taken, *each.given))
+            inputs, outputs = map(each.used, (each.function.inputs, each.function.outputs))
+            assert inputs
+            assert outputs
+            assert all(a.size for a in (*inputs, *outputs))
             assert "(0" not in each.signature
             assert not each.signature.startswith("->")
 
 
 # --- printing ---------------------------------------------------------------------------
+
+
+def test_irrational_numbers_have_an_order_that_no_hash_decides() -> None:
+    numbers = [Constant(sp.sqrt(2) / 4 + sp.Rational(1, 2)), Constant(sp.sqrt(2)), Constant(sp.pi)]
+    assert len({*map(sp.default_sort_key, numbers)}) == 3
 
 
 def computed(expression: sp.Expr, values: dict[str, Any], lib: Any) -> Any:

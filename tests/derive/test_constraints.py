@@ -14,8 +14,8 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth import InputError, solve
 from nonsmooth.derive import DeclarationError, Friction, RigidStop, Slider, SoftStop, oscillator
+from nonsmooth.derive.codegen.python_file import system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import kernels_of

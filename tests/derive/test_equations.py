@@ -35,10 +35,10 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.c import c_kernel
+from nonsmooth.derive.codegen.emit import including
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.codegen.solver import STATUSES, solve_source
-from nonsmooth.derive.codegen.support_files import including
 from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
 from nonsmooth.derive.equations.linearisation import monodromy, saltation_matrix
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
@@ -287,7 +287,7 @@ class Derived:
             return o.unknowns, stages, [sp.sympify(e) for e in entries]
         if name == "monodromy":
             first = o.chain.links[0]
-            stages, matrix = monodromy(o.chain, o.system.states)
+            stages, matrix = monodromy(o.chain)
             velocity = first.flow.velocity(first.before)
             return o.unknowns, (*chain, *stages), [*matrix, *velocity]
         if name == "reduced":

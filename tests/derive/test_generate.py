@@ -26,6 +26,8 @@ FILES = [
     "kicked.h",
     "kicked.md",
     "kicked.py",
+    "nonsmooth_admissible.h",
+    "nonsmooth_admissible_sums.h",
     "nonsmooth_compiler.h",
     "nonsmooth_elimination.h",
     "nonsmooth_lanes.h",

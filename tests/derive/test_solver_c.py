@@ -14,7 +14,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from nonsmooth.derive import DerivationError, derive_equations
-from nonsmooth.derive.codegen.directions import directions_source
+from nonsmooth.derive.codegen.solver import directions_source
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.declared import random_points
@@ -156,6 +156,6 @@ def test_a_point_has_the_same_bits_in_every_group(
 def test_derivatives_of_too_many_numbers_are_refused(monkeypatch):
     orbit = derive_equations(rigid_stop.one_impact)
     assert "void rigid_stop_one_impact_directions(" in directions_source(orbit)
-    monkeypatch.setattr("nonsmooth.derive.codegen.directions.MOST_NUMBERS", 60)
+    monkeypatch.setattr("nonsmooth.derive.codegen.solver.MOST_NUMBERS", 60)
     with pytest.raises(DerivationError, match=r"'one-impact' take \d+ numbers for each point"):
         directions_source(orbit)

@@ -24,8 +24,8 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.codegen.python_file import system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.runtime.model.kernels import SystemKernels
 
