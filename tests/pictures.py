@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.present.pictures import saved_files
+from nonsmooth.runtime.present.pictures.saved_files import figure_of as figure_of_file
 
 
 def figure_of(axes: Any) -> Any:
@@ -18,8 +18,7 @@ def figure_of(axes: Any) -> Any:
 
 def figure_in(path: Path, kind: str = "all", **view: Any) -> Any:
     """Give the figure of a file, outside pyplot, as the command draws it."""
-    wanted = saved_files.BranchView(**view) if view else None
-    return saved_files.figure_of(path, kind, 1, wanted)[1]
+    return figure_of_file(path, kind, 1, view or None)[1]
 
 
 def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:

@@ -184,10 +184,12 @@ def follow(
     if beyond and not stopped:
         beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
     if plot is not None:
-        from nonsmooth.runtime.present.pictures.branches import branch_figure
+        from nonsmooth.runtime.present.pictures.branches import draw_branch
 
         quantities, drawn_in = split(quantity), frequency or Frequency.ANGULAR
-        written.draw(lambda: branch_figure(branch, quantities, over, drawn_in.value), plot)
+        written.draw(
+            lambda: draw_branch(branch, quantities, over=over, frequency=drawn_in.value), plot
+        )
     code = written.show(
         lambda: branch_json(branch, beyond_events),
         lambda: show_branch(branch, beyond_events),
@@ -296,9 +298,7 @@ def _in_the_plane(
     written = Written()
     written.save(locus.save, save)
     if plot is not None:
-        from nonsmooth.runtime.present.pictures.branches import locus_figure
-
-        written.draw(lambda: locus_figure(locus), plot)
+        written.draw(locus.plot, plot)
     code = written.show(lambda: locus_json(locus), lambda: show_locus(locus), as_json=as_json)
     if stopped:
         return kept_of(f"{len(locus)} points are done", written.kept(save), resumes=False)

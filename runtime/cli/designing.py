@@ -168,9 +168,7 @@ def design(
     written = Written()
     written.save(found.save, save)
     if plot is not None:
-        from nonsmooth.runtime.present.pictures.designs import design_figure
-
-        written.draw(lambda: design_figure(found), plot)
+        written.draw(found.plot, plot)
     code = written.show(found.to_json, lambda: _show(found), as_json=as_json)
     if stopped:
         return kept_of(f"{len(found.history)} iterates are done", written.kept(save))

@@ -156,7 +156,7 @@ def simulate(
     written = Written()
     written.save(motion.save, save)
     if plot is not None:
-        from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
+        from nonsmooth.runtime.present.pictures.plot import trajectory_figure
 
         written.draw(lambda: trajectory_figure(motion, "all"), plot)
 
@@ -289,7 +289,8 @@ def find(
             nonlocal stopped
             with counted("mapping basins", y[3]) as progress:
                 mapped, stopped = worked(lambda: map_basins(found, x, y, others, progress=progress))
-            return draw_basins(mapped)
+            drawn: Figure = draw_basins(mapped)
+            return drawn
 
         written.draw(picture, plot)
     names: tuple[str, ...] = ()

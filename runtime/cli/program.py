@@ -288,7 +288,7 @@ def plot(
     """Draw saved orbits, motions or charts: histories, phase portraits, maps, multipliers."""
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.present.pictures.plot import save_figure
-    from nonsmooth.runtime.present.pictures.saved_files import BranchView, figure_of
+    from nonsmooth.runtime.present.pictures.saved_files import figure_of
 
     if not file.name:
         raise InputError(f"{file} is no saved file")
@@ -297,7 +297,11 @@ def plot(
     if os.path.realpath(target) == os.path.realpath(file):
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
-    of_branch = BranchView(tuple(split(quantity)), over, (frequency or Frequency.ANGULAR).value)
+    of_branch = {
+        "quantity": tuple(split(quantity)),
+        "over": over,
+        "frequency": (frequency or Frequency.ANGULAR).value,
+    }
     given = quantity or frequency or over
     drawn, figure = figure_of(file, kind.value, periods, of_branch if given else None)
     save_figure(figure, target)

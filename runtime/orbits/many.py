@@ -26,7 +26,6 @@ from nonsmooth.runtime.model.kernels import (
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.model.parameter_batches import (
-    check_arrays,
     parameter_array,
     parameter_points,
 )
@@ -434,7 +433,7 @@ def _named_points(
         return KernelPoints.of(known, values, worth=True), values
     _check(known)
     values = {**known.table["reference"]["parameters"], **values}
-    check_arrays(known.system, values)
+    parameter_points(known.system, values)
     return points_of(known, (), declared_kernels(known)), values
 
 

@@ -381,7 +381,7 @@ def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("command", "drawer"),
     [
-        (f"{FRICTION} --plot", "scenes.trajectory_figure"),
+        (f"{FRICTION} --plot", "plot.trajectory_figure"),
         (f"{FIND} --basins x1=-1:1:2,v2=-1:1:2 --plot", "maps.draw_basins"),
         (f"{SWEEP} --plot", "maps.draw_sweep"),
     ],

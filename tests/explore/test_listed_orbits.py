@@ -22,7 +22,7 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.present.pictures.found import found_figure
+from tests.pictures import figure_in
 
 pytestmark = pytest.mark.compiled
 
@@ -186,5 +186,5 @@ def test_one_bad_orbit_of_a_file_leaves_the_others(tmp_path):
         assert other.period == pytest.approx(entry.period, rel=1e-12)
     np.testing.assert_array_equal(loaded.labels, found.labels)
     pytest.importorskip("matplotlib")
-    titles = [axes.get_title(loc="left") for axes in found_figure(loaded, "phase").axes]
+    titles = [axes.get_title(loc="left") for axes in figure_in(file, "phase").axes]
     assert [title.partition(":")[0] for title in titles] == ["2"]

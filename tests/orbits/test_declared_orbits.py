@@ -18,6 +18,7 @@ from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits import solve as solving
 from tests.handmade import DATA, MIRROR, declared, two_stops
+from tests.pictures import figure_in, figure_of_saved
 
 NAME = declared().name  # two-stops and left-right
 STIFF = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
@@ -330,8 +331,6 @@ def test_what_is_drawn() -> None:
     pytest.importorskip("matplotlib")
     from matplotlib.figure import Figure
 
-    from nonsmooth.runtime.present.pictures.plot import orbit_figure
-
     axes = Figure().subplots()
     orbit().plot("time", axes, periods=2)
     (line,) = [line for line in axes.lines if line.get_label() == "$x$"]
@@ -340,12 +339,12 @@ def test_what_is_drawn() -> None:
     motion = orbit().trajectory(2)
     np.testing.assert_allclose(positions, motion(np.minimum(times, motion.end))[:, 0], atol=1e-9)
     assert "$d$" in {text.get_text() for text in axes.texts}
-    portrait = orbit_figure(orbit(), "phase").axes[0]
+    portrait = figure_of_saved(orbit(), "phase").axes[0]
     labels = {line.get_label() for line in portrait.lines}
     assert "($x$, $x'$)" in labels
     assert "start" not in labels
-    assert len(orbit_figure(orbit(), "all").axes) == 5
-    circle = orbit_figure(orbit(), "multipliers").axes[0]
+    assert len(figure_of_saved(orbit(), "all").axes) == 5
+    circle = figure_of_saved(orbit(), "multipliers").axes[0]
     (first, *_) = [line for line in circle.lines if "mu_{1}" in str(line.get_label())]
     assert complex(*(float(part[0]) for part in first.get_data())) == pytest.approx(
         complex(orbit().multipliers[0])
@@ -362,8 +361,6 @@ def test_what_is_drawn() -> None:
 @pytest.mark.compiled
 def test_pictures_of_found_orbits(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    from nonsmooth.runtime.present.pictures.found import found_figure
-
     data = {"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"}
     found = nonsmooth.find_orbits(
         "dry-friction", {**data, "us2": "0.5", "ur2": 1}, 8, transitions=300
@@ -375,11 +372,11 @@ def test_pictures_of_found_orbits(tmp_path: Path) -> None:
     assert code == 0
     assert json.loads(out) == {"system": "dry-friction", "kind": "all", "file": str(target)}
     assert target.read_bytes().startswith(b"\x89PNG")
-    figure = found_figure(found)
+    figure = figure_in(path)
     assert len(figure.axes) == 2 * len(found.orbits)
     assert f"period {found.orbits[0].period:.6g}" in figure.axes[0].get_title("left")
-    assert len(found_figure(found, "velocity").axes) == len(found.orbits)
+    assert len(figure_in(path, "velocity").axes) == len(found.orbits)
     assert run("plot", str(path), "--kind", "strip")[0] == 2
-    empty = replace(found, orbits=())
+    empty = replace(found, orbits=(), labels=np.full_like(found.labels, -1))
     with pytest.raises(InputError, match="nothing to draw"):
-        found_figure(empty)
+        figure_of_saved(empty)

@@ -70,7 +70,7 @@ def written(folder: Path, formulas: Callable[..., Any], *, certified: bool = Fal
 def paper(tmp_path_factory: pytest.TempPathFactory) -> Paper:
     """The whole report, drawn by someone whose paper is black."""
     matplotlib = pytest.importorskip("matplotlib")
-    for name in ("jinja2", "latex2mathml"):
+    for name in ("jinja2", "latex2mathml", "mdit_py_plugins"):
         pytest.importorskip(name)
     with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
         return written(tmp_path_factory.mktemp("paper"), given_formulas, certified=True)

@@ -118,7 +118,7 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
     branch().save("branch.json")
     nonsmooth.solve(STICK).save("orbit.json")
     figure = figure_in(
-        Path("branch.json"), quantities=("ta", "frequency"), over="trace", frequency="cycles"
+        Path("branch.json"), quantity=("ta", "frequency"), over="trace", frequency="cycles"
     )
     upper, lower = figure.axes
     shown = {tuple(line.get_ydata()) for line in lower.lines}

@@ -85,7 +85,7 @@ CASES: dict[str, Callable[[], Any]] = {
     "branch": lambda: symmetric_branch().plot(),
     "narrow branch": lambda: figure_of_saved(
         branch("1.3", "1.3001"),
-        quantities=("amplitude_x", "trace"),
+        quantity=("amplitude_x", "trace"),
         over=None,
         frequency="angular",
     ),

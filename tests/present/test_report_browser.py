@@ -29,8 +29,9 @@ def test_page_opens_offline_and_fits(width: int, paper: Paper) -> None:
     assert facts.messages == ()
     assert facts.requests == ()
     assert facts.chapters == (
-        *("rigid-stop", "elastic-stop", "symmetric", "global-stick", "solution-ii"),
-        *("poincare-map", "proofs", "misprints"),
+        *("rigid-impact", "soft-impact", "symmetrical-periodic-solution"),
+        *("periodic-solution-including-a-global-sticking-phase", "solution-ii"),
+        *("stability-and-the-poincaré-map", "proofs", "misprints"),
     )
 
 

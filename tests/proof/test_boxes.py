@@ -320,15 +320,12 @@ def test_places_are_exact() -> None:
 @pytest.mark.slow
 def test_maps_are_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    from nonsmooth.runtime.present.pictures.proven_maps import draw_box
-
     for found, labels in ((paper(), {"stable, proved (100 %)"}), (line(), {"unstable, proved"})):
-        figure = draw_box(found)
+        figure = found.plot()
         (axes,) = figure.axes
         texts = [text.get_text() for text in axes.get_legend().get_texts()]
         assert all(any(text.startswith(label) for text in texts) for label in labels)
         figure.savefig(tmp_path / "map.png")
-        assert len(found.plot().axes) == 1
         assert found.plot(axes) is axes
     names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
     with pytest.raises(InputError, match="two parameters"):

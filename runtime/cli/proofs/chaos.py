@@ -79,7 +79,6 @@ def chaos(
     """
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.proofs.display_certificates import show_chaos
-    from nonsmooth.runtime.present.pictures.horseshoes import chaos_figure
     from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 
     if not start:
@@ -104,7 +103,7 @@ def chaos(
     written = Written()
     written.save(found.save, save)
     if plot is not None and found.proved:
-        written.draw(lambda: chaos_figure(found), plot)
+        written.draw(found.plot, plot)
     code = written.show(found.to_json, lambda: show_chaos(found), as_json=as_json)
     if plot is not None and not found.proved:
         say("no picture: nothing is proved")

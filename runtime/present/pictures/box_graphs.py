@@ -9,32 +9,18 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw_graph", "graph_figure"]
+__all__ = ["draw_graph"]
 
 _COLORS = ("#CC3311", "#0077BB", "#EE7733", "#009988", "#EE3377", "#AA3377", "#332288")
 _TRAPPING, _UNKNOWN, _IMAGES, _SMALL = "#D5E8D4", "#555555", "#8899AA", "#BBAA44"
 _SHOWN = 7  # components with a colour and a vertex of their own
-
-
-def graph_figure(found: GraphCertificate) -> Figure:
-    """Figure, outside pyplot, of the boxes and the Morse graph; see `draw_graph`."""
-    check_picture("boxes", ("boxes",))
-    _check(found)
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(9.6, 5.4))
-    figure.set_layout_engine("constrained")
-    left, right = figure.subplots(1, 2, width_ratios=[1.9, 1])
-    _draw_boxes(left, found)
-    _draw_morse(right, found)
-    return figure
 
 
 def draw_graph(found: GraphCertificate, axes: Any = None) -> Figure | Axes:
@@ -42,21 +28,21 @@ def draw_graph(found: GraphCertificate, axes: Any = None) -> Figure | Axes:
 
     With one coordinate, the graph of the map is drawn: each box against the boxes that its
     image may meet. Axes that are given receive the boxes without the Morse graph, and are
-    returned; else the figure is. A section of more than two coordinates raises
+    returned; else a new figure is. A section of more than two coordinates raises
     `InputError`.
     """
-    if axes is None:
-        return graph_figure(found)
-    check_picture("boxes", ("boxes",))
-    _check(found)
-    (own,) = given_axes(axes, "boxes", [1])
-    _draw_boxes(own, found)
-    return own
-
-
-def _check(found: GraphCertificate) -> None:
     if len(found.coordinates) > 2:
         raise InputError("boxes of a section of more than two coordinates have no picture")
+
+    def compose(figure: Figure) -> None:
+        left, right = figure.subplots(1, 2, width_ratios=[1.9, 1])
+        _draw_boxes(left, found)
+        _draw_morse(right, found)
+
+    drawn: Figure | Axes = drawn_alone(
+        "boxes", (9.6, 5.4), lambda own: _draw_boxes(own, found), axes, compose
+    )
+    return drawn
 
 
 def _color(number: int) -> str:

@@ -20,19 +20,19 @@ from nonsmooth.runtime.explore.continuation.response import (
 from nonsmooth.runtime.model.naming import shown_name, symbol, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
-    check_picture,
+    drawn_alone,
     finish,
-    given_axes,
 )
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.continuation.locus import Locus
 
-__all__ = ["branch_figure", "draw_branch", "draw_locus", "locus_figure"]
+__all__ = ["draw_branch", "draw_locus"]
 
 ANGULAR = "angular"
 FREQUENCIES = (ANGULAR, "cycles")
@@ -57,69 +57,44 @@ _REFUSED = "not admissible"
 _CONSTANT, _AROUND = 1e-9, 0.05  # of the size of a quantity: below is rounding; what is shown
 
 
-def branch_figure(
-    branch: Branch,
-    quantities: Sequence[str] = (),
-    over: str | None = None,
-    frequency: str = ANGULAR,
-) -> Figure:
-    """Figure, outside pyplot, of quantities over the parameter or another quantity.
-
-    They stand one below the other, and are named as for `Branch.quantity`. The default is
-    the amplitude of each coordinate of a forced system, else the period. Frequencies are
-    "angular" (radians) or in "cycles" per unit of time. An unknown quantity raises
-    `InputError`.
-    """
-    shown = tuple(quantities) or usual_quantities(branch)
-    figure = _empty_figure()
-    figure.set_size_inches(6.4, 4.4 + 2.6 * (len(shown) - 1))
-    first = None
-    for place, quantity in enumerate(shown, 1):
-        axes = figure.add_subplot(len(shown), 1, place, sharex=first)
-        _draw(branch, quantity, over or branch.parameter, axes, frequency)
-        first = first or axes
-        if place > 1:
-            axes.set_title("", loc="left")
-            legend = axes.get_legend()
-            if legend is not None:
-                legend.remove()
-        if place < len(shown):
-            axes.set_xlabel("")
-    return figure
-
-
 def draw_branch(
     branch: Branch,
-    quantity: str | None = None,
+    quantity: str | Sequence[str] | None = None,
     axes: Any = None,
     *,
     over: str | None = None,
     frequency: str = ANGULAR,
 ) -> Any:
-    """Draw one quantity of a branch over the parameter, or over another quantity.
+    """Draw quantities of a branch over the parameter, or over another quantity.
 
-    The quantity is named as for `Branch.quantity`. The default is the amplitude of a
-    coordinate of a forced system (of each of them if no Axes are given), else the period.
-    The quantity "energy" with "frequency" as `over` is the frequency-energy curve of a
-    conservative family. Frequencies are "angular" (radians) or in "cycles" per unit of
-    time. The result is the Axes that are given, or else a new figure. An unknown quantity
-    raises `InputError`.
+    They are named as for `Branch.quantity`, and stand one below the other in a new figure;
+    Axes that are given receive the first one. The default is the amplitude of each coordinate
+    of a forced system, else the period. The quantity "energy" with "frequency" as `over` is the
+    frequency-energy curve of a conservative family. Frequencies are "angular" (radians) or in
+    "cycles" per unit of time. The result is the Axes that are given, or else the figure. An
+    unknown quantity raises `InputError`.
     """
-    if axes is None:
-        return branch_figure(branch, () if quantity is None else (quantity,), over, frequency)
-    check_picture("branch", ("branch",))
-    (place,) = given_axes(axes, "branch", (1,))
-    _draw(
-        branch, quantity or usual_quantities(branch)[0], over or branch.parameter, place, frequency
-    )
-    return place
+    names = (quantity,) if isinstance(quantity, str) else tuple(quantity or ())
+    shown = names or usual_quantities(branch)
 
+    def draw(place: Axes, name: str = shown[0]) -> None:
+        _draw(branch, name, over or branch.parameter, place, frequency)
 
-def locus_figure(locus: Locus) -> Figure:
-    """Figure, outside pyplot, of a curve of events in the plane of its parameters."""
-    figure = _empty_figure()
-    _draw_locus(locus, figure.add_subplot())
-    return figure
+    def compose(figure: Figure) -> None:
+        first = None
+        for place, name in enumerate(shown, 1):
+            own = figure.add_subplot(len(shown), 1, place, sharex=first)
+            draw(own, name)
+            first = first or own
+            if place > 1:
+                own.set_title("", loc="left")
+                legend = own.get_legend()
+                if legend is not None:
+                    legend.remove()
+            if place < len(shown):
+                own.set_xlabel("")
+
+    return drawn_alone("branch", (6.4, 4.4 + 2.6 * (len(shown) - 1)), draw, axes, compose)
 
 
 def draw_locus(locus: Locus, axes: Any = None) -> Any:
@@ -128,21 +103,7 @@ def draw_locus(locus: Locus, axes: Any = None) -> Any:
     The result is the Axes that are given, which may hold several curves, or else a new
     figure.
     """
-    if axes is None:
-        return locus_figure(locus)
-    check_picture("locus", ("locus",))
-    (place,) = given_axes(axes, "locus", (1,))
-    _draw_locus(locus, place)
-    return place
-
-
-def _empty_figure() -> Figure:
-    check_picture("all", ("all",))
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(6.4, 4.4))
-    figure.set_layout_engine("constrained")
-    return figure
+    return drawn_alone("locus", (6.4, 4.4), lambda own: _draw_locus(locus, own), axes)
 
 
 def _draw_locus(locus: Locus, axes: Any) -> None:

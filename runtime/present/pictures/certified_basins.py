@@ -9,56 +9,42 @@ import numpy as np
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["basin_figure", "draw_basin"]
-
-
-def basin_figure(found: BasinCertificate) -> Figure:
-    """Figure, outside pyplot, of what is proved of a basin.
-
-    The section's boxes are coloured by their ranks. Below, over two states each, is the
-    share of the examined tiles that is proved to be attracted. `InputError` is raised if
-    nothing is proved, or if the section has more than two coordinates.
-    """
-    check_picture("basin", ("basin",))
-    if not found.proved:
-        raise InputError(f"there is nothing to draw: {found.reason}")
-    from matplotlib.figure import Figure
-
-    pairs = _pairs(found)
-    figure = Figure(figsize=(9.6, 5.4 if pairs else 4.8))
-    figure.set_layout_engine("constrained")
-    if not pairs:
-        _draw_section(figure.subplots(), found)
-    else:
-        places = figure.add_gridspec(2, len(pairs), height_ratios=[1, 3])
-        _draw_section(figure.add_subplot(places[0, :]), found)
-        for k, pair in enumerate(pairs):
-            _draw_tiles(figure.add_subplot(places[1, k]), found, pair)
-    figure.suptitle(f"{shown_name(found.orbit)}: proved to attract", fontsize="medium")
-    return figure
+__all__ = ["draw_basin"]
 
 
 def draw_basin(found: BasinCertificate, axes: Any = None) -> Figure | Axes:
-    """Draw what is proved of a basin; see `basin_figure`.
+    """Draw what is proved of a basin: the section's boxes, coloured by their ranks.
 
-    Axes that are given receive the boxes of the section alone, and are returned; else the
-    figure is.
+    The result is the Axes that are given, or else a new figure. Below the section it has, over
+    two states each, the share of the examined tiles that is proved to be attracted.
+    `InputError` is raised if nothing is proved, or if the section has more than two coordinates.
     """
-    if axes is None:
-        return basin_figure(found)
-    check_picture("basin", ("basin",))
     if not found.proved:
         raise InputError(f"there is nothing to draw: {found.reason}")
-    (own,) = given_axes(axes, "basin", [1])
-    _draw_section(own, found)
-    return own
+    pairs = _pairs(found)
+
+    def compose(figure: Figure) -> None:
+        figure.suptitle(f"{shown_name(found.orbit)}: proved to attract", fontsize="medium")
+        if not pairs:
+            _draw_section(figure.add_subplot(), found)
+            return
+        places = figure.add_gridspec(2, len(pairs), height_ratios=[1, 3])
+        _draw_section(figure.add_subplot(places[0, :]), found)
+        for place, pair in enumerate(pairs):
+            _draw_tiles(figure.add_subplot(places[1, place]), found, pair)
+
+    size = (9.6, 5.4 if pairs else 4.8)
+    drawn: Figure | Axes = drawn_alone(
+        "basin", size, lambda own: _draw_section(own, found), axes, compose
+    )
+    return drawn
 
 
 def _pairs(found: BasinCertificate) -> list[tuple[int, int]]:

@@ -1,27 +1,26 @@
-"""Pictures of certified branches: proved intervals in colours, events marked."""
+"""Pictures of certified branches and doublings: proved intervals in colours, events marked."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.present.pictures.proven_maps import COLORS
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 
 if TYPE_CHECKING:
-    import numpy as np
     from matplotlib.axes import Axes
 
-__all__ = [
-    "draw_certified_branch",
-    "draw_tiles",
-    "mark_events",
-]
+__all__ = ["draw_certified_branch", "draw_doubling"]
 
 _POINTS = 40  # of a tile
+_AWAY = 60  # points of the orbits beside a flip
 _MARKS = "osD^vP*X"
 
 
@@ -38,15 +37,52 @@ def draw_certified_branch(
 
 def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
     name = found.unknown_names[-1] if quantity is None and found.unknown_names else quantity or ""
-    draw_tiles(found, name, axes, set())
-    mark_events([found], name, axes)
-    units = units_of(found.system)
-    axes.set_xlabel(units.label(found.parameter))
-    axes.set_ylabel(units.label(name))
-    finish(axes, shown_name(found.orbit))
+    _draw_tiles(found, name, axes, set())
+    _finish(found, [found], name, axes)
 
 
-def draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -> None:
+def draw_doubling(found: CertifiedDoubling, quantity: str | None = None, axes: Any = None) -> Any:
+    """Draw an unknown of both branches over the parameter, by the polynomials of the tubes.
+
+    By default it is the one by which the halves of the doubled orbits are told apart, or else
+    the first one. The result is the Axes that are given, or else a new
+    figure. An unknown name raises `InputError`.
+    """
+    return drawn_alone(
+        "doubling", (7.2, 5.0), lambda own: _draw_doubling(found, quantity, own), axes
+    )
+
+
+def _draw_doubling(found: CertifiedDoubling, quantity: str | None, axes: Axes) -> None:
+    doubled, branches = found.doubled, [found.branch]
+    if doubled is not None:
+        branches.append(doubled.branch)
+    names = found.branch.unknown_names
+    common = [name for name in names if all(name in b.unknown_names for b in branches)]
+    name = quantity
+    if name is None:
+        apart = "" if doubled is None else doubled.scaled
+        name = apart if apart in common else common[0]
+    if name not in common:
+        raise unknown_name("unknown", name, common)
+    shown: set[str] = set()
+    for branch in branches:
+        _draw_tiles(branch, name, axes, shown)
+    if doubled is not None:
+        e = np.linspace(0, 1, _AWAY)
+        size = len(names)
+        rows = [np.polynomial.polynomial.polyval(e, row) for row in doubled.centre]
+        away = [*rows[size:-1]]
+        away.insert(names.index(doubled.scaled), np.ones(_AWAY))
+        place = names.index(name)
+        up = rows[place] + float(doubled.amplitude) * e * away[place]
+        color = "#CC3311" if doubled.verdict == "undecided" else COLORS[doubled.verdict]
+        axes.plot(rows[-1], up, color=color, linewidth=2, linestyle=":")
+        axes.plot([], [], color="black", linestyle=":", label="twice the period, beside the flip")
+    _finish(found, branches, name, axes)
+
+
+def _draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -> None:
     """Draw the unknown `name` along the tiles of a branch, in the colours of their verdicts.
 
     Verdicts in `shown` have a label already; those that get one are added. `InputError` is
@@ -72,8 +108,13 @@ def draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -
             axes.plot(across[part], up[part], color=color, linewidth=2, label=label or None)
 
 
-def mark_events(branches: Sequence[CertifiedBranch], name: str, axes: Axes) -> None:
-    """Mark the events of branches along one parameter on the curves of the unknown `name`."""
+def _finish(
+    found: CertifiedBranch | CertifiedDoubling,
+    branches: Sequence[CertifiedBranch],
+    name: str,
+    axes: Axes,
+) -> None:
+    """Mark the events of branches on the curves of the unknown `name`, and label the Axes."""
     events = [event for branch in branches for event in branch.events]
     kinds = list(dict.fromkeys(event.kind for event in events))
     for place, kind in enumerate(kinds):
@@ -86,12 +127,14 @@ def mark_events(branches: Sequence[CertifiedBranch], name: str, axes: Axes) -> N
             color="black",
             label=f"{kind}, enclosed",
         )
+    units = units_of(found.system)
+    axes.set_xlabel(units.label(found.parameter))
+    axes.set_ylabel(units.label(name))
+    finish(axes, shown_name(found.orbit))
 
 
 def _points(found: CertifiedBranch, tile: BranchTile, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Values of the parameter and of the unknown along a tile."""
-    import numpy as np
-
     e = np.linspace(-1, 1, _POINTS)
     low, high = float(tile.lower), float(tile.upper)
     own = (low + high) / 2 + (high - low) / 2 * e

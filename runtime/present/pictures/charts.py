@@ -9,7 +9,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.classes import Part, parts_of, title_of
 from nonsmooth.runtime.model.naming import symbol, with_unit
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,9 +42,6 @@ def chart_figure(chart: Dataset) -> Figure:
     larger one. `InputError` is raised for another dataset, or for more than two dimensions
     of more than one value.
     """
-    check_picture("chart", ("chart",))
-    from matplotlib.figure import Figure
-
     chart = chart.squeeze()
     names = [str(name) for name in chart.sizes]
     if len(names) not in (1, 2):
@@ -55,19 +52,17 @@ def chart_figure(chart: Dataset) -> Figure:
     thin = chart.isel({name: slice(None, None, -(-n // _MOST)) for name, n in chart.sizes.items()})
     thin = thin.load()
     parts = [part for part in parts_of(thin) if part.where.any()]
-    figure = Figure(figsize=(7.2, 5.6))
-    figure.set_layout_engine("constrained")
-    axes = figure.add_subplot()
+    drawn: Figure = drawn_alone("chart", (7.2, 5.6), lambda axes: _draw(axes, thin, parts))
+    return drawn
+
+
+def _draw(axes: Axes, chart: Dataset, parts: list[Part]) -> None:
     colors = _colors(parts)
-    if len(names) == 2:
-        _draw_map(axes, thin, parts, colors)
-    else:
-        _draw_line(axes, thin, parts, colors)
+    (_draw_map if len(chart.sizes) == 2 else _draw_line)(axes, chart, parts, colors)
     for part, color in zip(parts, colors, strict=True):
         share = f"{100 * float(part.where.mean()):.1f} %"
         axes.fill_between([], [], facecolor=color, edgecolor="0.2", label=f"{part.name} ({share})")
     finish(axes, title_of(chart))
-    return figure
 
 
 def _colors(parts: list[Part]) -> list[str]:

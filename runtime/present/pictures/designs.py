@@ -11,9 +11,8 @@ from nonsmooth.runtime.explore.design.around import along, along_branch
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
-    check_picture,
+    drawn_alone,
     finish,
-    given_axes,
 )
 
 if TYPE_CHECKING:
@@ -21,43 +20,30 @@ if TYPE_CHECKING:
 
     from nonsmooth.runtime.explore.design.optimum import Design
 
-__all__ = ["design_figure", "draw_design"]
+__all__ = ["draw_design"]
 
 _WIDTH, _HEIGHT = 6.4, 3.0
 _POINTS = 61
 
 
-def design_figure(design: Design) -> Figure:
-    """Figure, outside pyplot, of a design's iterates, and of its quantities.
-
-    The quantities are drawn along each parameter, or along the design's branch.
-    """
-    check_picture("all", ("all",))
-    from matplotlib.figure import Figure
-
-    count = 2 if design.worst_over else 1 + len(design.parameters)
-    figure = Figure(figsize=(_WIDTH, _HEIGHT * count))
-    figure.set_layout_engine("constrained")
-    _iterates(design, figure.add_subplot(count, 1, 1))
-    if design.worst_over:
-        _along_branch(design, figure.add_subplot(count, 1, 2))
-        return figure
-    for place, name in enumerate(design.parameters):
-        _along(design, name, figure.add_subplot(count, 1, 2 + place))
-    return figure
-
-
 def draw_design(design: Design, axes: Any = None) -> Any:
-    """Draw a design, or its iterates alone if Axes are given.
+    """Draw a design's iterates, and its quantities along each parameter, or along its branch.
 
-    The result is the Axes that are given, or else a new figure.
+    Axes that are given receive the iterates alone, and are returned; else a new figure is.
     """
-    if axes is None:
-        return design_figure(design)
-    check_picture("design", ("design",))
-    (place,) = given_axes(axes, "design", (1,))
-    _iterates(design, place)
-    return place
+    count = 2 if design.worst_over else 1 + len(design.parameters)
+
+    def compose(figure: Figure) -> None:
+        places = [figure.add_subplot(count, 1, 1 + place) for place in range(count)]
+        _iterates(design, places[0])
+        if design.worst_over:
+            _along_branch(design, places[1])
+            return
+        for name, place in zip(design.parameters, places[1:], strict=True):
+            _along(design, name, place)
+
+    size = (_WIDTH, _HEIGHT * count)
+    return drawn_alone("design", size, lambda own: _iterates(design, own), axes, compose)
 
 
 def _iterates(design: Design, axes: Any) -> None:

@@ -18,6 +18,7 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_nam
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 __all__ = [
     "LINES",
@@ -115,12 +116,16 @@ def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
 
 
 def drawn_alone(
-    kind: str, size: tuple[float, float], draw: Callable[[Axes], None], axes: Any = None
+    kind: str,
+    size: tuple[float, float],
+    draw: Callable[[Axes], object],
+    axes: Any = None,
+    compose: Callable[[Figure], object] | None = None,
 ) -> Any:
-    """Draw into one Axes that a caller gave, or else into those of a new figure outside pyplot.
+    """Draw into one Axes that a caller gave, or else into a new figure outside pyplot.
 
-    `draw` takes the Axes, and `size` is that of the figure in inches. The result is the
-    Axes that were given, or the figure.
+    `draw` takes the Axes, and `size` is that of the figure in inches. If a figure of its own
+    shows more, `compose` draws all of it. The result is the Axes that were given, or the figure.
     """
     check_matplotlib()
     if axes is not None:
@@ -131,7 +136,10 @@ def drawn_alone(
 
     figure = Figure(figsize=size)
     figure.set_layout_engine("constrained")
-    draw(figure.add_subplot())
+    if compose is None:
+        draw(figure.add_subplot())
+    else:
+        compose(figure)
     return figure
 
 

@@ -8,57 +8,40 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["chaos_figure", "draw_chaos"]
+__all__ = ["draw_chaos"]
 
 _COLORS = ("#0077BB", "#EE7733", "#009988", "#CC3311", "#33BBEE", "#EE3377")
 _AROUND = 2.5  # sets are shown with so much about them, in units of their extent
 
 
-def chaos_figure(found: ChaosCertificate) -> Figure:
-    """Figure, outside pyplot, of the h-sets and the graph of coverings; see `draw_chaos`.
-
-    `InputError` is raised if nothing is proved, or if the section has more than two
-    coordinates.
-    """
-    check_picture("sets", ("sets",))
-    _check(found)
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(9.6, 5.0))
-    figure.set_layout_engine("constrained")
-    left, right = figure.subplots(1, 2, width_ratios=[1.7, 1])
-    _draw_sets(left, found)
-    _draw_graph(right, found)
-    return figure
-
-
 def draw_chaos(found: ChaosCertificate, axes: Any = None) -> Figure | Axes:
     """Draw the h-sets, the enclosures of their images, and the graph of the coverings.
 
-    Axes that are given receive the sets without the graph, and are returned; else the
-    figure is. `InputError` is raised as by `chaos_figure`.
+    Axes that are given receive the sets without the graph, and are returned; else a new figure
+    is. `InputError` is raised if nothing is proved, or if the section has more than two
+    coordinates.
     """
-    if axes is None:
-        return chaos_figure(found)
-    check_picture("sets", ("sets",))
-    _check(found)
-    (own,) = given_axes(axes, "sets", [1])
-    _draw_sets(own, found)
-    return own
-
-
-def _check(found: ChaosCertificate) -> None:
     if not found.proved:
         raise InputError(f"nothing is proved, so that there is no picture: {found.reason}")
     if len(found.coordinates) > 2:
         raise InputError("sets on a section of more than two coordinates have no picture")
+
+    def compose(figure: Figure) -> None:
+        left, right = figure.subplots(1, 2, width_ratios=[1.7, 1])
+        _draw_sets(left, found)
+        _draw_graph(right, found)
+
+    drawn: Figure | Axes = drawn_alone(
+        "sets", (9.6, 5.0), lambda own: _draw_sets(own, found), axes, compose
+    )
+    return drawn
 
 
 def _draw_sets(axes: Axes, found: ChaosCertificate) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,14 +13,14 @@ from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     SHADES,
-    check_matplotlib,
+    drawn_alone,
     finish,
     mark_style,
     shaded,
 )
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
 
     from nonsmooth.runtime.explore.finding.basins import Basins
     from nonsmooth.runtime.explore.finding.sweep import Sweep
@@ -34,16 +35,12 @@ _BASINS = (
 _UNCLASSIFIED = "#DDDDDD"
 
 
-def draw_basins(plane: Basins) -> Figure:
-    """Figure, outside pyplot, of a plane of starts from `basins`.
+def draw_basins(plane: Basins, axes: Any = None) -> Any:
+    """Draw a plane of starts from `basins`: the attractors in their order, then other outcomes.
 
-    The attractors come in their order, then the other outcomes. `InputError` is raised if there
-    are more than can be told apart.
+    The result is the Axes that are given, or else a new figure. `InputError` is raised if there
+    are more attractors than can be told apart.
     """
-    check_matplotlib()
-    from matplotlib.colors import ListedColormap
-    from matplotlib.figure import Figure
-
     names = label_names(plane.found)
     ends = [outcome for outcome in Outcome if outcome != Outcome.UNCLASSIFIED]
     order = [label for label in names if label >= 0]
@@ -51,13 +48,19 @@ def draw_basins(plane: Basins) -> Figure:
     most = SHADES * len(_BASINS)
     if len(order) > most:
         raise InputError(f"{len(order)} attractors, of which {most} can be told apart")
+    labels = [names[label] for label in order]
     places = np.full(plane.labels.shape, -1)
     for place, label in enumerate(order):
         places[plane.labels == label] = place
-    colors = [_UNCLASSIFIED, *(shaded(_BASINS, place) for place in range(len(order)))]
-    figure = Figure(figsize=(6.0, 5.4))
-    figure.set_layout_engine("constrained")
-    axes = figure.add_subplot()
+    return drawn_alone(
+        "basins", (6.0, 5.4), lambda own: _draw_plane(own, plane, places, labels), axes
+    )
+
+
+def _draw_plane(axes: Axes, plane: Basins, places: np.ndarray, labels: Sequence[str]) -> None:
+    from matplotlib.colors import ListedColormap
+
+    colors = [_UNCLASSIFIED, *(shaded(_BASINS, place) for place in range(len(labels)))]
     axes.pcolormesh(
         plane.x_values,
         plane.y_values,
@@ -65,29 +68,29 @@ def draw_basins(plane: Basins) -> Figure:
         shading="nearest",
         cmap=ListedColormap(colors),
         vmin=-1.5,
-        vmax=len(order) - 0.5,
+        vmax=len(labels) - 0.5,
         rasterized=True,
     )
-    for place in [*range(len(order)), -1]:
+    for place in [*range(len(labels)), -1]:
         part = 100 * float((places == place).mean())
-        name = names[order[place]] if place >= 0 else "unclassified"
+        name = labels[place] if place >= 0 else "unclassified"
         if part or place >= 0:
             axes.fill_between([], [], color=colors[place + 1], label=f"{name} ({_percent(part)})")
     units = units_of(plane.found.system)
     axes.set_xlabel(units.label(plane.x))
     axes.set_ylabel(units.label(plane.y))
     finish(axes, shown_name(plane.found.system))
-    return figure
 
 
-def draw_sweep(diagram: Sweep) -> Figure:
-    """Figure, outside pyplot, of a bifurcation diagram; NaN is left out."""
-    check_matplotlib()
-    from matplotlib.figure import Figure
+def draw_sweep(diagram: Sweep, axes: Any = None) -> Any:
+    """Draw a bifurcation diagram; NaN is left out.
 
-    figure = Figure(figsize=(6.4, 4.4))
-    figure.set_layout_engine("constrained")
-    axes = figure.add_subplot()
+    The result is the Axes that are given, or else a new figure.
+    """
+    return drawn_alone("sweep", (6.4, 4.4), lambda own: _draw_diagram(own, diagram), axes)
+
+
+def _draw_diagram(axes: Axes, diagram: Sweep) -> None:
     values, taken = np.nonzero(np.isfinite(diagram.samples))
     axes.plot(
         diagram.values[values],
@@ -104,7 +107,6 @@ def draw_sweep(diagram: Sweep) -> Figure:
     axes.set_ylabel(units.label(diagram.state))
     axes.margins(0.02, 0.05)
     finish(axes, f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}")
-    return figure
 
 
 def _percent(part: float) -> str:

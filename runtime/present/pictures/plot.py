@@ -1,6 +1,8 @@
-"""Pictures of orbits, by matplotlib.
+"""Pictures of orbits and of simulated motions, by matplotlib.
 
-They are drawn into the Axes that are given, or into a new figure.
+They are drawn into the Axes that are given, or into a new figure. Where transitions or
+oscillations are too many to be told apart, curves become the range that they fill, and
+configurations the share of time that is spent in each.
 """
 
 from __future__ import annotations
@@ -24,7 +26,17 @@ from nonsmooth.runtime.present.pictures.view import View, coordinates_of, view_o
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["figure_bytes", "orbit_figure", "orbit_view", "plot_orbit", "save_figure"]
+    from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = [
+    "figure_bytes",
+    "orbit_figure",
+    "orbit_view",
+    "plot_orbit",
+    "plot_trajectory",
+    "save_figure",
+    "trajectory_figure",
+]
 
 _METADATA: dict[str, dict[str, Any]] = {  # without dates, by the ending of the file
     ".png": {},
@@ -71,6 +83,43 @@ def orbit_figure(
 ) -> Figure:
     """Figure, outside pyplot, of a converged orbit; the arguments are those of `plot_orbit`."""
     return figure_of(_scene(orbit, kind, periods, points_per_period, masses), kind)
+
+
+def plot_trajectory(
+    trajectory: Trajectory,
+    kind: str = "time",
+    axes: Any = None,
+    *,
+    masses: Iterable[int] | None = None,
+    points: int = 2000,
+) -> Any:
+    """Draw a motion, and give the Axes: several for "all", or for several portraits.
+
+    The kind is "time" or "velocity" (positions or velocities over time), "phase" (a
+    portrait (x, x') of each mass), "strip" (configurations over time), or "all". One Axes
+    may be given; for "phase" one for each mass, or one for all; for "all" those of time,
+    velocity and strip, then one for each mass. Without Axes a new figure is made.
+
+    The masses count from 0, and None stands for all. `points` is a lower bound; there are
+    more where the motion needs them. The background has the colour of the configuration.
+    Dotted lines are boundaries that depend on the position or the velocity of one mass
+    alone; dashed ones are impacts. `InputError` is raised for an unknown kind or mass, a
+    wrong number of points or Axes, or a motion that is not finite.
+    """
+    places = draw_into(_trajectory_view(trajectory, kind, masses, points), kind, axes)
+    single = kind not in ("all", "phase") or hasattr(axes, "plot")
+    return places[0] if single else tuple(places)
+
+
+def trajectory_figure(
+    trajectory: Trajectory,
+    kind: str = "all",
+    *,
+    masses: Iterable[int] | None = None,
+    points: int = 2000,
+) -> Figure:
+    """Figure, outside pyplot, of a motion; the arguments are those of `plot_trajectory`."""
+    return figure_of(_trajectory_view(trajectory, kind, masses, points), kind)
 
 
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> None:
@@ -126,3 +175,12 @@ def orbit_view(
     if isinstance(points, int) and not isinstance(points, bool):
         points *= periods
     return view_of(motion, drawn, points, orbit, shown_name(orbit.name))
+
+
+def _trajectory_view(
+    trajectory: Trajectory, kind: str, masses: Iterable[int] | None, points: int
+) -> View:
+    """The motion as it is drawn, after all checks that need no drawing."""
+    check_picture(kind, tuple(name for name, one in KINDS.items() if one.of_motions))
+    drawn = chosen_masses(masses, len(coordinates_of(trajectory)), trajectory.name)
+    return view_of(trajectory, drawn, points)

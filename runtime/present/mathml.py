@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from html import unescape
 from itertools import pairwise
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-from nonsmooth.runtime.core.errors import missing_extra
-
-__all__ = ["Formulas"]
+__all__ = ["formula"]
 
 _CHILDREN = {"mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "msubsup": 3}
 _CHILDREN |= {"munder": 2, "mover": 2, "munderover": 3}
@@ -23,45 +21,29 @@ _OPENING, _CLOSING = ("(", "[", "{"), (")", "]", "}")
 _SIGNS = tuple("+−±")
 
 
-class Formulas:
-    """Converter of LaTeX to MathML; `MissingExtra` is raised if latex2mathml is not installed."""
+def formula(latex: str, display: str) -> str:
+    """HTML of a formula (LaTeX without delimiters).
 
-    def __init__(self) -> None:
-        try:
-            from latex2mathml.converter import convert_to_element
-        except ImportError:
-            raise missing_extra("html", "latex2mathml") from None
-        self._convert = convert_to_element
+    `display` is "block", on a line of its own, or "inline", in pieces between which a line may
+    break. `ValueError` is raised for what latex2mathml does not know.
+    """
+    from latex2mathml.converter import convert_to_element
 
-    def display(self, latex: str) -> str:
-        """HTML of a formula (LaTeX without delimiters) on a line of its own.
-
-        `ValueError` is raised for a command or an environment that latex2mathml does not know.
-        """
-        return _html(self._formula(latex, "block"))
-
-    def inline(self, latex: str) -> str:
-        """HTML of a formula (LaTeX without delimiters) in pieces between which a line may break.
-
-        `ValueError` is raised for a command or an environment that latex2mathml does not know.
-        """
-        return "".join(map(_html, _pieces(self._formula(latex, "inline"))))
-
-    def _formula(self, latex: str, display: str) -> Element:
-        math: Element = self._convert(_known(latex), display=display)
-        del math.attrib["xmlns"]
-        for element in list(math.iter()):
-            if _misread(element):
-                raise ValueError(f"latex2mathml does not know all of {latex}")
-            element.text = unescape(element.text or "")
-        for element in list(math.iter()):
-            if element.tag in _ROWS:
-                _space_names(element)
-                _space_signs(element)
-                _pair_bars(element)
-            elif element.text in ("′", "″"):
-                _lower(element)
-        return math
+    math: Element = convert_to_element(_known(latex), display=display)
+    del math.attrib["xmlns"]
+    for element in list(math.iter()):
+        if _misread(element):
+            raise ValueError(f"latex2mathml does not know all of {latex}")
+        element.text = unescape(element.text or "")
+    for element in list(math.iter()):
+        if element.tag in _ROWS:
+            _pair_bars(element)
+            _space_names(element)
+            _space_signs(element)
+        elif element.text in ("′", "″"):
+            _lower(element)
+    pieces = [math] if display == "block" else _pieces(math)
+    return "".join(ElementTree.tostring(piece, encoding="unicode") for piece in pieces)
 
 
 def _known(latex: str) -> str:
@@ -90,11 +72,10 @@ def _space_names(row: Element) -> None:
     neighbours = [None, *row, None]
     for before, element, after in zip(neighbours, row, neighbours[2:], strict=False):
         name = _core(element)
-        if not re.fullmatch("[A-Za-z]{2,}", name.text or ""):
-            continue
-        name.tag = "mo"
-        name.set("lspace", "0" if before is None or before.tag == "mo" else "0.167em")
-        name.set("rspace", "0" if after is None or after.tag in ("mo", "mrow") else "0.167em")
+        if re.fullmatch("[A-Za-z]{2,}", name.text or ""):
+            name.tag = "mo"
+            name.set("lspace", "0" if before is None or before.tag == "mo" else "0.167em")
+            name.set("rspace", "0" if after is None or after.tag in ("mo", "mrow") else "0.167em")
 
 
 def _space_signs(row: Element) -> None:
@@ -132,27 +113,21 @@ def _pieces(math: Element) -> Iterator[Element]:
     if len(row) < _LONG:
         yield math
         return
-    piece: list[Element] = []
-    depth = bars = 0
-    for element in row:
-        piece.append(element)
+    first = depth = bars = 0
+    for number, element in enumerate(row):
         sign = _core(element).text
         depth += (sign in _OPENING) - (sign in _CLOSING)
         bars += sign in _BARS
-        if sign in _RELATIONS + _SIGNS and len(piece) > 1 and not depth and bars % 2 == 0:
+        if sign in _RELATIONS + _SIGNS and number > first and not depth and bars % 2 == 0:
             element.set("form", "infix")
-            yield _inline(piece)
-            piece = []
-    if piece:
-        yield _inline(piece)
+            yield _inline(row[first : number + 1])
+            first = number + 1
+    if first < len(row):
+        yield _inline(row[first:])
 
 
-def _inline(elements: list[Element]) -> Element:
+def _inline(elements: Sequence[Element]) -> Element:
     """An inline formula of these elements."""
     math = Element("math", {"display": "inline"})
     math.extend(elements)
     return math
-
-
-def _html(element: Element) -> str:
-    return ElementTree.tostring(element, encoding="unicode")

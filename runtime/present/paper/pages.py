@@ -1,0 +1,181 @@
+"""The report as Markdown, from its template, and that as one HTML page that needs no network."""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.present.mathml import formula
+
+if TYPE_CHECKING:
+    from markdown_it.tree import SyntaxTreeNode as Node
+    from markupsafe import Markup
+
+__all__ = ["to_html", "to_markdown"]
+
+# maths, emphasised words, and what else Markdown does not take as it is
+_SPECIAL = re.compile(r"(?P<maths>\$[^$]+\$)|\*(?P<words>[^*]+)\*|[\\`*_~<$|]|&(?=#?\w+;)")
+_WITH = {"image": "paragraph", "strong": "table", "math_block": "paragraph"}
+_TONES = {
+    "agrees": "good",
+    "holds with": "changed",
+    "holds": "good",
+    "misprint": "changed",
+    "does not": "bad",
+}
+
+
+def to_markdown(report: Mapping[str, Any]) -> str:
+    """Markdown of a report, for GitHub and plain reading; pictures are ``<stem>.svg`` beside it.
+
+    `report` has what the template names.
+    """
+    text = _rendered("report.md", {"prose": _prose, "plain": _plain}, report)
+    return re.sub("\n{3,}", "\n\n", text).strip() + "\n"
+
+
+def _prose(text: str) -> str:
+    """Markdown of a text with marks, on one line: all that means something else is escaped."""
+
+    def escaped(found: re.Match[str]) -> str:
+        if found["maths"]:
+            maths = found[0].replace("<", r"\lt ").replace(r"\|", r"\Vert ")
+            return maths.replace("|", r"\vert ")  # no cell of a table may hold a bare pipe
+        if found["words"]:
+            return f"*{_SPECIAL.sub(escaped, found['words'])}*"
+        return "\\" + found[0]
+
+    line = _SPECIAL.sub(escaped, " ".join(text.split()))
+    return re.sub(r"^(\d*)([-+#>.)]\s|[#>])", r"\1\\\2", line)  # no list, heading or quotation
+
+
+def _plain(text: str) -> str:
+    """Markdown of a text without its marks."""
+    return re.sub(r"[\\\[\]`<]", r"\\\g<0>", re.sub(r"[$*]", "", text))
+
+
+def to_html(markdown: str, pictures: Mapping[str, bytes]) -> str:
+    """HTML of a report as one page that includes style, equations as MathML, and pictures.
+
+    `markdown` is that of `to_markdown`, and `pictures` has the SVG of each file that it shows.
+    `ValueError` is raised for LaTeX that latex2mathml does not know.
+    """
+    from markdown_it.tree import SyntaxTreeNode
+
+    page = _Page(pictures)
+    filters: dict[str, Callable[..., Any]] = {
+        "anchor": lambda heading: re.sub(r"\W+", "-", heading.partition(" (")[0].lower()),
+        "blocks": _blocks,
+        "entries": page.entries,
+        "html": page.html,
+        "picture": page.picture,
+        "rows": lambda table: [row.children for part in table.children for row in part.children],
+        "sections": _sections,
+        "tone": lambda verdict: next(
+            (tone for start, tone in _TONES.items() if verdict.startswith(start)), "neutral"
+        ),
+    }
+    parts = SyntaxTreeNode(page.reader.parse(markdown)).children
+    return _rendered("page.html", filters, {"parts": parts}, autoescape=True)
+
+
+def _rendered(
+    name: str, filters: Mapping[str, Callable[..., Any]], values: Mapping[str, Any], **options: Any
+) -> str:
+    """Text of a template of this folder."""
+    from jinja2 import Environment, StrictUndefined
+
+    delimiters = {"variable": ("[[", "]]"), "block": ("[%", "%]"), "comment": ("[#", "#]")}
+    for kind, (start, end) in delimiters.items():
+        options |= {f"{kind}_start_string": start, f"{kind}_end_string": end}
+    environment = Environment(
+        trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined, **options
+    )
+    environment.filters |= filters
+    source = files("nonsmooth.runtime.present.paper").joinpath(name).read_text(encoding="utf-8")
+    return environment.from_string(source).render(values)
+
+
+def _sections(parts: Iterable[Node], tag: str) -> list[tuple[Node | None, list[Node]]]:
+    """Headings of a level and what stands below each; what stands before them has none."""
+    found: list[tuple[Node | None, list[Node]]] = [(None, [])]
+    for part in parts:
+        if part.tag == tag:
+            found.append((part, []))
+        else:
+            found[-1][1].append(part)
+    return found
+
+
+def _blocks(parts: Iterable[Node]) -> Iterator[tuple[Node, Node | None]]:
+    """Yield parts with what belongs to each: words to a picture or formula, a table to its caption.
+
+    A picture or a caption stands in a paragraph of its own, in whose place it is given.
+    """
+    rest = [
+        inside[0]
+        if part.type == "paragraph"
+        and len(inside := _inside(part)) == 1
+        and inside[0].type in ("image", "strong")
+        else part
+        for part in parts
+    ]
+    while rest:
+        part = rest.pop(0)
+        belongs = rest and rest[0].type == _WITH.get(part.type)
+        yield part, rest.pop(0) if belongs else None
+
+
+def _inside(paragraph: Node) -> list[Node]:
+    """Parts of a paragraph's line, without empty ones."""
+    return [part for part in paragraph.children[0].children if part.type != "text" or part.content]
+
+
+class _Page:
+    """Converter of Markdown's parts, formulas and pictures to the HTML of a page."""
+
+    def __init__(self, pictures: Mapping[str, bytes]) -> None:
+        from markdown_it import MarkdownIt
+        from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+        self.pictures = pictures
+        self.reader = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin)
+        for display in ("inline", "block"):
+            self.reader.add_render_rule(f"math_{display}", _rule(display))
+
+    def html(self, parts: Node | Sequence[Node]) -> Markup:
+        """HTML of what is inside a heading, a paragraph or a cell, or of parts of a line.
+
+        Formulas and the punctuation beside them are kept on one line.
+        """
+        from markupsafe import Markup
+
+        if not isinstance(parts, Sequence):
+            parts = parts.children or [parts]
+        tokens = [token for part in parts for token in part.to_tokens()]
+        found = self.reader.renderer.render(tokens, self.reader.options, {})
+        beside = r"([(\[]*)(<math\b(?:(?!<math\b).)*?</math>)([.,;:!?)\]]*)"
+        return Markup(re.sub(beside, _joined, found, flags=re.DOTALL).strip())
+
+    def entries(self, items: Node) -> dict[str, Markup]:
+        """HTML of a list's items by the names in front of them."""
+        lines = [_inside(item.children[0]) for item in items.children]
+        return {name.children[0].content.rstrip(":"): self.html(parts) for name, *parts in lines}
+
+    def picture(self, image: Node) -> str:
+        """Address of a picture that is part of the page."""
+        content = b64encode(self.pictures[str(image.attrs["src"])])
+        return f"data:image/svg+xml;base64,{content.decode()}"
+
+
+def _rule(display: str) -> Callable[..., str]:
+    """What markdown-it calls to render a formula, by its tokens and the place of one."""
+    return lambda renderer, tokens, place, *_: formula(tokens[place].content, display)
+
+
+def _joined(found: re.Match[str]) -> str:
+    """A formula and the punctuation beside it, as one piece of HTML."""
+    return f'<span class="joined">{found[0]}</span>' if found[1] or found[3] else found[0]
