@@ -48,6 +48,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 @pytest.fixture(autouse=True, scope="module")
 def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
     """What a file keeps for its tests is given back to the machine behind its last test."""
+    gc.freeze()  # what is loaded stays: searching all of it behind each file takes a second
     yield
     for value in vars(request.module).values():
         if hasattr(value, "cache_clear") and value.__module__ == request.module.__name__:
