@@ -28,6 +28,7 @@ from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.checker.stability import (
     _inside,
     _neutral,
@@ -149,6 +150,50 @@ def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
     for told in ({"other_multipliers": ""}, {"multipliers": [], "other_multipliers": bound}):
         weaker = {**content, **told}
         check(signed(weaker))
+
+
+@of("rigid", "elastic", "symmetric")
+def test_each_disc_holds_one_multiplier_of_its_own(content: dict[str, Any]) -> None:
+    first, second = content["multipliers"]
+    refused({**content, "multipliers": [first, first]}, "stated multiplier is none")
+    wide = {"mid": "0", "rad": "9"}
+    both = {"re": wide, "im": wide}
+    for told in ([both], [first, both]):
+        refused({**content, "multipliers": told}, "stated multiplier is none")
+    check(signed({**content, "multipliers": [second, first]}))
+
+
+def test_derivatives_are_those_of_the_multiplier_that_is_stated(tmp_path: Path) -> None:
+    ns.certify(SUBJECTS["symmetric"](), derivatives="V").save(tmp_path / "proof.json")
+    content = json.loads((tmp_path / "proof.json").read_text())
+    turned = {**content, "multipliers": content["multipliers"][::-1]}
+    refused(turned, "the derivative of multiplier")
+    rates = {**content["derivatives"]}
+    names = "multiplier 1 re", "multiplier 2 re"
+    rates |= {name: rates[other] for name, other in zip(names, names[::-1], strict=True)}
+    check(signed({**turned, "derivatives": rates}))
+    refused({**content, "derivatives": rates}, "the derivative of multiplier")
+
+
+PROPOSAL = ("parameters", "given_period", "itinerary", "declaration", "closing", "box", "bits")
+
+
+@of("global-stick", "rigid", "irrational", "soft")
+def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
+    content: dict[str, Any],
+) -> None:
+    proposal = {name: content[name] for name in PROPOSAL}
+    found = []
+    for precision in (30, 1000):
+        with ctx.workprec(precision):
+            judged = JudgedOrbit(proposal)
+            verdicts = judged.existence, judged.admissibility, judged.stability
+            assert {verdict.claim for verdict in verdicts} == {"proved"}
+            balls = [*judged.enclosures.values(), judged.others_below]
+            balls += [part for m in judged.multipliers for part in (m.real, m.imag)]
+            balls += [margin.least for margin in judged.admissibility.found]
+        found.append([(ball.mid().man_exp(), ball.rad().man_exp()) for ball in balls])
+    assert found[0] == found[1]
 
 
 @of("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
