@@ -1,8 +1,9 @@
-"""The checker proves the claims of a certificate again, from its file alone.
+"""The checker proves the claims of a certificate, from what its file states alone.
 
 A file states a declaration of the system and what is claimed. Each kind of file has its function:
 
-- `check`: one orbit, in a box of unknowns, with its derivatives by parameters;
+- `check`: one orbit, in a box of unknowns, with its derivatives by parameters. `JudgedOrbit` says
+  what is proved of such an orbit: that is what `certify` states, and what a file is held against;
 - `check_tiles`: a map over a box of parameters, `check_branch`: a branch, also beyond its borders;
 - `check_events`: single events of orbits, `check_doubling`: what is beyond a flip;
 - `check_census`: the orbits of a list, that each exists and no two are one, not that there are
@@ -16,8 +17,8 @@ irrational numbers, chains of matrices), sets and flows in double precision with
 rounding, grids of boxes, errors, and what gives work to processes. None of the code that finds
 or proves orbits is.
 
-The provers ask these functions, or those for a part of a file, before they state anything; those
-of basins and graphs do not. ``python -m nonsmooth.runtime.checker FILE`` checks a file.
+The other provers ask these functions, or those for a part of a file, before they state anything;
+those of basins and graphs do not. ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 
 from nonsmooth.runtime.checker.basin import check_basin

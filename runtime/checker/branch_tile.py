@@ -181,7 +181,7 @@ class CheckedTile:
     def _judge(self, point: Sequence[Any]) -> None:
         orbit = self.curve.orbit(point)
         orbit.returns(self.curve.energies)
-        admissible = admissibility(orbit, [])
+        admissible = admissibility(orbit).claim
         if self.tile["before"] == "not admissible":
             demand(admissible == "refuted", f"admissibility is {admissible}")
             return
@@ -254,7 +254,7 @@ class _CheckedEvent:
         """Demand that no multiplier passes the unit circle in any other way on a part."""
         kind, orbit = self.event["kind"], self.curve.orbit(point)
         orbit.returns(self.curve.energies)
-        admissible = admissibility(orbit, [])
+        admissible = admissibility(orbit).claim
         demand(admissible == ("proved" if self._moves else "refuted"), "it may be no motion")
         if not self._moves:
             return
@@ -281,7 +281,7 @@ class _CheckedEvent:
         def but_for_it(point: Sequence[Any]) -> None:
             orbit = self.curve.orbit(point)
             orbit.returns(self.curve.energies)
-            told = admissibility(orbit, [], self.borders, self.window)
+            told = admissibility(orbit, self.borders, self.window).claim
             demand(told == "proved", f"but for the event admissibility is {told}")
             found = self._verdict_beside(orbit)
             demand(found == verdict, f"it is {found}")

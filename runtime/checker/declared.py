@@ -32,6 +32,8 @@ _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches 
 
 def _has_balls(entry: Any) -> bool:
     """Return whether any number of a declaration is stated as a ball."""
+    if isinstance(entry, str):
+        return False
     if isinstance(entry, dict):
         ball = entry.keys() == {"mid", "rad"} and isinstance(entry["mid"], str)
         return ball or any(map(_has_balls, entry.values()))

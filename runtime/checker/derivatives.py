@@ -1,74 +1,58 @@
-"""Derivatives of a located orbit by its parameters, proved again by jets of order 1.
+"""Derivatives of a located orbit by its parameters, by jets of order 1.
 
 The orbit is a regular root: by the implicit function theorem it moves with J x' = -F_p. What the
 declaration says is read once more, as functions of the parameters that move: what makes the
 cycle close has to hold for all of them.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from flint import acb, acb_poly, arb, arb_mat, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.exact import Failure, ball, demand, exact, inside
+from nonsmooth.runtime.checker.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, number_in, values_of
 from nonsmooth.runtime.checker.stability import characteristic
 from nonsmooth.runtime.core.jets import jet, part_of
 
-__all__ = ["check_derivatives"]
-
-_PARTS = ("re", "im")
+__all__ = ["rates_along", "sharper"]
 
 
-def check_derivatives(
-    content: dict[str, Any], parameters: Mapping[str, str], orbit: CheckedOrbit
-) -> None:
-    """Prove all derivatives that a certificate states; `Failure` names one that is not proved.
+def rates_along(
+    content: dict[str, Any],
+    parameters: Mapping[str, str],
+    name: str,
+    orbit: CheckedOrbit,
+    multipliers: Sequence[Any],
+) -> dict[str, Any]:
+    """Return the derivatives of all that is enclosed by a number that was given for an orbit.
 
-    `parameters` holds the values of all parameters, the period among them where it is
-    given; `orbit` is already located.
+    `content` states the system and how its parameters move with the number called `name`;
+    `parameters` holds the values of all of them, the period among them where it is given. The orbit
+    is located. `Failure` is raised if the derivatives are not known.
     """
-    stated, along = content.get("derivatives", {}), content.get("directions", {})
-    demand(bool(stated) == bool(along), "derivatives by nothing")
-    if not stated:
-        return
-    demand(orbit.declared.alone, "one-sided maps have no derivatives")
-    multipliers = [acb(ball(m["re"]), ball(m["im"])) for m in content["multipliers"]]
-    beside = {f"multiplier {k} {part}" for k in range(1, len(multipliers) + 1) for part in _PARTS}
-    whole = content["enclosures"].keys()
-    demand(whole <= stated.keys() <= whole | beside, "derivatives of other quantities")
-    demand(all(rates.keys() == along.keys() for rates in stated.values()),
-           "derivatives by other parameters")  # fmt: skip
-    moving = list(dict.fromkeys(name for direction in along.values() for name in direction))
-    demand({*moving} <= parameters.keys(), "what moves is no parameter")
-    still = {name: text for name, text in parameters.items() if name not in moving}
-    values, told, constants = values_of(still, moving, content["declaration"].get("constants", []))
+    rates = {moved: exact(text) for moved, text in content["directions"][name].items()}
+    demand(rates and all(rates.values()), f"{name} moves nothing")
+    demand(name not in parameters or rates.get(name) == 1, f"{name} moves something else")
+    demand(rates.keys() <= parameters.keys(), "what moves is no parameter")
+    still = {other: text for other, text in parameters.items() if other not in rates}
+    constants = content["declaration"].get("constants", [])
+    values, told, known = values_of(still, [*rates], constants)
     declared = StatedSystem(content, values, told)
-    demand(declared.bound and declared.rational, "the declaration is no function of parameters")
+    exactly = declared.bound and declared.rational
+    demand(exactly, "the declaration takes a root or a sine of its parameters")
     declared.closes()
-    point = [arb(number_in(parameters[name])) for name in moving]
-    orbit = _sharper(orbit)
-    slopes = orbit.passage(orbit.chain, orbit.root, orbit.flows).slopes
-    for name, direction in along.items():
-        rates = {parameter: exact(text) for parameter, text in direction.items()}
-        demand(rates and all(rates.values()), f"{name} moves nothing")
-        demand(name not in parameters or rates.get(name) == 1, f"{name} moves something else")
-        numbers = [
-            jet(value, arb(rates[parameter])) if parameter in rates else value
-            for parameter, value in zip(moving, point, strict=True)
-        ]
-        moved = CheckedOrbit(declared, number_at([*numbers, *constants]))
-        found = _rates(moved, orbit, slopes, multipliers)
-        for quantity, by in stated.items():
-            proved = inside(found[quantity], by[name])
-            demand(proved, f"the derivative of {quantity} by {name} is not in its enclosure")
-    middles = [_fraction(value) for value in point]
-    independent(declared, constants, [(x, x) for x in middles])
+    point = [arb(number_in(parameters[moved])) for moved in rates]
+    numbers = [jet(x, arb(rate)) for x, rate in zip(point, rates.values(), strict=True)]
+    found = _rates(CheckedOrbit(declared, number_at([*numbers, *known])), orbit, multipliers)
+    independent(declared, known, [(middle, middle) for middle in map(_fraction, point)])
+    demand(all(rate.is_finite() for rate in found.values()), "a derivative is not enclosed")
+    return found
 
 
-def _sharper(orbit: CheckedOrbit) -> CheckedOrbit:
+def sharper(orbit: CheckedOrbit) -> CheckedOrbit:
     """Return the orbit located in a smaller box around its enclosure, where that succeeds."""
     found = CheckedOrbit(orbit.declared, orbit.number)
     widest = max((x.rad() for x in orbit.root), key=float)
@@ -77,10 +61,12 @@ def _sharper(orbit: CheckedOrbit) -> CheckedOrbit:
     return found if unique else orbit
 
 
-def _rates(
-    moving: CheckedOrbit, orbit: CheckedOrbit, slopes: Any, multipliers: list[Any]
-) -> dict[str, Any]:
-    """Return the derivatives of all stated quantities of the orbit along one direction."""
+def _rates(moving: CheckedOrbit, orbit: CheckedOrbit, multipliers: Sequence[Any]) -> dict[str, Any]:
+    """Return the derivatives of all quantities of the orbit along one direction.
+
+    A real multiplier has no imaginary part that could move.
+    """
+    slopes = orbit.passage(orbit.chain, orbit.root, orbit.flows).slopes
     missed = moving.along(orbit.root)
     try:
         rates = slopes.solve(arb_mat([[-part_of(value, 1)] for value in missed])).entries()
@@ -99,8 +85,9 @@ def _rates(
     for number, disc in enumerate(multipliers, 1):
         root = disc.mid() - polynomial(disc.mid()) / slope(disc)  # it is in the disc, and sharper
         rate = -change(root) / slope(root)
-        found |= dict(zip((f"multiplier {number} {part}" for part in _PARTS),
-                          (rate.real, rate.imag), strict=True))  # fmt: skip
+        found[f"multiplier {number} re"] = rate.real
+        if not disc.imag.is_zero():
+            found[f"multiplier {number} im"] = rate.imag
     return found
 
 

@@ -123,10 +123,10 @@ class Division:
         kind = self.event["kind"]
         moving = _moving(orbit, parameters, constants, self.axis)
         if self.borders:
-            told = admissibility(orbit, [], self.borders, self.window)
+            told = admissibility(orbit, self.borders, self.window).claim
             beside = {-1: self.event["below"], 1: self.event["above"]}
             if told == "refuted" and beside.get(self._over(part)[0]) == "not admissible":
-                told = "proved" if admissibility(orbit, []) == "refuted" else told
+                told = "proved" if admissibility(orbit).claim == "refuted" else told
             demand(told == "proved", f"but for the event admissibility is {told}")
         else:
             demand_alone(orbit, kind)

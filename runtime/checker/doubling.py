@@ -229,7 +229,7 @@ class _CheckedDoubling:
         """Demand that orbits are motions, with no multiplier on the circle but 1 at the flip."""
         orbit = self.twice.orbit(point)
         demand(orbit.declared.alone, "one-sided maps")
-        told = admissibility(orbit, [])
+        told = admissibility(orbit).claim
         demand(told == "proved", f"admissibility is {told}")
         polynomial = characteristic(orbit.section)
         kinds = ["flip"] + ["neimark-sacker"] * (len(polynomial) > 2)

@@ -8,7 +8,8 @@ import hashlib
 import json
 import re
 from collections.abc import Sequence
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from flint import arb, fmpq, fmpz
 
@@ -18,6 +19,7 @@ __all__ = [
     "NUMBER",
     "Elimination",
     "Failure",
+    "Verdict",
     "agreed_claims",
     "ball",
     "check_sum",
@@ -36,10 +38,19 @@ NUMBER = re.compile(
     r"[+-]?\d+/\d+|[+-]?(?=\.?\d)\d*(\.\d*)?(e[+-]?\d{1,6})?", re.ASCII
 )  # a fraction, or a decimal with an exponent
 _HIGHEST = 10_000  # power of a parameter
+_SHORT = 24  # characters of a number
 
 
 class Failure(Exception):
     """A claim that could not be proved."""
+
+
+class Verdict(NamedTuple):
+    """The verdict on a claim."""
+
+    claim: str  # "proved", "refuted" or "undecided"
+    reason: str = ""  # why it is not proved
+    found: Any = ()  # numbers that come with it
 
 
 def demand(condition: object, otherwise: str) -> None:
@@ -72,6 +83,10 @@ def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str,
 
 def exact(text: str) -> Any:
     """Return the exact fraction of a text such as "1.25e-3" or "5/4"; `Failure` if it is none."""
+    return _short(text) if len(text) <= _SHORT else _parsed(text)
+
+
+def _parsed(text: str) -> Any:
     demand(NUMBER.fullmatch(text), f"{text[:60]!r} is no number")
     digits, _, exponent = text.partition("e")
     whole, _, decimals = digits.partition(".")
@@ -80,6 +95,9 @@ def exact(text: str) -> Any:
     demand(below != 0, f"{text[:60]!r} is no number")
     power = fmpq(10) ** (int(exponent or 0) - len(decimals))
     return fmpq(fmpz(numerator.removeprefix("+")), below) * power
+
+
+_short = lru_cache(maxsize=1024)(_parsed)  # most numbers of a declaration are 0 or 1
 
 
 def ball(stated: dict[str, str]) -> Any:

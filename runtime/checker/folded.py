@@ -165,7 +165,7 @@ class FoldedTile:
         orbit.returns(self.energies)
         told = {"below": self.fold["other"], "above": self.fold["other"]}
         told[self.fold["sheet"]] = self.verdict
-        admissible = admissibility(orbit, [])
+        admissible = admissibility(orbit).claim
         if admissible == "refuted":
             demand({*told.values()} == {"not admissible"}, "they are no motions")
             return

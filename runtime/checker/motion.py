@@ -12,15 +12,17 @@ from typing import Any, NamedTuple
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedBoundary, StatedPhase, Way
-from nonsmooth.runtime.checker.exact import demand, exact, product
+from nonsmooth.runtime.checker.exact import Verdict, demand, product
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
-__all__ = ["Border", "admissibility", "time_of_touch"]
+__all__ = ["Border", "Margin", "admissibility", "time_of_touch"]
 
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
+_CLOSE = "{}: it comes closer to zero than the digits tell"
+_SHARE = 3 / 4  # of its distance from zero, at least, that is found of a function
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
 
 
@@ -134,102 +136,151 @@ def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] |
     return found
 
 
+class Margin(NamedTuple):
+    """A lower bound that shows how clearly a phase respects a boundary.
+
+    By quantity: the boundary function stays below minus a "distance"; its first nonzero derivative
+    at the start is below minus a "departure"; the boundary is reached with at least a "speed".
+    """
+
+    phase: int  # counted from 0
+    configuration: str
+    boundary: str
+    quantity: str
+    least: Any
+
+
+class _Told(NamedTuple):
+    """What is known of something that has to hold."""
+
+    sign: int | None  # -1, it does; 1, it does not; else it is not known
+    false: str = ""  # what is said where it does not hold
+    unknown: str = ""  # what is said where that is not known
+
+
 def admissibility(
     orbit: CheckedOrbit,
-    margins: list[Any],
     assumed: Sequence[Border] = (),
     window: tuple[Any, Any] | None = None,
-) -> str:
-    """Return the verdict "proved", "refuted" or "undecided"; demand every stated margin.
+    *,
+    margins: bool = False,
+) -> Verdict:
+    """Return whether a located orbit is a motion of its system, with margins if they are asked for.
 
-    The orbit is located. Inequalities `assumed` are taken to hold; if one of them is a
-    grazing, its function is concave between the times of `window`. `Failure` is raised if
-    a margin is not kept.
+    Inequalities `assumed` are taken to hold; if one of them is a grazing, its function is concave
+    between the times of `window`.
     """
-    stated = {(m["phase"] - 1, m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
-    demand(len(stated) == len(margins), "a margin is stated twice")
-    for margin in margins:
-        place = margin["phase"] - 1
-        there = 0 <= place < len(orbit.declared.steps)
-        there = there and margin["configuration"] == orbit.declared.steps[place].name
-        demand(there, "a margin is stated of another phase")
-    demand(all(m > 0 for m in stated.values()), "a margin is not positive")
-    phases = enumerate(orbit.declared.phases(vanishing(orbit)))
-    found = [
-        sign
-        for place, phase in phases
-        for sign in _phase(orbit, place, phase, stated, assumed, window)
-    ]
-    if 1 in found:
-        return "refuted"
-    demand(not stated, "a margin is stated of nothing")
-    return "proved" if {*found} == {-1} else "undecided"
+    undecided, kept = "", list[Margin]()
+    for place, phase in enumerate(orbit.declared.phases(vanishing(orbit))):
+        name = f"phase {place + 1}, {orbit.declared.steps[place].name}"
+        found = _phase(orbit, place, phase, assumed, window, kept if margins else None)
+        for told in found:
+            if told.sign == 1:
+                return Verdict("refuted", f"{name}: {told.false}")
+        left = [told.unknown for told in found if told.sign != -1]
+        undecided = undecided or (f"{name}: {left[0]}" if left else "")
+    if undecided:
+        return Verdict("undecided", undecided)
+    return Verdict("proved", found=tuple(kept))
 
 
 def _phase(
     orbit: CheckedOrbit,
     place: int,
     phase: StatedPhase,
-    stated: dict[Any, Any],
     assumed: Sequence[Border],
     window: tuple[Any, Any] | None,
-) -> list[int | None]:
-    """Return -1, 1 or None for all that has to hold in a phase: it does, it does not, unknown.
-
-    Margins that are kept are taken from `stated`.
-    """
+    margins: list[Margin] | None,
+) -> list[_Told]:
+    """Return what is known of all that has to hold in a phase; add to the margins, if any."""
     first, last = orbit.now.starts[place].entries(), orbit.now.ends[place].entries()
 
-    def clear(name: str, quantity: str, size: Any) -> int | None:
-        least = stated.pop((place, name, quantity), fmpq(0))
-        return -1 if size > arb(least) else None
+    def margin(name: str, quantity: str, least: Any) -> None:
+        if margins is not None and least.lower() > 0:
+            step = orbit.declared.steps[place]
+            margins.append(Margin(place, step.name, name, quantity, least.lower()))
 
     own = {(b.kind, b.boundary, b.instant) for b in assumed if b.phase == place}
     vanishes = any(kind == "vanishing-phase" for kind, *_ in own)
-    zeros = [orbit.value(row, first) if any(row) else fmpq(0) for row in phase.held]
-    found: list[int | None] = [-1 if vanishes else _sign(-orbit.dwell[place])]
+    found = [
+        _Told(
+            -1 if vanishes else _sign(-orbit.dwell[place]),
+            "its dwell time is negative",
+            "its dwell time cannot be told from 0",
+        )
+    ]
+    for row in phase.held:
+        found.append(
+            _zero(orbit, row, first, "what it holds {} where it begins", ("holds", "does not hold"))
+        )
     waves = []
     for watched in phase.watched:
-        name, order = watched.name, watched.order
-        if not any(key[:2] == (place, name) for key in stated) and _bends(orbit, place, watched):
+        name, order, begins = watched.name, watched.order, watched.begins
+        touched = ("tangent", name, "end") in own
+        speed = orbit.value(watched.speed, last) if watched.ends_it else arb(1)
+        leading = arb(-1) if begins is None else orbit.value(begins, first)
+        clear = leading < 0 and speed > 0
+        if not clear and _bends(orbit, place, watched):
             continue
-        slows = ("tangent", name, "end") in own
-        if watched.ends_it:
-            zeros.append(orbit.value(watched.end, last) if any(watched.end) else fmpq(0))
-            speed = orbit.value(watched.speed, last)
-            slows = slows or speed > 0
-            if ("tangent", name, "end") not in own:
-                found += [_sign(-speed), clear(name, "speed", speed)]
-        if watched.begins is None:
-            continue  # it is zero all along
-        leading = orbit.value(watched.begins, first)
         shape = _Shape(
             not order and vanishes and watched.ends_it,
             ("tangent" if order else "entry", name, "start") in own,
             ("simultaneous", name, "end") in own,
-            slows,
-            order == 1 and leading < 0,
+            touched or (watched.ends_it and bool(speed > 0)),
+            order == 1 and bool(leading < 0),
             window if ("grazing", name, "inside") in own else None,
+            apart=margins is not None and not order and not watched.ends_it,
         )
-        if shape.starts_open:
-            if order or not watched.still:
-                waves.append((watched, arb(0), shape))
-            continue
-        found.append(_sign(leading))
-        least = stated.pop((place, name, "distance"), fmpq(0))
-        if least:  # of a function that is zero somewhere there is none
-            found.append(None if order or watched.ends_it else -1)
-        if order:
-            found.append(clear(name, "departure", -leading))
-        else:
-            found.append(-1 if leading + arb(least) < 0 else None)
+        if begins is not None and not shape.starts_open:
+            found.append(
+                _Told(
+                    _sign(leading),
+                    f"{name} is passed where it begins",
+                    f"{name} where it begins: its derivative of order {order}"
+                    " cannot be told from 0",
+                )
+            )
+            if order:
+                margin(name, "departure", -range_of(leading))
+        if watched.ends_it:
+            found.append(
+                _zero(orbit, watched.end, last, f"{name} {{}} where it ends",
+                      ("is reached", "is not reached"))
+            )  # fmt: skip
+            if not touched:
+                found.append(
+                    _Told(
+                        _sign(-speed),
+                        f"{name} is reached from outside",
+                        f"{name} may be reached tangentially",
+                    )
+                )
+                margin(name, "speed", range_of(speed))
+        if begins is None:
+            continue  # it is zero all along
         if order or not watched.still:
-            waves.append((watched, arb(least), shape))
-    found += [{0: -1, None: None}.get(_sign(x), 1) for x in zeros]
+            waves.append((watched, shape))
+        elif shape.apart:
+            margin(name, "distance", -range_of(leading))
     conditions = [border.listed for border in assumed
                   if border.kind == "condition" and border.phase == place]  # fmt: skip
-    found.append(_follows(orbit, phase, last, conditions))
-    return found if 1 in found else [*found, _below(orbit, place, waves)]
+    found.append(_follows(orbit, place, phase, last, conditions))
+    if all(told.sign != 1 for told in found):
+        below, heights = _below(orbit, place, waves)
+        found.append(below)
+        for (watched, shape), height in zip(waves, heights, strict=True):
+            if shape.apart:
+                margin(watched.name, "distance", -height)
+    return found
+
+
+def _zero(
+    orbit: CheckedOrbit, row: Any, state: Sequence[Any], told: str, ways: tuple[str, str]
+) -> _Told:
+    """Return what is known of a function being zero at a state, if it is not exactly zero."""
+    sign = _sign(orbit.value(row, state)) if any(row) else 0
+    known = {0: -1, None: None}.get(sign, 1)
+    return _Told(known, told.format(ways[1]), f"whether {told.format(ways[0])}")
 
 
 class _Shape(NamedTuple):
@@ -242,6 +293,7 @@ class _Shape(NamedTuple):
     slows: bool = False  # its rate at the end is not negative
     falls: bool = False  # its rate at the start is negative
     touches: tuple[Any, Any] | None = None  # times between which it may touch zero
+    apart: bool = False  # how far it stays from zero is asked for
 
     @property
     def starts_open(self) -> bool:
@@ -262,42 +314,53 @@ def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
     if not orbit.value(bend, orbit.now.starts[place].entries()) < 0:
         return False
     falling = watched._replace(row=bend, ends_it=False, order=0)
-    return _below(orbit, place, [(falling, arb(0), _Shape())]) == -1
+    return _below(orbit, place, [(falling, _Shape())])[0].sign == -1
 
 
 def _follows(
-    orbit: CheckedOrbit, phase: StatedPhase, last: Any, assumed: Sequence[tuple[int, int]]
-) -> int | None:
-    """Return -1 if in every order the itinerary's transition follows, 1 if not, None if unknown.
+    orbit: CheckedOrbit,
+    place: int,
+    phase: StatedPhase,
+    last: Any,
+    assumed: Sequence[tuple[int, int]],
+) -> _Told:
+    """Return whether in every order the itinerary's transition follows.
 
     The first transition whose conditions hold follows. Conditions `assumed` to be as the
     itinerary asks have to decide it: all other conditions of their transitions have to
     hold.
     """
+    target = orbit.declared.steps[place].target
+    unknown, orders = f"whether {target} follows", phase.orders
+    if phase.lawful:
+        unknown = f"by which steps of the contact law {target} follows"
+    if len(orders) > 1:
+        ending = " and ".join(orbit.declared.itinerary[place]["boundaries"])
+        unknown = f"the orders in which {ending} act need not agree"
     if not phase.decided:
-        return None
-    orders = phase.orders
+        return _Told(None, unknown=unknown)
     if assumed:
         if len(orders) > 1 or phase.lawful or sum(way.wanted for way in orders[0]) > 1:
-            return None
+            return _Told(None, unknown=unknown)
         if len({number for number, _ in assumed}) < len(assumed):
-            return None
+            return _Told(None, unknown=unknown)
         ways = []
         taken = dict(assumed)
         for number, way in enumerate(orders[0]):
             if number in taken:
                 others = [c for k, c in enumerate(way.conditions) if k != taken[number]]
                 if not all(_holds(orbit, row, last, expected) for row, expected in others):
-                    return None
+                    return _Told(None, unknown=unknown)
                 if way.wanted:
                     ways.append(way._replace(conditions=[]))
                 continue
             ways.append(way)
         orders = [ways]
     found = [_first(orbit, ways, last) for ways in orders]
+    sign = None if None in found else -1
     if 1 in found:
-        return None if phase.lawful else 1
-    return None if None in found else -1
+        sign = None if phase.lawful else 1
+    return _Told(sign, f"{target} does not follow, or not by this transition", unknown)
 
 
 def _first(orbit: CheckedOrbit, ways: list[Way], last: Any) -> int | None:
@@ -317,9 +380,9 @@ def _holds(orbit: CheckedOrbit, row: Any, last: Any, expected: bool) -> bool | N
 
 
 def _below(
-    orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, Any, _Shape]]
-) -> int | None:
-    """Return -1 if the functions are negative inside the phase, 1 if one is positive, else None.
+    orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, _Shape]]
+) -> tuple[_Told, list[Any]]:
+    """Return whether functions are negative inside a phase, and what each of them stays below.
 
     Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of
     times c - r ... c + r the motion stays within r exp(r |b|) |b Y(c)| of Y(c), by
@@ -331,7 +394,8 @@ def _below(
     Where more derivatives vanish at the start, the first that does not decides. Where a
     function may touch zero it is concave in all of a window, which is left to its one
     maximum there. Where zero may be reached without speed the function is concave at the
-    end.
+    end. Where the distance of a function is asked for, bounds in its windows are not far
+    above its values; the heights are bounds of these functions alone.
     """
     length = orbit.dwell[place]
     lasts = bool(length > 0)
@@ -340,7 +404,9 @@ def _below(
     b = lower(orbit.chain.fields[place] * length)
     wide = range_of(b)
     size = matrix([[abs(x) for x in row] for row in wide.tolist()])
-    rows = [lower(orbit.numbers([watched.row])) for watched, _, _ in waves]
+    rows = [lower(orbit.numbers([watched.row])) for watched, _ in waves]
+    start, dwell = lower(orbit.now.starts[place]), range_of(length)
+    heights = [range_of((n * start)[0, 0]).upper() for n in rows]
 
     @cache
     def ahead(level: int) -> Any:
@@ -355,12 +421,11 @@ def _below(
         r = arb(2) ** -level
         return (size * r).exp() * arb(0, r)
 
-    dwell = range_of(length)
-    windows = [(lower(orbit.now.starts[place]), 0, list(range(len(waves))), True, True, fmpq(0))]
+    windows = [(start, 0, list(range(len(waves))), True, True, fmpq(0))]
     count = 0
     while windows:
         begin, depth, left, first, last, since = windows.pop()
-        r = arb(2) ** -(depth + 1)
+        r, middle = arb(2) ** -(depth + 1), since + fmpq(1, 2 ** (depth + 1))
         around, rest = arb(0, r), []
         y = ahead(depth + 1) * begin
         rate = b * y
@@ -368,7 +433,7 @@ def _below(
         rates = fast + wide * (reach(depth + 1) * matrix([[abs(x)] for x in fast.entries()]))
         bent = wide * rates
         for i in left:
-            (watched, least, shape), n = waves[i], rows[i]
+            (watched, shape), n = waves[i], rows[i]
             value, slope = range_of((n * y)[0, 0]), range_of((n * rate)[0, 0])
             curve = (range_of(n) * bent)[0, 0]
             if shape.touches is not None:
@@ -380,14 +445,19 @@ def _below(
                 if begins > shape.touches[0] and ends < shape.touches[1]:
                     continue
             if value > 0:
-                return 1 if lasts else None  # the phase may end before
+                time = (middle * dwell).str(6, radius=False)
+                told = f"{watched.name} is crossed before it ends, {time} after its start"
+                # a phase that may vanish may end before
+                return _Told(1 if lasts else None, told, _CLOSE.format(watched.name)), heights
             change = slope + curve * around
-            top = value + least + slope * around + curve * arb(0).union(r * r / 2)
+            top = value + slope * around + curve * arb(0).union(r * r / 2)
             rising = watched.ends_it or shape.ends or not last
-            falling = change < 0 and not (first and shape.rises)
-            done = top < 0 or falling or (change > 0 and rising)
+            done = (change < 0 and not (first and shape.rises)) or (change > 0 and rising)
             done = done or (last and shape.slows and curve < 0)
             done = done or (first and shape.falls and curve < 0)
+            near = depth < _DEEPEST and not top < _SHARE * value
+            if not done and top < 0 and not (shape.apart and near):
+                done, heights[i] = True, heights[i].max(top.upper())
             order = watched.follows if shape.begins else watched.order
             if first and order > 1:
                 done = _turns_down(n, b, wide, rate, rates, order, around)
@@ -395,12 +465,11 @@ def _below(
                 rest.append(i)
         count += 1
         if rest and (depth == _DEEPEST or count > _MOST):
-            return None
+            return _Told(None, unknown=_CLOSE.format(waves[rest[0]][0].name)), heights
         if rest:
-            middle = since + fmpq(1, 2 ** (depth + 1))
             windows.append((y, depth + 1, rest, False, last, middle))
             windows.append((begin, depth + 1, rest, first, False, since))
-    return -1
+    return _Told(-1), heights
 
 
 def _turns_down(n: Any, b: Any, wide: Any, rate: Any, fast: Any, order: int, around: Any) -> bool:

@@ -1,35 +1,162 @@
-"""The check of a certificate at one parameter point, in balls."""
+"""The judge of an orbit at one parameter point, in balls: what is proved of it, and its file."""
 
+from collections.abc import Callable, Sequence
+from functools import cached_property, partial
 from typing import Any
 
 from flint import arb, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.derivatives import check_derivatives
+from nonsmooth.runtime.checker.derivatives import rates_along, sharper
 from nonsmooth.runtime.checker.exact import (
+    Failure,
+    Verdict,
     agreed_claims,
-    ball,
     check_sum,
     demand,
     exact,
     inside,
 )
-from nonsmooth.runtime.checker.motion import admissibility
+from nonsmooth.runtime.checker.motion import Margin, admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape, check_sharp
-from nonsmooth.runtime.checker.stability import check_multipliers, stability
+from nonsmooth.runtime.checker.stability import multipliers, others_below, stability
 
-__all__ = ["check"]
+__all__ = ["CORNER", "GUARD", "TANGENTIAL", "JudgedOrbit", "check"]
 
-_GUARD = 96  # bits beyond those of the enclosures
+GUARD = 96  # bits beyond those of the enclosures
 _ENOUGH = 128  # bits that do for admissibility
+CORNER = "boundaries are reached together: the Poincare map has a corner"
+TANGENTIAL = "a boundary may be reached tangentially"
+_SINGULAR = (
+    "Krawczyk's test fails: the equations are singular here, or nearly so, or more bits are needed"
+)
+_ON_CIRCLE = {
+    "stable": "a multiplier cannot be told from the unit circle",
+    "neutral": "a nontrivial pair of multipliers cannot be told from a double one",
+}
+
+
+class JudgedOrbit:
+    """What is proved of the orbit that a proposal tells of, at one parameter point.
+
+    A proposal has the entries of a certificate's file that state the system, the way in which the
+    cycle closes, the values of the parameters, the box of unknowns, the bits and, where derivatives
+    are asked for, how parameters move. Nothing of it is taken on trust, and nothing else is read.
+    What follows for an orbit that is proved to exist is computed where it is asked for.
+    """
+
+    def __init__(self, proposal: dict[str, Any]) -> None:
+        self.proposal, self.bits = proposal, proposal["bits"]
+        self.period = {"period": proposal["given_period"]} if proposal["given_period"] else {}
+        self.parameters = {**proposal["parameters"], **self.period}
+        self.kind = "stable"  # what is claimed of the multipliers, else "neutral"
+        self.enclosures: dict[str, Any] = {}
+        self.existence = self._judged(self._located)
+
+    def _judged(self, step: Callable[[], Verdict]) -> Verdict:
+        """Return the verdict of a step; it is undecided where something cannot be shown."""
+        try:
+            with ctx.workprec(self.bits + GUARD):
+                return step()
+        except Failure as failure:
+            return Verdict("undecided", str(failure))
+        except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
+            return Verdict("undecided", f"{type(problem).__name__}: {problem}")
+
+    def _located(self) -> Verdict:
+        """Prove that the box holds one orbit, and enclose it, its period and its trace."""
+        proposal, own = self.proposal, self.proposal["parameters"]
+        demand(not self.period.keys() & own.keys(), "two periods are given")
+        told = proposal["declaration"].get("constants", [])
+        values, stated, self.constants = values_of(self.parameters, (), told)
+        self.declared = declared = StatedSystem(proposal, values, stated)
+        timed = proposal["closing"]["kind"] == "period"
+        demand(bool(self.period) == timed, "no period is given")
+        self.kind = declared.stability
+        energies = declared.closes()
+        independent(declared, self.constants)
+        self.orbit = orbit = CheckedOrbit(declared, number_at(self.constants))
+        box = proposal["box"]
+        named = [side["name"] for side in box] == declared.unknowns
+        demand(named, "the box is not that of the unknowns")
+        centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
+        unique, empty = orbit.locate(centre, radii)
+        if empty and not declared.forcing:
+            return Verdict("refuted", "no orbit is near the given numbers")
+        # with a forcing one of the equations is a choice: how often that turns
+        demand(unique, _SINGULAR)
+        orbit.returns(energies)
+        found = orbit.enclosures()
+        independent(declared, self.constants)  # of all that it was divided by since
+        self.enclosures = {name: x for name, x in found.items() if x.is_finite()}
+        lost = found.keys() - self.enclosures.keys() - {"trace"}
+        demand(not lost, "the orbit is not enclosed")
+        return Verdict("proved")
+
+    @cached_property
+    def stability(self) -> Verdict:
+        """The verdict on the multipliers: all inside the unit circle, or on it, by `kind`."""
+        return self._judged(self._stable)
+
+    def _stable(self) -> Verdict:
+        demand("trace" in self.enclosures, TANGENTIAL)
+        demand(self.declared.alone, CORNER)
+        claim = stability(self.orbit)
+        told = {"refuted": "a multiplier lies outside the unit circle", "proved": ""}
+        return Verdict(claim, told.get(claim, _ON_CIRCLE[self.kind]))
+
+    @cached_property
+    def multipliers(self) -> tuple[Any, ...]:
+        """Nontrivial multipliers that are clearly simple, the largest first; often not all."""
+        if "trace" not in self.enclosures or not self.declared.alone:
+            return ()
+        with ctx.workprec(self.bits + GUARD):
+            return tuple(multipliers(self.orbit))
+
+    @cached_property
+    def others_below(self) -> Any:
+        """A bound of all other nontrivial multipliers; None where nothing is known of them."""
+        if "trace" not in self.enclosures or not self.declared.alone:
+            return None
+        with ctx.workprec(self.bits + GUARD):
+            return others_below(self.orbit, self.multipliers)
+
+    @cached_property
+    def admissibility(self) -> Verdict:
+        """The verdict on the orbit being a motion of the system, with its margins."""
+        return self._judged(self._admissible)
+
+    def _admissible(self) -> Verdict:
+        with ctx.workprec(min(self.bits, _ENOUGH) + GUARD):
+            found = admissibility(self.orbit, margins=True)
+        independent(self.declared, self.constants)  # of all that it was divided by since
+        return found
+
+    @cached_property
+    def derivatives(self) -> dict[str, Verdict]:
+        """By each number that moves parameters the verdict on derivatives by it, with these."""
+        names = self.proposal.get("directions", {})
+        return {name: self._judged(partial(self._moved, name)) for name in names}
+
+    def _moved(self, name: str) -> Verdict:
+        """Enclose the derivatives of all that is enclosed by one number."""
+        demand("trace" in self.enclosures, f"{TANGENTIAL}: there no derivative is claimed")
+        demand(self.declared.alone, CORNER)
+        told = self.proposal, self.parameters, name
+        return Verdict("proved", found=rates_along(*told, self._sharper, self.multipliers))
+
+    @cached_property
+    def _sharper(self) -> CheckedOrbit:
+        return sharper(self.orbit)
 
 
 def check(content: dict[str, Any]) -> None:
-    """Prove every claim of a certificate again; `Failure` names a claim that is not proved.
+    """Judge the orbit of a certificate's file again; demand that all that it states is found.
 
-    `Malformed` is raised if the file, read as JSON, has another shape.
+    `Failure` names a claim that is not proved; `Malformed` is raised if the file, read as JSON, has
+    another shape.
     """
     check_shape(content, CERTIFICATE)
     check_sum(content)
@@ -45,44 +172,82 @@ def check(content: dict[str, Any]) -> None:
         return
     if exists == "proved":
         check_sharp(content["box"], bits)
-    with ctx.workprec(bits + _GUARD):
-        period = {"period": content["given_period"]} if content["given_period"] else {}
-        demand(not period.keys() & content["parameters"].keys(), "two periods are given")
-        told = content["declaration"].get("constants", [])
-        values, stated, constants = values_of({**content["parameters"], **period}, (), told)
-        declared = StatedSystem(content, values, stated)
-        demand(bool(period) == (content["closing"]["kind"] == "period"), "no period is given")
-        demand(content["stability"] == declared.stability, "stability of another kind")
-        energies = declared.closes()
-        independent(declared, constants)
-        orbit, box = CheckedOrbit(declared, number_at(constants)), content["box"]
-        named = [side["name"] for side in box] == declared.unknowns
-        demand(named, "the box is not that of the unknowns")
-        centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
-        unique, empty = orbit.locate(centre, radii)
-        if exists == "refuted":
-            # with a forcing one of the equations is a choice: how often that turns
-            empty = empty and not declared.forcing
-            demand(empty, "existence is not refuted: the box may contain a root")
-            return
-        demand(unique, "existence is not proved: Krawczyk's test fails")
-        orbit.returns(energies)
-        found = orbit.enclosures()
+    found = JudgedOrbit(content)
+    _agree("existence", exists, found.existence)
+    demand(content["stability"] == found.kind, "stability of another kind")
+    if exists == "refuted":
+        return
+    with ctx.workprec(bits + GUARD):
         without = {"trace"} if stable == "undecided" else set()
-        all_told = found.keys() - without <= content["enclosures"].keys() <= found.keys()
-        demand(all_told, "the enclosures are not those of the unknowns")
+        stated, known = content["enclosures"].keys(), found.enclosures.keys()
+        demand(known - without <= stated <= known, "the enclosures are not those of the unknowns")
         for name, enclosure in content["enclosures"].items():
-            demand(inside(found[name], enclosure), f"{name} is not in its enclosure")
-        multipliers = [(ball(m["re"]), ball(m["im"])) for m in content["multipliers"]]
-        check_multipliers(orbit, multipliers, content["other_multipliers"])
+            demand(inside(found.enclosures[name], enclosure), f"{name} is not in its enclosure")
+        places = _check_multipliers(content, found)
         if stable != "undecided":
-            verdict = stability(orbit)
-            demand(verdict == stable, f"stability is {verdict}")
-        check_derivatives(content, {**content["parameters"], **period}, orbit)
-    demand(admissible == "proved" or not content["margins"], "margins of no motion")
-    if admissible != "undecided":
-        with ctx.workprec(min(bits, _ENOUGH) + _GUARD):
-            verdict = admissibility(orbit, content["margins"])
-        demand(verdict == admissible, f"admissibility is {verdict}")
-    with ctx.workprec(bits + _GUARD):
-        independent(declared, constants)  # of all that it was divided by since
+            _agree("stability", stable, found.stability)
+        _check_derivatives(content, found, places)
+        demand(admissible == "proved" or not content["margins"], "margins of no motion")
+        if admissible != "undecided":
+            _agree("admissibility", admissible, found.admissibility)
+            _check_margins(content["margins"], found.admissibility.found)
+
+
+def _agree(name: str, stated: str, found: Verdict) -> None:
+    """Demand that a claim has the verdict that is stated."""
+    demand(stated == found.claim, f"{name} is {found.claim}: {found.reason}")
+
+
+def _check_multipliers(content: dict[str, Any], found: JudgedOrbit) -> list[int]:
+    """Demand one of the multipliers in each stated disc, no two in one, and a bound of all others.
+
+    The places of those in the discs are returned.
+    """
+    places: list[int] = []
+    if not content["multipliers"] and not content["other_multipliers"]:
+        return places
+    for disc in content["multipliers"]:
+        fits = [k for k, m in enumerate(found.multipliers)
+                if inside(m.real, disc["re"]) and inside(m.imag, disc["im"])]  # fmt: skip
+        demand(len(fits) == 1 and fits[0] not in places, "a stated multiplier is none")
+        places += fits
+    if content["other_multipliers"]:
+        most = arb(exact(content["other_multipliers"]))
+        others = [abs(m) for k, m in enumerate(found.multipliers) if k not in places]
+        small = found.others_below is not None and found.others_below <= most
+        small = small and all(size <= most for size in others)
+        demand(small, "there is a multiplier that is not stated")
+    return places
+
+
+def _check_derivatives(content: dict[str, Any], found: JudgedOrbit, places: Sequence[int]) -> None:
+    """Demand the derivatives of all that is enclosed, and of multipliers, in their enclosures."""
+    stated, along = content.get("derivatives", {}), content.get("directions", {})
+    demand(bool(stated) == bool(along), "derivatives by nothing")
+    if not stated:
+        return
+    own = {f"multiplier {number} {part}": f"multiplier {place + 1} {part}"
+           for number, place in enumerate(places, 1) for part in ("re", "im")}  # fmt: skip
+    whole = content["enclosures"].keys()
+    demand(whole <= stated.keys() <= whole | own.keys(), "derivatives of other quantities")
+    same = all(rates.keys() == along.keys() for rates in stated.values())
+    demand(same, "derivatives by other parameters")
+    for name in along:
+        claim, reason, rates = found.derivatives[name]
+        demand(claim == "proved", f"there is no derivative by {name}: {reason}")
+        for quantity, by in stated.items():
+            rate = rates.get(own.get(quantity, quantity))
+            proved = rate is not None and inside(rate, by[name])
+            demand(proved, f"the derivative of {quantity} by {name} is not in its enclosure")
+
+
+def _check_margins(stated: Sequence[dict[str, Any]], margins: Sequence[Margin]) -> None:
+    """Demand that each stated margin is positive and no larger than the one that is found."""
+    known = {tuple(margin[:4]): margin.least for margin in margins}
+    told = {(m["phase"] - 1, m["configuration"], m["boundary"], m["quantity"]): exact(m["least"])
+            for m in stated}  # fmt: skip
+    demand(len(told) == len(stated), "a margin is stated twice")
+    demand(all(least > 0 for least in told.values()), "a margin is not positive")
+    demand(told.keys() <= known.keys(), "a margin is stated of nothing")
+    kept = all(arb(least) <= known[key] for key, least in told.items())
+    demand(kept, "a margin is larger than what is proved")

@@ -6,6 +6,7 @@ any names, `Maybe` for an entry that may be missing, and `Either` for one of sev
 """
 
 import re
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.exact import NUMBER, Failure
@@ -49,6 +50,7 @@ class Either(NamedTuple):
     shapes: tuple[Any, ...]
 
 
+_WRONG: tuple[str, ...] = ("is of the wrong type",)
 _FEWEST, _MOST = 53, 400_000  # bits
 _MOST_TO_DIGIT = 8  # bits: a box is as wide as half of them at most, which are 6.6 to a digit
 _VERDICT = re.compile("proved|refuted|undecided")
@@ -415,41 +417,15 @@ CENSUS = {
 }
 
 
-def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
-    """Raise `Malformed` if an entry read from JSON has another shape; the message says where.
+def check_shape(entry: Any, shape: Any) -> None:
+    """Raise `Malformed` if the entries of a file, read from JSON, have another shape.
 
     A shape is a type, a pattern, `Either`, `Maybe`, `Named`, a dict, a list of one shape,
-    or a tuple.
+    or a tuple. The message says where what is wrong.
     """
-    match shape:
-        case type():
-            _demand(type(entry) is shape, where)
-        case re.Pattern():
-            _demand(isinstance(entry, str) and shape.fullmatch(entry), where)
-        case Maybe(inner):
-            check_shape(entry, inner, where)
-        case Either(shapes):
-            _either(entry, shapes, where)
-        case Named(inner):
-            _demand(isinstance(entry, dict), where)
-            for name, part in entry.items():
-                check_shape(part, inner, f"{name!r} of {where}")
-        case dict():
-            _demand(isinstance(entry, dict), where)
-            for name in sorted(entry.keys() ^ shape.keys()):
-                if not isinstance(shape.get(name), Maybe):
-                    kind = "missing" if name in shape else "unknown"
-                    raise Malformed(f"{name!r} of {where} is {kind}")
-            for name in entry:
-                check_shape(entry[name], shape[name], f"{name!r} of {where}")
-        case list():
-            _demand(isinstance(entry, list), where)
-            for number, part in enumerate(entry, 1):
-                check_shape(part, shape[0], f"entry {number} of {where}")
-        case tuple():
-            _demand(isinstance(entry, list) and len(entry) == len(shape), where)
-            for number, (part, inner) in enumerate(zip(entry, shape, strict=True), 1):
-                check_shape(part, inner, f"entry {number} of {where}")
+    if found := _misfit(entry, shape):
+        wrong, *places = found
+        raise Malformed(f"{' of '.join([*places, 'the file'])} {wrong}")
 
 
 def check_bits(content: dict[str, Any]) -> int:
@@ -470,18 +446,38 @@ def check_sharp(box: list[dict[str, str]], bits: int) -> None:
         raise Failure(f"{bits} bits are more than the {digits} digits of its unknowns are for")
 
 
-def _either(entry: Any, shapes: Any, where: str) -> None:
-    """Demand that an entry has one of several shapes; else raise what the last of them misses."""
-    problem = Malformed(f"{where} is of the wrong type")
-    for shape in shapes:
-        try:
-            check_shape(entry, shape, where)
-            return
-        except Malformed as found:
-            problem = found
-    raise problem
-
-
-def _demand(condition: object, where: str) -> None:
-    if not condition:
-        raise Malformed(f"{where} is of the wrong type")
+def _misfit(entry: Any, shape: Any) -> tuple[str, ...]:
+    """Return what is wrong with an entry, then where, from the inside out; () if nothing is."""
+    parts: Iterable[tuple[Any, Any, Any]] = ()
+    kind, fits = type(shape), False
+    if kind is re.Pattern:
+        fits = isinstance(entry, str) and shape.fullmatch(entry)
+    elif kind is list:
+        fits = isinstance(entry, list)
+        parts = ((number, part, shape[0]) for number, part in enumerate(entry, 1)) if fits else ()
+    elif kind is type:
+        fits = type(entry) is shape
+    elif kind is Maybe:
+        return _misfit(entry, shape.shape)
+    elif kind is Either:
+        found = _WRONG
+        for each in shape.shapes:
+            if not (found := _misfit(entry, each)):
+                break
+        return found
+    elif kind is Named:
+        fits = isinstance(entry, dict)
+        parts = ((name, part, shape.shape) for name, part in entry.items()) if fits else ()
+    elif kind is dict:
+        fits = isinstance(entry, dict)
+        for name in sorted(entry.keys() ^ shape.keys()) if fits else ():
+            if not isinstance(shape.get(name), Maybe):
+                return "is missing" if name in shape else "is unknown", repr(name)
+        parts = ((name, part, shape[name]) for name, part in entry.items()) if fits else ()
+    else:  # a tuple
+        fits = isinstance(entry, list) and len(entry) == len(shape)
+        parts = zip(range(1, len(shape) + 1), entry, shape, strict=True) if fits else ()
+    for place, part, inner in parts:
+        if found := _misfit(part, inner):
+            return *found, repr(place) if isinstance(place, str) else f"entry {place}"
+    return () if fits else _WRONG

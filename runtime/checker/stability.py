@@ -5,17 +5,18 @@ from itertools import combinations, pairwise
 from math import comb
 from typing import Any
 
-from flint import acb, acb_poly, arb, arb_mat, arb_poly
+from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx
 
-from nonsmooth.runtime.checker.exact import demand, exact
+from nonsmooth.runtime.checker.exact import demand
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of
 
 __all__ = [
     "MULTIPLIERS",
     "characteristic",
-    "check_multipliers",
     "demand_alone",
+    "multipliers",
+    "others_below",
     "outside_if_reached",
     "paired",
     "passing",
@@ -24,43 +25,67 @@ __all__ = [
 ]
 
 MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
+_LEAST_SLOPE = 2.0**-72  # of a polynomial at its roots that are told apart
 _SQUARINGS = 12  # of roots, before nothing is said of them
 
 
-def check_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]], others: str) -> None:
-    """Demand one multiplier in each stated disc, no two in one, and a bound of all others.
+def multipliers(orbit: CheckedOrbit) -> list[Any]:
+    """Return the nontrivial multipliers that are clearly simple, the largest first, as balls.
 
-    `stated` has a real and imaginary ball for each disc; `others` bounds the absolute
-    values of all other nontrivial multipliers, and is empty where that is open. Newton's
-    map leads into each disc. On a section with fewer coordinates than the orbit has, all
-    further multipliers are zero. The characteristic polynomial divided by the roots in
-    the discs, and by the trivial one, has roots that are at most twice the largest k-th
-    root of its k-th coefficient (M. Fujiwara, 1916).
+    Real ones have no imaginary part. Newton's map leads into each ball. On a section with fewer
+    coordinates than the orbit has, all further multipliers are zero. Those that are nearly zero,
+    or nearly another one, are left out; all are if some cannot be told apart.
     """
-    if not stated and not others:
-        return
-    demand(orbit.declared.alone, "multipliers of one-sided maps")
-    zeros = [acb(0)] * (orbit.section.nrows() < len(orbit.declared.free))
-    coefficients = [*map(acb, characteristic(orbit.section)), *zeros]
-    polynomial = acb_poly(coefficients[::-1])
-    discs = [acb(re, im) for re, im in stated]
-    overlap = any(first.overlaps(second) for first, second in combinations(discs, 2))
-    demand(not overlap and len(discs) < len(coefficients), "a stated multiplier is none")
-    steps = [polynomial(disc.mid()) / polynomial.derivative()(disc) for disc in discs]
-    pairs = zip(discs, steps, strict=True)
-    inside = all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
-    demand(inside, "a stated multiplier is none")
-    if not others:
-        return
-    for root in (*discs, *[acb(1)] * (orbit.declared.stability == "neutral")):
+    section, declared = orbit.section, orbit.declared
+    polynomial = acb_poly([acb(c) for c in reversed(characteristic(section))])
+    slope, neutral = polynomial.derivative(), declared.stability == "neutral"
+    try:
+        roots = [_sharper(polynomial, slope, root) for root in polynomial.roots()]
+    except ValueError:
+        return []
+    if sum(1 for root in roots if root.contains(1)) > 1 and neutral:
+        return []
+    zeros = len(declared.free) - section.nrows()
+    found: list[Any] = []
+    for root in roots:
+        clear = abs(slope(root) * root**zeros) > _LEAST_SLOPE
+        if not clear or (neutral and root.contains(1)):
+            continue
+        others = [other for other in roots if other.overlaps(root.conjugate())]
+        if len(others) == 1 and others[0] is root:  # its conjugate is a root, too
+            found.append([acb(root.real)])
+        elif root.imag > 0:
+            found.append([root, root.conjugate()])
+    found.sort(key=lambda pair: -float(abs(pair[0]).mid()))
+    return [root for pair in found for root in pair]
+
+
+def _sharper(polynomial: Any, slope: Any, root: Any) -> Any:
+    """Return a smaller ball around the root of a polynomial that is alone in a ball."""
+    for _ in range(ctx.prec.bit_length()):
+        middle = root.mid()
+        moved = middle - polynomial(middle) / slope(root)
+        if not (moved.is_finite() and moved.rad() < root.rad()):
+            break
+        root = moved
+    return root
+
+
+def others_below(orbit: CheckedOrbit, known: Sequence[Any]) -> Any:
+    """Return a bound on the absolute values of all nontrivial multipliers but the known ones.
+
+    The characteristic polynomial divided by the known roots, and by the trivial one, has roots
+    that are at most twice the largest k-th root of its k-th coefficient (M. Fujiwara, 1916).
+    """
+    coefficients = [*map(acb, characteristic(orbit.section))]
+    for root in (*known, *[acb(1)] * (orbit.declared.stability == "neutral")):
         carried, kept = acb(0), coefficients[:-1]
         coefficients = []
         for coefficient in kept:
             carried = coefficient + root * carried
             coefficients.append(carried)
-    half = arb(exact(others)) / 2
-    small = half > 0 and all(abs(x) <= half**k for k, x in enumerate(coefficients[1:], 1))
-    demand(small, "there is a multiplier that is not stated")
+    sizes = (arb(abs(x).upper()).root(k) for k, x in enumerate(coefficients[1:], 1))
+    return 2 * max((size.upper() for size in sizes), default=arb(0))
 
 
 def stability(orbit: CheckedOrbit) -> str:

@@ -329,7 +329,7 @@ class MapTile:
             verdict = stability(orbit)
             _agree(verdict == stable, verdict != "undecided", f"stability is {verdict}")
         if admissible != "undecided":
-            verdict = admissibility(orbit, [])
+            verdict = admissibility(orbit).claim
             told = f"admissibility is {verdict}"
             _agree(verdict == admissible, verdict != "undecided", told)
 

@@ -130,8 +130,8 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
 
 def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:
     """What the trace of the kernels decides over the box that Krawczyk's test proves."""
+    from nonsmooth.runtime.checker.points import TANGENTIAL
     from nonsmooth.runtime.proof.certificate import Stated
-    from nonsmooth.runtime.proof.orbit_claims import TANGENTIAL
 
     table, ball, reason = orbit.kernels.table, enclosed_trace(orbit), ""
     if ball is None:
@@ -162,8 +162,8 @@ def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:
 
 def _proof_by_certificate(orbit: Orbit, bits: int) -> dict[str, Any]:
     """What a certificate claims of trace and multipliers; there the rank is not used."""
+    from nonsmooth.runtime.checker.points import CORNER
     from nonsmooth.runtime.proof.certify_orbit import certify
-    from nonsmooth.runtime.proof.multipliers import CORNER
 
     proof: dict[str, Any] = {"trace": None, "statement": None, "verdict": None, "one_sided": False}
     try:

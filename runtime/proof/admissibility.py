@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.core.taylor_models import matrix
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import first_following
 from nonsmooth.runtime.proof.admissibility_conditions import Derivative, Follower, Plan, Watched
@@ -24,7 +24,7 @@ from nonsmooth.runtime.shooting.variational import Phase, Shooting
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Judgement", "Margin", "OpenInequality", "judge"]
+__all__ = ["Judgement", "OpenInequality", "judge"]
 
 
 class OpenInequality(NamedTuple):
@@ -49,27 +49,11 @@ class OpenInequality(NamedTuple):
         return (self.kind, self.instant) == ("tangent", "end")
 
 
-class Margin(NamedTuple):
-    """A lower bound that shows how clearly a phase respects a boundary.
-
-    By quantity: the boundary function stays below minus a "distance"; its first nonzero
-    derivative at the start is below minus a "departure"; the boundary is reached with at least
-    a "speed".
-    """
-
-    phase: int
-    configuration: str
-    boundary: str
-    quantity: str  # "distance", "departure" or "speed"
-    least: arb  # positive, exact
-
-
 class Judgement(NamedTuple):
-    """The verdict about an orbit's admissibility, with its reason and its margins."""
+    """The verdict about an orbit's admissibility, with its reason."""
 
     verdict: str  # "proved", "refuted" or "undecided"
     reason: str  # empty if proved
-    margins: tuple[Margin, ...]  # empty unless proved
     # what an undecided verdict could not decide; None stands for anything else than such an
     # inequality
     open: tuple[OpenInequality | None, ...] = ()
@@ -116,7 +100,6 @@ def judge(
     inequalities in `assumed` are taken to hold. The verdict is "refuted" as soon as one phase is
     refuted, "proved" if all phases are proved, else "undecided".
     """
-    margins: list[Margin] = []
     open_: list[OpenInequality | None] = []
     touching: dict[OpenInequality, tuple[arb, arb]] = {}
     undecided = ""
@@ -124,16 +107,16 @@ def judge(
         name = f"phase {plan.place + 1}, {plan.configuration}"
         try:
             judged = _Phase(plan, phase.field, now, time, assumed)
-            margins += judged.judged()
+            judged.judge()
         except _Refuted as found:
-            return Judgement("refuted", f"{name}: {found}", ())
+            return Judgement("refuted", f"{name}: {found}")
         if judged.open:
             undecided = undecided or f"{name}: {judged.open[0][1]}"
             open_ += [which for which, _ in judged.open]
         touching |= judged.touching
     if undecided:
-        return Judgement("undecided", undecided, (), tuple(open_), touching)
-    return Judgement("proved", "", tuple(margins), touching=touching)
+        return Judgement("undecided", undecided, tuple(open_), touching)
+    return Judgement("proved", "", touching=touching)
 
 
 class _Phase:
@@ -151,8 +134,8 @@ class _Phase:
         reached = [watched.name for watched in plan.watched if watched.reached]
         self.ending = OpenInequality("vanishing-phase", plan.place, "+".join(reached), "")
 
-    def judged(self) -> list[Margin]:
-        """Return the margins of all boundaries and keep what is undecided in `open`.
+    def judge(self) -> None:
+        """Judge all boundaries and keep what is undecided in `open`.
 
         It raises `_Refuted` where the phase is no motion of the system.
         """
@@ -160,8 +143,7 @@ class _Phase:
             if self.dwell < 0:
                 raise _Refuted("its dwell time is negative")
             self.open.append((self.ending, "its dwell time cannot be told from 0"))
-            return []
-        found: list[Margin] = []
+            return
         try:
             self._held()
             functions = None
@@ -170,7 +152,7 @@ class _Phase:
                     None if watched.still else EventFunctions(self.field, self.first, self.dwell)
                 )
                 try:
-                    found += self._watched(watched, functions)
+                    self._watched(watched, functions)
                 except _NotTold as trouble:
                     if not self._bends(watched, functions):
                         self._not_inside(watched, functions)
@@ -178,7 +160,6 @@ class _Phase:
             self._follows()
         except Undecided as trouble:
             self.open.append((None, trouble.reason))
-        return found
 
     def _held(self) -> None:
         for row in self.plan.held:
@@ -187,13 +168,12 @@ class _Phase:
                 raise _Refuted("what it holds does not hold where it begins")
             raise Undecided("whether what it holds holds where it begins", digits=False)
 
-    def _watched(self, watched: Watched, functions: EventFunctions | None) -> list[Margin]:
-        """Prove that one boundary is respected and return its margins."""
+    def _watched(self, watched: Watched, functions: EventFunctions | None) -> None:
+        """Prove that one boundary is respected."""
         name, begins, place = watched.name, watched.begins, self.plan.place
-        found: list[Margin] = []
         order = 0 if begins is None else begins.order
         if self.ending in self.assumed and self._bends(watched, functions):
-            return found
+            return
         rising = int(watched.reached)
         if begins is not None:
             which = OpenInequality("tangent" if order else "entry", place, name, "start")
@@ -213,20 +193,12 @@ class _Phase:
                 rising = 2
             else:
                 with _opens(which):
-                    speed = self._speed(watched)
+                    self._speed(watched)
                 rising = 2
-                found.append(self._margin(name, "speed", speed))
-        if begins is not None and begins.order:
-            found.append(self._margin(name, "departure", -value))
         if functions is None or watched.still:
-            if begins is not None and not begins.order:
-                found.append(self._margin(name, "distance", -value))
-            return found
+            return
         zeros = ExactZeros(order, rising, falls=begins is not None and begins.order > 0)
-        least = self._distance(functions, watched, zeros)
-        if least is not None:
-            found.append(self._margin(name, "distance", least))
-        return found
+        self._inside(functions, watched, zeros)
 
     def _not_inside(self, watched: Watched, functions: EventFunctions | None) -> None:
         """Refute the phase if the boundary is proved to be crossed inside it.
@@ -257,15 +229,8 @@ class _Phase:
             return False
         return True
 
-    def _margin(self, boundary: str, quantity: str, least: Any) -> Margin:
-        plan = self.plan
-        return Margin(plan.place, plan.configuration, boundary, quantity, range_of(least).lower())
-
-    def _speed(self, watched: Watched) -> Any:
-        """Return the speed with which the boundary is reached, proved to be positive.
-
-        The boundary function has to be exactly zero at the end.
-        """
+    def _speed(self, watched: Watched) -> None:
+        """Prove that the boundary is reached with a positive speed where the phase ends."""
         name = watched.name
         if any(watched.ends):
             value = evaluate(watched.ends, self.behind)
@@ -273,19 +238,13 @@ class _Phase:
                 raise _Refuted(f"{name} is not reached where it ends")
             raise Undecided(f"whether {name} is reached where it ends", digits=False)
         speed = evaluate(watched.speed, self.behind)
-        if speed > 0:
-            return speed
         if speed < 0:
             raise _Refuted(f"{name} is reached from outside")
-        raise Undecided(f"{name} may be reached tangentially")
+        if not speed > 0:
+            raise Undecided(f"{name} may be reached tangentially")
 
-    def _distance(
-        self, functions: EventFunctions, watched: Watched, zeros: ExactZeros
-    ) -> arb | None:
-        """Prove that a boundary is not reached inside the phase.
-
-        It returns a lower bound of the distance, or None if no positive one is proved.
-        """
+    def _inside(self, functions: EventFunctions, watched: Watched, zeros: ExactZeros) -> None:
+        """Prove that a boundary is not reached inside the phase."""
         place, name = self.plan.place, watched.name
         grazing = OpenInequality("grazing", place, name, "inside")
         together = OpenInequality("simultaneous", place, name, "end")
@@ -299,15 +258,7 @@ class _Phase:
                     raise Undecided("it may be touched more than once")
                 number, begin, end = window
                 self.touching[grazing] = (function[number].time(begin), function[number].time(end))
-                return None
-            if not (zeros.order or zeros.last):
-                least = (-functions.largest(function) / 2).mid()
-                if least > 0:
-                    try:
-                        functions.stays_negative([part.raised(least) for part in function], zeros)
-                        return least
-                    except (Crossed, Undecided):
-                        pass  # a smaller distance may do
+                return
             functions.stays_negative(function, zeros)
         except Crossed as found:
             raise _Refuted(_crossed(name, found.time)) from None
@@ -316,7 +267,6 @@ class _Phase:
             at_end = not (zeros.last or last < 0 or last > 0)
             which = together if at_end else grazing
             raise _NotTold(which, f"{name}: {trouble.reason}") from None
-        return None
 
     def _follows(self) -> None:
         """Prove that in every order the itinerary's transition is the first to follow."""

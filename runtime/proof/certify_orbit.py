@@ -1,43 +1,35 @@
-"""Certify a periodic orbit: existence, admissibility and stability, proved in ball arithmetic."""
+"""Certify a periodic orbit: propose where it is, and state what the checker proves of it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.points import check
+from nonsmooth.runtime.checker.motion import Margin
+from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.admissibility import Judgement, Margin
-from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_at
+from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     GUARD,
     NO_ORBIT,
     Certificate,
     Stated,
-    file_json,
 )
-from nonsmooth.runtime.proof.enclosure import IsolatedOrbit, Missing, locate
-from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, judged, named_numbers
-from nonsmooth.runtime.proof.orbit_to_prove import (
-    NotCovered,
-    Subject,
-    subject_of,
-    system_of,
-)
-from nonsmooth.runtime.proof.parameter_derivatives import (
-    ProvedDerivatives,
+from nonsmooth.runtime.proof.motion.exact_rows import Row
+from nonsmooth.runtime.proof.orbit_proposal import (
     asked_parameters,
-    derivatives_along,
+    boxes,
     directions,
+    nearly_vanishing,
+    proposed,
 )
-from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
-from nonsmooth.runtime.proof.refusals import accepted, as_file
-from nonsmooth.runtime.proof.statement import closing_json, decimals
-from nonsmooth.runtime.proof.vanishing import vanishing_along
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, Subject, subject_near, system_of
+from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
     from flint import arb
@@ -46,8 +38,8 @@ __all__ = ["FEWEST_BITS", "MOST_BITS", "certify", "stated"]
 
 FEWEST_BITS, MOST_BITS = 53, 400_000
 _SLACK = 8  # radii are stated so much larger than they are found
-_ENOUGH = 128  # bits that do for admissibility, as a rule
-_NOTHING = ProvedDerivatives()
+_LEAST_OTHER = 1e-6  # less is not told apart from zero
+_SHARE = 24  # bits
 
 
 def certify(
@@ -99,214 +91,120 @@ def certify(
     """
     if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
+    check_converged(orbit, "certified")
     by = asked_parameters(orbit, derivatives)
+    undecided = _undecided(orbit, bits, by)
     try:
-        subject = subject_of(orbit)
-    except NotCovered as reason:
-        return _uncovered(orbit, bits, str(reason), by)
-    found = _proved(orbit, subject, bits, by, begin)
-    begin("check")
-    parts = [name for name, verdict in found.claims.items() if verdict != "undecided"]
-    parts += ["derivatives"] * bool(found.derivatives)
-    parts += ["other_multipliers"] * bool(found.other_multipliers)
-    return accepted(found, parts, _without, lambda found: check(as_file(file_json(found))))
-
-
-def _without(found: Certificate, left: Mapping[str, str]) -> Certificate:
-    """Return a certificate without the claims in `left`, each with the reason why.
-
-    Without existence no other claim is left.
-    """
-    by = (*found.directions, *found.no_derivatives)
-    if "existence" in left:
-        return replace(
-            found,
-            claims=dict.fromkeys(CLAIMS, "undecided"),
-            stability="stable",
-            reasons={"existence": left["existence"]} | dict.fromkeys(CLAIMS[1:], NO_ORBIT),
-            enclosures={},
-            multipliers=(),
-            other_multipliers="",
-            margins=(),
-            box=(),
-            given_period=None,
-            declaration={},
-            closing={},
-            derivatives={},
-            directions={},
-            no_derivatives=dict.fromkeys(by, NO_ORBIT),
-        )
-    judged = {name: why for name, why in left.items() if name in CLAIMS}
-    found = replace(
-        found,
-        claims={**found.claims, **dict.fromkeys(judged, "undecided")},
-        reasons={**found.reasons, **judged},
+        subject = subject_near(orbit)
+        undecided = _about(undecided, subject)
+        with flint_precision(bits + GUARD):
+            region = region_at(subject, bits + GUARD)
+            proposal, missing = proposed(region, bits, directions(orbit, subject.chosen, by))
+            begin("existence")
+            for box in boxes(region, bits):
+                proposal["box"] = [asdict(side) for side in box]
+                found = JudgedOrbit(proposal)
+                if found.existence.claim != "undecided":
+                    break
+            else:
+                return _because(undecided, found.existence.reason)
+            if region.tables.exact and not found.declared.alone:
+                begin("admissibility")
+                found = _with_vanishing(found, nearly_vanishing(region))
+    except (NotCovered, ZeroDivisionError) as reason:
+        return _because(undecided, str(reason))
+    undecided = replace(
+        undecided,
+        stability=found.kind,
+        box=box,
+        given_period=subject.period if proposal["given_period"] else None,
+        declaration=proposal["declaration"],
+        closing=found.proposal["closing"],
     )
-    if "admissibility" in left:
-        found = replace(found, margins=())
-    if "other_multipliers" in left:
-        found = replace(found, other_multipliers="")
-    if "stability" in left:
-        enclosures = {name: x for name, x in found.enclosures.items() if name != "trace"}
-        found = replace(found, enclosures=enclosures, multipliers=(), other_multipliers="")
-    if "derivatives" in left or "stability" in left:
-        why = left.get("derivatives", left.get("stability", ""))
-        missing = {**dict.fromkeys(found.directions, why), **found.no_derivatives}
-        found = replace(found, derivatives={}, directions={}, no_derivatives=missing)
-    return found
+    if found.existence.claim == "refuted":
+        undecided = replace(undecided, claims={**undecided.claims, CLAIMS[0]: "refuted"})
+        return _because(undecided, found.existence.reason)
+    return _stated(undecided, found, missing, begin)
 
 
-def _proved(
-    orbit: Orbit,
-    subject: Subject,
-    bits: int,
-    by: Sequence[str],
+def _with_vanishing(found: JudgedOrbit, rows: Sequence[Row]) -> JudgedOrbit:
+    """Return what is proved with functions that may vanish along the orbit, where that decides.
+
+    It concerns the admissibility of orbits that reach several boundaries at one instant.
+    """
+    if not rows or found.existence.claim != "proved" or found.admissibility.claim != "undecided":
+        return found
+    closing = found.proposal["closing"] | {"vanishing": [[*map(str, row)] for row in rows]}
+    other = JudgedOrbit(found.proposal | {"closing": closing})
+    return found if other.admissibility.claim == "undecided" else other
+
+
+def _stated(
+    about: Certificate,
+    found: JudgedOrbit,
+    missing: Mapping[str, str],
     begin: Callable[[str], object],
 ) -> Certificate:
-    """Return the certificate of an orbit as it is proved, before the checker sees it."""
-    work = bits + GUARD
-    with flint_precision(work):
-        region = None
-        try:
-            region = region_at(subject, work)
-            _ = region.plans  # divides exactly
-            begin("existence")
-            root = locate(region, bits)
-        except (NotCovered, ZeroDivisionError) as reason:
-            return _certificate(subject, region, bits, Missing("undecided", str(reason)), by)
-        except Missing as missing:
-            return _certificate(subject, region, bits, missing, by)
+    """Return the certificate of an orbit that exists, with all that is found of it.
+
+    `missing` says by which numbers no derivative was proposed, and why.
+    """
+    bits, along = about.bits, found.proposal["directions"]
+    with flint_precision(bits + GUARD):
         begin("stability")
-        number = region.tables.number_at()
-        stability = claim_of_map(region, number, root.equations, root.linearised.shooting)
+        stability, multipliers, below = found.stability, found.multipliers, found.others_below
         begin("admissibility")
-        dwell = root.equations.dwell(root.contraction.image)
-        if region.tables.exact and any(len(t.boundaries) > 1 for t in region.cycle.transitions):
-            region = _with_vanishing(region, root, dwell)
-        judgement = _admissible(region, root, dwell, work)
-        found = _NOTHING
-        if by:
+        admissibility = found.admissibility
+        if along:
             begin("derivatives")
-            along = directions(orbit, subject.chosen, by)
-            found = derivatives_along(region, root, stability.multipliers(region), along)
-        return _certificate(subject, region, bits, root, by, stability, judgement, found)
-
-
-def _with_vanishing(region: Region, root: IsolatedOrbit, dwell: Sequence[arb]) -> Region:
-    """Return the region with functions that vanish along this orbit alone, because it closes."""
-    closing, start = region.closing, root.linearised.shooting.starts[0].entries()[:-1]
-    found = vanishing_along(region.tables, region.cycle, closing.translations, start, dwell)
-    return replace(region, closing=replace(closing, vanishing=found))
-
-
-def _admissible(region: Region, root: IsolatedOrbit, dwell: Sequence[arb], work: int) -> Judgement:
-    """Judge whether the orbit is admissible, with few bits first and with all bits if these fail.
-
-    The width of the orbit's own enclosure hardly matters for the inequalities.
-    """
-    found: Judgement | None = None
-    for bits in sorted({min(_ENOUGH, work), work}):
-        with flint_precision(bits):
-            number = region.tables.number_at()
-            found = judged(region, number, region.phases(number), root.linearised.shooting, dwell)
-        if found.verdict != "undecided":
-            break
-    assert found is not None
-    return found
-
-
-def _certificate(
-    subject: Subject,
-    region: Region | None,
-    bits: int,
-    root: IsolatedOrbit | Missing,
-    by: Sequence[str],
-    stability: MapClaim | None = None,
-    judgement: Judgement | None = None,
-    found: ProvedDerivatives = _NOTHING,
-) -> Certificate:
-    """Return the certificate with all claims, enclosures and margins by name."""
-    claims = dict.fromkeys(CLAIMS, "undecided")
-    reasons: dict[str, str] = {}
-    enclosures: dict[str, Stated] = {}
-    multipliers: tuple[tuple[Stated, Stated], ...] = ()
-    others = ""
-    margins: tuple[dict[str, Any], ...] = ()
-    if isinstance(root, Missing):
-        claims["existence"], reasons["existence"] = root.verdict, root.reason
-        reasons |= dict.fromkeys(CLAIMS[1:], NO_ORBIT)
-        found = ProvedDerivatives(missing=dict.fromkeys(by, NO_ORBIT))
-    else:
-        assert region is not None
-        assert stability is not None
-        assert judgement is not None
-        claims = dict(zip(CLAIMS, ("proved", judgement.verdict, stability.verdict), strict=True))
-        told = zip(CLAIMS[1:], (judgement.reason, stability.reason), strict=True)
-        reasons = {name: reason for name, reason in told if reason}
-        dwell = root.equations.dwell(root.contraction.image)
-        named = named_numbers(
-            region, root.equations, root.linearised.shooting, dwell, stability.trace
+        rates = {name: told.found for name, told in found.derivatives.items() if told.found}
+        left = {name: told.reason for name, told in found.derivatives.items() if not told.found}
+        names = [name for name in ("trace", "period", *about.dwell_names, *about.start_names)
+                 if name in found.enclosures]  # fmt: skip
+        derivatives: dict[str, dict[str, Stated]] = {}
+        for name, own in rates.items():
+            share = _share_of_largest(own)
+            for quantity in dict.fromkeys([*names, *own]):
+                ball = stated(own[quantity], bits, share)
+                derivatives.setdefault(quantity, {})[name] = ball
+        verdicts = dict(zip(CLAIMS, (found.existence, admissibility, stability), strict=True))
+        known = below is not None and below.is_finite()
+        return replace(
+            about,
+            claims={name: verdict.claim for name, verdict in verdicts.items()},
+            reasons={name: verdict.reason for name, verdict in verdicts.items() if verdict.reason},
+            enclosures={
+                name: stated(found.enclosures[name], bits, int(name == "trace")) for name in names
+            },
+            multipliers=tuple(
+                (stated(m.real, bits, 1), stated(m.imag, bits, 1)) for m in multipliers
+            ),
+            other_multipliers=f"{max(2 * float(below), _LEAST_OTHER):.1e}" if known else "",
+            margins=tuple(map(_margin, admissibility.found)),
+            derivatives=derivatives,
+            directions={
+                name: {parameter: Fraction(rate) for parameter, rate in along[name].items()}
+                for name in rates
+            },
+            no_derivatives={**missing, **left},
         )
-        enclosures = {name: stated(x, bits, int(name == "trace")) for name, x in named.items()}
-        known = stability.multipliers(region)
-        multipliers = tuple((stated(m.real, bits, 1), stated(m.imag, bits, 1)) for m in known)
-        others = stability.others_below(region, known)
-        margins = tuple(_margin(m) for m in judgement.margins)
-    declaration: dict[str, Any] = {}
-    how: dict[str, Any] = {}
-    if region is not None and claims["existence"] != "undecided":
-        declaration, how = _statement(region, found)
-    return Certificate(
-        orbit=subject.label,
-        system=subject.kernels.name,
-        parameters=subject.values,
-        chosen=subject.chosen,
-        itinerary=subject.cycle.itinerary,
-        claims=claims,
-        stability="stable" if region is None or stability is None else region.closing.stability,
-        reasons=reasons,
-        enclosures=enclosures,
-        multipliers=multipliers,
-        other_multipliers=others,
-        margins=margins,
-        box=root.box if declaration else (),
-        bits=bits,
-        start_names=subject.start_names,
-        dwell_names=subject.dwell_names,
-        given_period=region.closing.period if region is not None and declaration else None,
-        declaration=declaration,
-        closing=how,
-        derivatives={
-            quantity: {name: stated(x, bits, found.size(name)) for name, x in rates.items()}
-            for quantity, rates in found.rates.items()
-        },
-        directions=found.directions,
-        no_derivatives=found.missing,
-    )
 
 
-def _statement(region: Region, found: ProvedDerivatives) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return declaration and closing as the file states them.
+def _share_of_largest(rates: Mapping[str, arb]) -> arb:
+    """Return a small share of the largest derivative by a number.
 
-    They are functions of the parameters of which derivatives are proved, if there are any.
+    Derivatives that are zero are computed from numbers of such a size.
     """
-    subject, tables = region.subject, region.tables
-    closing = region.closing if found.closing is None else found.closing
-    cycle, timed = subject.cycle, closing.kind == "period"
-    declared = system_declaration(
-        subject.kernels, cycle, tables, subject.start_names, subject.dwell_names, timed=timed
-    )
-    constants = (value.text for value in tables.constants)
-    variables = [*found.moving, *(constants if found.closing is None else found.constants)]
-    over = [*declared["parameters"], *declared.get("constants", ())]
-    return declared, closing_json(closing, cycle, over, variables, PERIOD)
+    from flint import arb
+
+    return max((abs(rate).mid() for rate in rates.values()), key=float) * arb(2) ** -_SHARE
 
 
 def stated(ball: arb, bits: int, size: arb | int = 0) -> Stated:
     """Return a stated ball, somewhat wider than a given one.
 
-    The checker computes it anew, with other roundings. `size` is the size of the numbers that the
-    ball is computed from, which may be much larger than the ball's own middle.
+    Another version of the arithmetic may round otherwise. `size` is the size of the numbers that
+    the ball is computed from, which may be much larger than the ball's own middle.
     """
     from flint import arb
 
@@ -317,28 +215,21 @@ def stated(ball: arb, bits: int, size: arb | int = 0) -> Stated:
 
 def _margin(margin: Margin) -> dict[str, Any]:
     text, _ = decimals(margin.least * 0.99, 8)  # rounded down: few digits are enough
-    return {
-        "phase": margin.phase + 1,  # counted from 1, as in all that is shown
-        "configuration": margin.configuration,
-        "boundary": margin.boundary,
-        "quantity": margin.quantity,
-        "least": text,
-    }
+    told = margin._asdict()
+    return told | {"phase": margin.phase + 1, "least": text}  # as in all that is shown
 
 
-def _uncovered(orbit: Orbit, bits: int, reason: str, by: Sequence[str]) -> Certificate:
-    """Return the undecided certificate of an orbit that the method cannot be applied to."""
-    reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
-    claims = dict.fromkeys(CLAIMS, "undecided")
+def _undecided(orbit: Orbit, bits: int, by: Sequence[str]) -> Certificate:
+    """Return the certificate of an orbit of which nothing is proved."""
     return Certificate(
         orbit=orbit.name,
         system=system_of(orbit),
         parameters=dict(orbit.given),
         chosen=(),
         itinerary=(),
-        claims=claims,
+        claims=dict.fromkeys(CLAIMS, "undecided"),
         stability="stable",
-        reasons=reasons,
+        reasons={},
         enclosures={},
         multipliers=(),
         other_multipliers="",
@@ -352,3 +243,21 @@ def _uncovered(orbit: Orbit, bits: int, reason: str, by: Sequence[str]) -> Certi
         closing={},
         no_derivatives=dict.fromkeys(by, NO_ORBIT),
     )
+
+
+def _about(undecided: Certificate, subject: Subject) -> Certificate:
+    """Return the certificate with the parameters of the system and the cycle."""
+    return replace(
+        undecided,
+        parameters=subject.values,
+        chosen=subject.chosen,
+        itinerary=subject.cycle.itinerary,
+        start_names=subject.start_names,
+        dwell_names=subject.dwell_names,
+    )
+
+
+def _because(undecided: Certificate, reason: str) -> Certificate:
+    """Return the certificate with the reason why no orbit is proved to exist."""
+    reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
+    return replace(undecided, reasons=reasons)

@@ -58,10 +58,6 @@ class Expansion:
         """Return the time at a place, from the start of the phase."""
         return self.start + self.half * (1 + u)
 
-    def raised(self, height: arb) -> Expansion:
-        """Return the function plus a constant, with the same error."""
-        return Expansion(self.start, self.half, self._derivatives[0] + height, self._error)
-
 
 class Window:
     """A function over a ball of places, bounded by value and slope in the middle and its curvature.

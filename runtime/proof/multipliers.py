@@ -1,4 +1,4 @@
-"""Trace and multipliers of an orbit, and on which side of the unit circle they are proved to be."""
+"""On which side of the unit circle the multipliers of an orbit are proved to be."""
 
 from __future__ import annotations
 
@@ -14,23 +14,17 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.shooting.translations import gauges_of
 
 if TYPE_CHECKING:
-    from flint import acb, arb, arb_mat, arb_poly
+    from flint import arb, arb_mat, arb_poly
 
 __all__ = [
-    "CORNER",
-    "apart",
-    "eigenvalues_of",
     "inside_circle",
-    "neutral_pairs",
-    "others_below",
+    "on_circle",
     "product_of",
     "reduced_map",
     "trace_of",
 ]
 
-CORNER = "boundaries are reached together: the Poincare map has a corner"
 _MOST_SQUARINGS = 48
-_LEAST_SLOPE = 2.0**-72
 
 
 def reduced_map(
@@ -94,19 +88,18 @@ def inside_circle(mapping: Any) -> bool | None:
     return None
 
 
-def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb, ...] | None]:
+def on_circle(section: arb_mat, trace: arb) -> bool | None:
     """Decide whether the pairs of a symplectic map lie on the unit circle, apart from each other.
 
     The section map (N, N) has one multiplier 1, one that is 0, and pairs m, 1/m. It is neutral
     where every m + 1/m is proved to be real and inside (-2, 2); with one pair m + 1/m is its trace
-    minus 1. The verdict, None if undecided, comes with both multipliers of each pair where these
-    are known.
+    minus 1. None is undecided.
     """
     from flint import acb, acb_poly, arb_poly
 
     size = section.nrows()
     if size == 2:
-        return True, ()
+        return True
     if size == 4:
         sums = [acb(trace - 1)]
     else:
@@ -115,67 +108,20 @@ def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb,
         try:
             sums = acb_poly(_of_sums(quotient)).roots()
         except ValueError:
-            return None, None
-    found: list[acb] = []
-    verdict: bool | None = True
+            return None
+    verdict = True
     for place, total in enumerate(sums):
-        root = (total * total / 4 - 1).sqrt()
         others = (*sums[:place], *sums[place + 1 :])
-        # the conjugate is a root too: where it is in no other ball it is this one, and real
-        if total.imag.contains(0) and not any(total.conjugate().overlaps(x) for x in others):
-            half = total.real / 2
-            if abs(half) < 1:
-                height = (1 - half * half).sqrt()
-                found += [acb(half, height), acb(half, -height)]
+        if total.imag.contains(0):
+            # the conjugate is a root too: where it is in no other ball it is this one, and real
+            if any(total.conjugate().overlaps(x) for x in others):
+                return None
+            if abs(total.real) < 2:
                 continue
-            if not abs(half) > 1:
-                return None, None
-            root = acb((half * half - 1).sqrt())
+            if not abs(total.real) > 2:
+                return None
         verdict = False
-        larger = total / 2 + (root if (total / 2).real * root.real > 0 else -root)
-        found += [larger, 1 / larger]
-    return verdict, tuple(found)
-
-
-def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb, ...]:
-    """Return the multipliers that are clearly simple roots of the map's characteristic polynomial.
-
-    The polynomial's slope at a root is the product of the distances to the other roots: to a
-    `trivial` multiplier 1, where there is one, and to zero, which all the rest are. The checker
-    cannot tell apart roots that are too near. `size` is the dimension of the map.
-    """
-    from flint import acb
-
-    known = [*multipliers, *([acb(1)] if trivial else [])]
-    known += [acb(0)] * (size - len(known))
-    found = []
-    for place, multiplier in enumerate(multipliers):
-        slope = acb(1)
-        for other in (*known[:place], *known[place + 1 :]):
-            slope *= multiplier - other
-        if abs(slope) > _LEAST_SLOPE:
-            found.append(multiplier)
-    return tuple(found)
-
-
-def others_below(section: arb_mat, known: Sequence[acb]) -> float:
-    """Return an approximate bound on the absolute values of all eigenvalues but the known ones.
-
-    The characteristic polynomial of the section map (n, n), divided by the known simple roots, has
-    roots no larger than twice the largest k-th root of its k-th coefficient (M. Fujiwara, Tohoku
-    Math. J. 10, 1916). The bound is zero where all are known.
-    """
-    from flint import acb
-
-    quotient = [acb(x) for x in reversed(section.charpoly().coeffs())]
-    for root in known:
-        carried, kept = acb(0), quotient[:-1]
-        quotient = []
-        for coefficient in kept:
-            carried = coefficient + root * carried
-            quotient.append(carried)
-    sizes = (float(abs(x).abs_upper()) ** (1 / k) for k, x in enumerate(quotient[1:], 1))
-    return 2 * max(sizes, default=0.0)
+    return verdict
 
 
 def _divided(coefficients: Sequence[arb]) -> list[arb]:
@@ -234,24 +180,3 @@ def trace_of(square: Any) -> Any:
     from flint import arb
 
     return sum((square[k, k] for k in range(square.nrows())), arb(0))
-
-
-def eigenvalues_of(square: arb_mat) -> tuple[acb, ...] | None:
-    """Return all eigenvalues of a matrix (n, n), or None if the balls do not tell them apart."""
-    from flint import acb, acb_mat
-
-    if square.nrows() == 1:
-        return (acb(square[0, 0]),)
-    if square.nrows() == 2:
-        half, product = trace_of(square) / 2, square.det()
-        apart = half * half - product
-        if apart > 0:
-            return acb(half + apart.sqrt()), acb(half - apart.sqrt())
-        if apart < 0:
-            height = (-apart).sqrt()
-            return acb(half, height), acb(half, -height)
-        return None
-    try:
-        return tuple(acb_mat(square).eig())
-    except ValueError:
-        return None

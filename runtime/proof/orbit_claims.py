@@ -7,20 +7,16 @@ parameters, and its Taylor models are balls.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from nonsmooth.runtime.checker.points import CORNER, TANGENTIAL
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality, judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
 from nonsmooth.runtime.proof.multipliers import (
-    CORNER,
-    apart,
-    eigenvalues_of,
     inside_circle,
-    neutral_pairs,
-    others_below,
+    on_circle,
     product_of,
     reduced_map,
     trace_of,
@@ -28,12 +24,8 @@ from nonsmooth.runtime.proof.multipliers import (
 from nonsmooth.runtime.proof.orbit_equations import Equations
 from nonsmooth.runtime.shooting.variational import Phase, Shooting
 
-if TYPE_CHECKING:
-    from flint import acb
-
 __all__ = [
     "NOT_CONSERVED",
-    "TANGENTIAL",
     "MapClaim",
     "claim_of_map",
     "conserved",
@@ -42,8 +34,6 @@ __all__ = [
     "unstable_if_reached",
 ]
 
-_LEAST_OTHER = 1e-6  # less is not told apart from zero
-TANGENTIAL = "a boundary may be reached tangentially"
 NOT_CONSERVED = "the energy does not give the coordinate that is left out"
 
 
@@ -54,40 +44,6 @@ class MapClaim(NamedTuple):
     reason: str  # why it is not proved
     trace: Any = None  # None where a boundary may be reached tangentially
     section: Any = None  # derivative of the Poincare map on the smallest section that is known
-    # nontrivial multipliers of a conservative orbit, where they are told apart
-    pairs: tuple[acb, ...] = ()
-
-    def multipliers(self, region: Region) -> tuple[acb, ...]:
-        """Return the nontrivial multipliers that are clearly simple, the largest first.
-
-        There are none where the map has a corner.
-        """
-        if not self._enclosed(region):
-            return ()
-        closing = region.closing
-        conservative = closing.form is not None
-        pairs = self.pairs if conservative else eigenvalues_of(self.section)
-        free = len(region.subject.start) - len(closing.forced)
-        found = apart(pairs or (), free, trivial=conservative)
-        return tuple(sorted(found, key=lambda m: -float(abs(m).mid())))
-
-    def _enclosed(self, region: Region) -> bool:
-        """Whether the map's derivative is enclosed and has no corner."""
-        return self.section is not None and not region.cycle.one_sided
-
-    def others_below(self, region: Region, known: Sequence[acb]) -> str:
-        """Return a bound on the absolute values of the nontrivial multipliers that are not known.
-
-        It is a decimal, rounded up; an empty text stands for no known bound.
-        """
-        from flint import acb
-
-        if not self._enclosed(region):
-            return ""
-        trivial = [acb(1)] if region.closing.form is not None else []
-        bound = others_below(self.section, [*known, *trivial])
-        # zeros that the check knows from their enclosures alone are a little apart from zero
-        return f"{max(2 * bound, _LEAST_OTHER):.1e}" if bound < inf else ""
 
 
 def claim_of_map(region: Region, number: Number, equations: Equations, now: Shooting) -> MapClaim:
@@ -102,9 +58,8 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
         return MapClaim("undecided", TANGENTIAL)
     section = reduced_map(maps, region.invariants, closing, number)
     trace = trace_of(section) + len(closing.translations)
-    pairs: tuple[acb, ...] | None = ()
     if closing.form is not None:
-        inside, pairs = neutral_pairs(range_of(product_of(maps)), range_of(trace))
+        inside = on_circle(range_of(product_of(maps)), range_of(trace))
         unknown = "a nontrivial pair of multipliers cannot be told from a double one"
     else:
         inside = inside_circle(section)
@@ -116,7 +71,7 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
     }[inside]
     if region.cycle.one_sided:
         verdict, reason = "undecided", CORNER
-    return MapClaim(verdict, reason, trace, section, pairs or ())
+    return MapClaim(verdict, reason, trace, section)
 
 
 def unstable_if_reached(

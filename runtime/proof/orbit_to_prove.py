@@ -15,7 +15,7 @@ from nonsmooth.runtime.model.completion import complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.exact_closure import (
     ClosureConditions,
     exact_translations,
@@ -37,9 +37,9 @@ __all__ = [
     "guess_of",
     "physical_values",
     "subject_near",
-    "subject_of",
     "system_of",
     "translations_in",
+    "unknown_names",
 ]
 
 _MOST_TURNS = 1000
@@ -65,25 +65,16 @@ class Subject:
     dwell_names: tuple[str, ...]
 
 
-def subject_of(orbit: Orbit) -> Subject:
-    """Return the subject of a proof about an orbit; one that has not converged is refused.
-
-    `NotCovered` is raised if a parameter is an unknown of the orbit, or if the system's parameters
-    do not follow from it.
-    """
-    check_converged(orbit, "certified")
-    return subject_near(orbit)
-
-
 def system_of(orbit: Orbit) -> str:
     """Return the name of the system that an orbit belongs to."""
     return orbit.system.name
 
 
 def subject_near(orbit: Orbit) -> Subject:
-    """Return the subject as `subject_of`, also where the orbit's equations are singular.
+    """Return the subject of a proof about an orbit.
 
-    `NotCovered` is raised as there.
+    `NotCovered` is raised if a parameter is an unknown of the orbit, or if the system's parameters
+    do not follow from it.
     """
     problem = orbit.problem
     solved_for = ", ".join(name for name in orbit.unknowns if name in problem.all_parameters)
@@ -215,3 +206,9 @@ def guess_of(
     time = times[0] if len(speeds) == 1 else min(times, key=missed)
     free = [x for k, x in enumerate(subject.start) if k not in closing.forced]
     return [*free, arb(time), *subject.dwell]
+
+
+def unknown_names(subject: Subject, closing: ClosureConditions) -> list[str]:
+    """Return the unknowns' names: free states at the start, the forcing's time, dwell times."""
+    free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
+    return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]

@@ -3,48 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
-from typing import Any, TypeVar
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.values import flint_precision
 
-__all__ = ["accepted", "as_file", "as_read", "refusal"]
-
-Found = TypeVar("Found")
+__all__ = ["as_file", "as_read", "refusal"]
 
 _BITS = 64  # the precision of the process in which a file is checked
 _HEAD = {"format": "", "version": 0, "package": ""}  # what the checker does not look at
-
-
-def accepted(
-    found: Found,
-    parts: Sequence[str],
-    without: Callable[[Found, Mapping[str, str]], Found],
-    check: Callable[[Found], object],
-) -> Found:
-    """Return a record with only those parts that the checker accepts.
-
-    All parts rest on the first one: if that is refused, all are left out. `without` gives the
-    record without some parts, by the reason of each, and `check` has the checker test the file
-    that a record would write.
-    """
-    reason = refusal(partial(check, found))
-    if not reason:
-        return found
-    left = dict.fromkeys(parts, reason)
-    for part in parts if len(parts) > 1 else ():
-        others = {name: why for name, why in left.items() if name != part}
-        reason = refusal(partial(check, without(found, others)))
-        if reason:
-            left[part] = reason
-        else:
-            left = others
-        if parts[0] in left:
-            return without(found, dict.fromkeys(parts, reason))
-    return without(found, left)
 
 
 def refusal(check: Callable[[], object]) -> str:

@@ -96,11 +96,6 @@ class EventFunctions:
             for number, (middle, over) in enumerate(self.middles)
         ]
 
-    def largest(self, function: list[Expansion]) -> arb:
-        """Return the largest of some sampled values of a function; nothing is proved."""
-        values = [value.mid() for _, value in self._sampled(function)]
-        return max(values, key=float)
-
     def crossed(self, function: list[Expansion]) -> arb | None:
         """Return a time inside the phase at which a function is proved to be positive, or None.
 

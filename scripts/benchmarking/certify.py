@@ -8,20 +8,14 @@ from pathlib import Path
 
 from benchmarking.measuring import Row, timed
 
-from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.checking.check_file import check_certificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.certify_box import certify_box
-from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
-from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.certify_orbit import certify
 from nonsmooth.runtime.proof.counting.certify_all import certify_all
-from nonsmooth.runtime.proof.enclosure import locate
 from nonsmooth.runtime.proof.events.certify_event import certify_event
-from nonsmooth.runtime.proof.multipliers import product_of, trace_of
-from nonsmooth.runtime.proof.orbit_to_prove import subject_of
 
 __all__ = ["boxed", "certified", "counted"]
 
@@ -31,25 +25,15 @@ DIGITS = 1000
 
 
 def certified(quick: bool) -> Iterator[Row]:
-    """Existence and trace, whole certificates, their check."""
+    """Whole certificates, and their check."""
     orbit = solve(ORBIT)
     assert orbit.admissibility.verdict
     runs = 7 if quick else 21
-
-    def existence() -> object:
-        with flint_precision(BITS + GUARD):
-            root = locate(region_at(subject_of(orbit), BITS + GUARD), BITS)
-            return trace_of(product_of(root.equations.section_maps(root.linearised.shooting)))
 
     many = round(DIGITS * 3.3219) + 8
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "certificate.json"
         certify(orbit, BITS).save(path)
-        yield Row(
-            f"existence, uniqueness, trace, {BITS} bits",
-            timed(existence, runs=runs),
-            0.005,
-        )
         whole = f"whole certificate, {BITS} bits"
         yield Row(whole, timed(lambda: certify(orbit, BITS), runs=runs), 0.050)
         yield Row(

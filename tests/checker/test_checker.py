@@ -28,7 +28,14 @@ from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.stability import _inside, _neutral, characteristic
+from nonsmooth.runtime.checker.points import JudgedOrbit
+from nonsmooth.runtime.checker.stability import (
+    _inside,
+    _neutral,
+    characteristic,
+    multipliers,
+    others_below,
+)
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.certified import forced, loop, signed, unhashed
 
@@ -145,6 +152,50 @@ def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
         check(signed(weaker))
 
 
+@of("rigid", "elastic", "symmetric")
+def test_each_disc_holds_one_multiplier_of_its_own(content: dict[str, Any]) -> None:
+    first, second = content["multipliers"]
+    refused({**content, "multipliers": [first, first]}, "stated multiplier is none")
+    wide = {"mid": "0", "rad": "9"}
+    both = {"re": wide, "im": wide}
+    for told in ([both], [first, both]):
+        refused({**content, "multipliers": told}, "stated multiplier is none")
+    check(signed({**content, "multipliers": [second, first]}))
+
+
+def test_derivatives_are_those_of_the_multiplier_that_is_stated(tmp_path: Path) -> None:
+    ns.certify(SUBJECTS["symmetric"](), derivatives="V").save(tmp_path / "proof.json")
+    content = json.loads((tmp_path / "proof.json").read_text())
+    turned = {**content, "multipliers": content["multipliers"][::-1]}
+    refused(turned, "the derivative of multiplier")
+    rates = {**content["derivatives"]}
+    names = "multiplier 1 re", "multiplier 2 re"
+    rates |= {name: rates[other] for name, other in zip(names, names[::-1], strict=True)}
+    check(signed({**turned, "derivatives": rates}))
+    refused({**content, "derivatives": rates}, "the derivative of multiplier")
+
+
+PROPOSAL = ("parameters", "given_period", "itinerary", "declaration", "closing", "box", "bits")
+
+
+@of("global-stick", "rigid", "irrational", "soft")
+def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
+    content: dict[str, Any],
+) -> None:
+    proposal = {name: content[name] for name in PROPOSAL}
+    found = []
+    for precision in (30, 1000):
+        with ctx.workprec(precision):
+            judged = JudgedOrbit(proposal)
+            verdicts = judged.existence, judged.admissibility, judged.stability
+            assert {verdict.claim for verdict in verdicts} == {"proved"}
+            balls = [*judged.enclosures.values(), judged.others_below]
+            balls += [part for m in judged.multipliers for part in (m.real, m.imag)]
+            balls += [margin.least for margin in judged.admissibility.found]
+        found.append([(ball.mid().man_exp(), ball.rad().man_exp()) for ball in balls])
+    assert found[0] == found[1]
+
+
 @of("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
 def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
     for place in range(len(content["box"])):
@@ -257,7 +308,7 @@ def test_margins_that_are_too_large_are_refused(content: dict[str, Any]) -> None
         changed = copy.deepcopy(content)
         margin = changed["margins"][place]
         margin["least"] = str(Fraction(margin["least"]) * 3)
-        refused(changed, "admissibility is undecided")
+        refused(changed, "a margin is larger than what is proved")
     content["margins"].append({**content["margins"][0], "boundary": "none"})
     refused(content, "a margin is stated of nothing")
 
@@ -330,14 +381,14 @@ def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
     changed |= {"enclosures": {}, "multipliers": [], "other_multipliers": "", "margins": []}
     changed["reasons"] = dict.fromkeys(changed["claims"], "so")
     if content["claims"]["existence"] == "proved":
-        refused(changed, "existence is not refuted")
+        refused(changed, "existence is proved")
         changed["box"][-1]["mid"] = "1"  # it is empty, but the forcing might turn otherwise
-        refused(changed, "existence is not refuted")
+        refused(changed, "existence is undecided")
         return
     check(content)
     for side in changed["box"]:
         side["rad"] = "1"
-    refused(changed, "existence is not refuted")
+    refused(changed, "existence is undecided")
 
 
 @of("irrational")
@@ -484,6 +535,56 @@ def test_pairs_on_the_unit_circle_are_told_from_others(
         assert _neutral(wide, size) == verdict
 
 
+def map_of(square: Any, size: int, stability: str) -> Any:
+    """An orbit whose Poincare map, of so many coordinates, has a derivative on a section."""
+    return SimpleNamespace(
+        section=square, declared=SimpleNamespace(free=range(size), stability=stability)
+    )
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_multipliers_are_enclosed_and_all_others_are_below_their_bound(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    pair = 0.7 * np.exp(1j * rng.uniform(0.3, 2.8))
+    wanted = [*rng.uniform(-1.4, 1.4, 2), pair, pair.conjugate(), 1e-30]
+    with ctx.workprec(200):
+        square = similar((*wanted[:3], 1e-30), rng)
+        found = multipliers(map_of(square, 6, "stable"))
+        assert len(found) == 4
+        for m in wanted[:4]:
+            assert sum(abs(complex(x) - m) < 1e-12 for x in found) == 1
+        assert [abs(complex(x)) for x in found] == sorted(abs(complex(x)) for x in found)[::-1]
+        assert sum(x.imag.is_zero() for x in found) == 2
+        for left in range(4):
+            known = found[:left] + found[left + 1 :]
+            bound = others_below(map_of(square, 6, "stable"), known)
+            assert abs(found[left]) < bound
+        assert others_below(map_of(square, 6, "stable"), found) < 1e-25
+
+
+def test_multipliers_that_lie_too_near_are_not_stated() -> None:
+    """To each other, to the trivial 1, or to zero, of which there are as many as are left."""
+
+    def told(*diagonal: Any, more: int = 0, trivial: bool = False) -> list[complex]:
+        square = arb_mat(
+            [[x if i == j else 0 for j in range(len(diagonal))] for i, x in enumerate(diagonal)]
+        )
+        kind = "neutral" if trivial else "stable"
+        return [complex(m) for m in multipliers(map_of(square, len(diagonal) + more, kind))]
+
+    with ctx.workprec(192):
+        tiny = arb(2) ** -80
+        assert told(arb("0.5"), arb("-0.25"), 1, more=1, trivial=True) == [0.5, -0.25]
+        near, half = arb(2) ** -40, arb("0.5")
+        assert told(half, half + near, half - near, -half) == [-0.5]
+        assert told(half, half + tiny, -half) == []  # nor any beside them
+        assert told(half, 1 - near, 1 + near, 1, trivial=True) == [0.5]
+        assert told(arb("0.5"), 1, 1, trivial=True) == []
+        assert told(1 - tiny) == [1]
+        assert told(tiny, more=1) == []
+        assert told(tiny) == [float(tiny)]
+
+
 RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
 ARITHMETIC = {
@@ -606,15 +707,16 @@ def test_functions_are_below_zero_if_and_only_if_samples_are(seed: int) -> None:
     start = arb_mat([[1], [0], [1], [0], [1], [0], [1]])
     for excess, verdict in ((-0.01, -1), (0.01, 1)):
         row = [*map(arb, weights.T.ravel().tolist()), arb(float(excess - highest))]
-        watched: Any = SimpleNamespace(row=row, ends_it=False, order=0)
+        watched: Any = SimpleNamespace(name="wall", row=row, ends_it=False, order=0)
         orbit: Any = SimpleNamespace(
             chain=SimpleNamespace(fields=[field]), dwell=[arb(length)],
             now=SimpleNamespace(starts=[start]), numbers=arb_mat,
         )  # fmt: skip
-        assert _below(orbit, 0, [(watched, arb(0), _Shape())]) == verdict
-        if excess < 0:  # a distance is kept as far as it is one
-            assert _below(orbit, 0, [(watched, arb(-excess / 2), _Shape())]) == -1
-            assert _below(orbit, 0, [(watched, arb(-2 * excess), _Shape())]) is None
+        assert _below(orbit, 0, [(watched, _Shape())])[0].sign == verdict
+        if excess < 0:  # how far it stays from zero is nearly found, and no more
+            told, (height,) = _below(orbit, 0, [(watched, _Shape(apart=True))])
+            assert told.sign == -1
+            assert excess < height <= 0.7 * excess
 
 
 @pytest.mark.parametrize(

@@ -194,7 +194,7 @@ def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
 
 
 def region_names(region: Any) -> list[str]:
-    from nonsmooth.runtime.proof.enclosure import unknown_names
+    from nonsmooth.runtime.proof.orbit_to_prove import unknown_names
 
     return unknown_names(region.subject, region.closing)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,7 @@ from typing import Any
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker import Failure, points
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import refusals as of_branches
@@ -62,49 +61,26 @@ def branch() -> ns.Branch:
     return ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.078"}), "V", (1.075, 1.085))
 
 
-@pytest.mark.parametrize(
-    "claim", ["existence", "admissibility", "stability", "derivatives", "other_multipliers"]
-)
-def test_a_claim_of_an_orbit(claim: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    import nonsmooth.runtime.proof.certify_orbit as proving
-
-    def claimed(content: dict[str, Any]) -> object:
-        if claim in {"derivatives", "other_multipliers"}:
-            return content.get(claim)
-        return content["claims"][claim] != "undecided"
-
-    with monkeypatch.context() as planted:
-        planted.setattr(proving, "check", refusing(proving.check, claimed))
-        found = ns.certify(orbit(), derivatives="eta")
-    whole = ns.certify(orbit(), derivatives="eta")
-    assert whole.proved
-    assert "eta" in whole.derivatives["trace"]
-    if claim == "derivatives":
-        assert found.proved
-        assert not found.derivatives
-        assert found.no_derivatives == {"eta": PLANTED}
-    elif claim == "other_multipliers":
-        assert (found.other_multipliers, whole.other_multipliers) == ("", "1.0e-06")
-        assert found.derivatives
-        assert found.proved
-    else:
-        left = {n for n, verdict in found.claims.items() if verdict == "undecided"}
-        assert left == ({*found.claims} if claim == "existence" else {claim})
-        assert found.reasons[claim] == PLANTED
-        assert bool(found.derivatives) == (claim == "admissibility")
-    assert accepted(found, tmp_path).claims == found.claims
-
-
-@pytest.mark.parametrize("number", ["1/0", "none"])
-def test_an_orbit_of_which_the_check_cannot_be_made(
-    number: str, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("claim", ["existence", "admissibility", "stability", "derivatives"])
+@pytest.mark.parametrize("error", [Failure("planted"), ZeroDivisionError("planted")])
+def test_a_claim_of_an_orbit_that_cannot_be_judged(
+    claim: str, error: Exception, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import nonsmooth.runtime.proof.certify_orbit as proving
+    """It alone is undecided, with its reason, and all that follows from it."""
+    step = {"existence": "StatedSystem", "derivatives": "rates_along"}.get(claim, claim)
 
-    monkeypatch.setattr(proving, "check", lambda content: Fraction(number))
-    found = ns.certify(orbit())
-    assert {*found.claims.values()} == {"undecided"}
-    assert found.reasons["existence"].startswith("the checker refuses it: ")
+    def planted(*_: Any, **__: Any) -> Any:
+        raise error
+
+    with monkeypatch.context() as judging:
+        judging.setattr(points, step, planted)
+        found = ns.certify(orbit(), derivatives="eta")
+    left = {name for name, verdict in found.claims.items() if verdict == "undecided"}
+    assert left == ({*found.claims} if claim == "existence" else {claim} - {"derivatives"})
+    reasons = found.no_derivatives if claim == "derivatives" else found.reasons
+    assert reasons["eta" if claim == "derivatives" else claim].endswith("planted")
+    assert bool(found.derivatives) == (claim in {"admissibility", "stability"})
+    assert accepted(found, tmp_path).claims == found.claims
 
 
 def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

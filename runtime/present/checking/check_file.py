@@ -273,11 +273,13 @@ def _without_reasons(found: Any) -> Any:
 
 def _agrees(told: Any, content: Any) -> bool:
     """Whether `content` has all entries of `told`, with the same values."""
+    if told == content:
+        return True
     if isinstance(told, Mapping):
         return all(name in content and _agrees(told[name], content[name]) for name in told)
     if isinstance(told, list):
         return len(told) == len(content) and all(map(_agrees, told, content))
-    return bool(told == content)
+    return False
 
 
 def _compare_declared(content: Mapping[str, Any], declared: str) -> None:

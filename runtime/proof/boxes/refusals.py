@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from nonsmooth.runtime.checker.tiles import CheckedBox, MapTile, check_whole
@@ -10,7 +9,7 @@ from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile, 
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, file_json
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import accepted, as_read, refusal
+from nonsmooth.runtime.proof.refusals import as_read, refusal
 
 __all__ = ["BoxRefusals", "unproved", "whole_map"]
 
@@ -57,12 +56,11 @@ def whole_map(found: BoxCertificate) -> BoxCertificate:
 
     Otherwise it becomes one undecided tile with the checker's reason.
     """
-
-    def without(found: BoxCertificate, left: Mapping[str, str]) -> BoxCertificate:
-        whole = Place(((0, 0),) * len(found.box))
-        return replace(found, tiles=(unproved(whole, left["map"], looked_at=True),))
-
-    return accepted(found, ["map"], without, lambda found: check_whole(as_read(file_json(found))))
+    reason = refusal(lambda: check_whole(as_read(file_json(found))))
+    if not reason:
+        return found
+    whole = Place(((0, 0),) * len(found.box))
+    return replace(found, tiles=(unproved(whole, reason, looked_at=True),))
 
 
 def unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:

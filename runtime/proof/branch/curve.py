@@ -16,8 +16,8 @@ from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.branch.short_phases import divided_regions
-from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
+from nonsmooth.runtime.proof.orbit_to_prove import unknown_names
 
 if TYPE_CHECKING:
     from flint import arb

@@ -6,13 +6,14 @@ from collections.abc import Callable, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.checker.points import CORNER
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, space_of
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, Watched
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.exact_tables import Number
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
-from nonsmooth.runtime.proof.multipliers import CORNER, reduced_map
+from nonsmooth.runtime.proof.multipliers import reduced_map
 from nonsmooth.runtime.proof.orbit_claims import conserved
 from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered

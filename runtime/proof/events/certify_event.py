@@ -8,7 +8,7 @@ Brouwer's theorem (1911), which is a root; and every root of the box lies in -c/
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -28,11 +28,15 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
-from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented, instant_of
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of, system_of
-from nonsmooth.runtime.proof.refusals import accepted, as_file
+from nonsmooth.runtime.proof.orbit_to_prove import (
+    NotCovered,
+    guess_of,
+    system_of,
+    unknown_names,
+)
+from nonsmooth.runtime.proof.refusals import as_file, refusal
 from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
@@ -102,13 +106,8 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
         told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
     found = replace(found, claim="proved", enclosures=told, box=box)
 
-    def without(_: EventCertificate, left: Mapping[str, str]) -> EventCertificate:
-        return replace(undecided, reason=left["event"])
-
-    def check(found: EventCertificate) -> None:
-        check_events(as_file({"events": [file_json(found)]}))
-
-    return accepted(found, ["event"], without, check)
+    refused = refusal(lambda: check_events(as_file({"events": [file_json(found)]})))
+    return replace(undecided, reason=refused) if refused else found
 
 
 def certify_events(

@@ -1,0 +1,238 @@
+"""What is proposed of an orbit at one parameter point; nothing is proved, the checker judges it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.model.completion import followers
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.certificate import Unknown
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions
+from nonsmooth.runtime.proof.exact_tables import (
+    NotRational,
+    constants_over,
+    irrational_texts,
+    rational_of,
+    tables_over,
+)
+from nonsmooth.runtime.proof.krawczyk import newton
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
+from nonsmooth.runtime.proof.orbit_equations import Equations
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, closing_of, unknown_names
+from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
+from nonsmooth.runtime.proof.statement import closing_json, decimals
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["Direction", "asked_parameters", "boxes", "directions", "nearly_vanishing", "proposed"]
+
+Direction = Mapping[str, Fraction]  # how parameters of the system, or the period, move
+
+_NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states
+_ROUGH = 53  # bits that do for what nothing depends on
+_SHARES = (0.5, 0.7, 0.85)  # of the bits: radii of the boxes that are tried
+_SMALL = 1e-8  # of a function that may vanish
+_LARGEST_DENOMINATOR = 1000  # of its factors
+
+
+def asked_parameters(orbit: Orbit, by: Sequence[str] | str | bool | None) -> tuple[str, ...]:
+    """Return the names of the given numbers by which derivatives are asked for, each once.
+
+    True stands for all that was given, None and False for nothing. What was not given is refused.
+    """
+    if by is None or isinstance(by, bool):
+        return tuple(orbit.given) if by else ()
+    names = (by,) if isinstance(by, str) else tuple(by)
+    for name in names:
+        if name not in orbit.given:
+            raise unknown_name("given parameter", str(name), orbit.given)
+    if not names:
+        raise InputError("derivatives: no parameter is named")
+    return tuple(dict.fromkeys(names))
+
+
+def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[str, Direction]:
+    """Return how the system's parameters, and the period, move with each given number in `by`.
+
+    The other given numbers, and the parameters in `chosen`, which the orbit leaves open, stay.
+    """
+    problem = orbit.problem
+    known = {*orbit.given, *orbit.opened, *chosen, *problem.required}
+    sums = {} if problem.kernels is None else followers(problem.kernels, known)
+    found: dict[str, Direction] = {}
+    for name in by:
+        if name == problem.period_name:
+            found[name] = {PERIOD: Fraction(1)}
+            continue
+        rates = {
+            table.name: Fraction(table.name == name)
+            if table.name in known
+            else sums[table.name].get(name, Fraction(0))
+            for table in orbit.system.parameters
+        }
+        found[name] = {parameter: rate for parameter, rate in rates.items() if rate}
+    return found
+
+
+def proposed(
+    region: Region, bits: int, along: Mapping[str, Direction]
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return the entries of a file that state an orbit, but for its box, as the checker reads them.
+
+    `along` are the directions by which derivatives are asked for. Those along which nothing can be
+    stated are left out, and returned with the reason.
+    """
+    subject, tables, closing = region.subject, region.tables, region.closing
+    timed, missing = closing.kind == "period", {}
+    variables = [value.text for value in tables.constants]
+    if timed and along:
+        for name, direction in along.items():
+            try:
+                _moving(region, tuple(direction))
+            except NotCovered as reason:
+                missing[name] = str(reason)
+        along = {name: direction for name, direction in along.items() if name not in missing}
+        closing, variables = _moving(region, tuple({n for rates in along.values() for n in rates}))
+    declaration = system_declaration(
+        subject.kernels, subject.cycle, tables, subject.start_names, subject.dwell_names,
+        timed=timed,
+    )  # fmt: skip
+    over = [*declaration["parameters"], *declaration.get("constants", ())]
+    return {
+        "parameters": {name: value.text for name, value in subject.values.items()},
+        "given_period": subject.period.text if timed and subject.period is not None else "",
+        "itinerary": [list(phase) for phase in subject.cycle.itinerary],
+        "declaration": declaration,
+        "closing": closing_json(closing, subject.cycle, over, variables, PERIOD),
+        "bits": bits,
+        "directions": {
+            name: {parameter: str(rate) for parameter, rate in direction.items()}
+            for name, direction in along.items()
+        },
+    }, missing
+
+
+def _moving(region: Region, names: tuple[str, ...]) -> tuple[ClosureConditions, list[str]]:
+    """Return how a cycle of given period closes, as functions of variables, and their names.
+
+    These are the named parameters, then irrational numbers. `NotCovered` is raised if the cycle
+    closes in another way at other values of the parameters.
+    """
+    subject = region.subject
+    kernels, values = subject.kernels, subject.values
+    still = [value for name, value in values.items() if name not in names]
+    try:
+        known = constants_over(names, irrational_texts(kernels, still))
+        variables = dict(zip(names, known.variables, strict=True))
+
+        def entry(name: str, value: Value) -> Any:
+            if name in variables:
+                return variables[name]
+            return known.numbers[value.text] if value.exact is None else rational_of(value.exact)
+
+        tables = tables_over(kernels, [entry(*pair) for pair in values.items()], known)
+        own: dict[str, Any] = {**values, PERIOD: subject.period}
+        at = [own[name].ball(_ROUGH) for name in names]
+        closing = closing_of(subject, tables, [float(x) for x in subject.start], at)
+    except (NotRational, ArithmeticError) as problem:
+        raise NotCovered(str(problem)) from None
+    if closing.dropped != region.closing.dropped:
+        raise NotCovered("the cycle closes in another way at other values")
+    return closing, [*names, *(value.text for value in tables.constants)]
+
+
+def boxes(region: Region, bits: int) -> Iterator[tuple[Unknown, ...]]:
+    """Yield boxes in which the orbit may be alone, sharper ones first.
+
+    If Newton's method does not find it near the given numbers, a box around these is the only one,
+    and behind it `NotCovered` is raised.
+    """
+    from flint import arb
+
+    guess, number_at = region.guess, region.tables.number_at
+    with flint_precision(_ROUGH):
+        sizes = _sizes(region.equations(number_at()), guess)
+    names = unknown_names(region.subject, region.closing)
+    # the boxes are much wider than this point is exact, and Krawczyk's map finds the rest
+    enough = bits // 2 + 16
+    point = newton(lambda: region.equations(number_at()), guess, enough)
+    if point is None or not all(
+        abs(x - g) < _NEAR * size for x, g, size in zip(point, guess, sizes, strict=True)
+    ):
+        yield _box(names, guess, [_NEAR * size for size in sizes], bits)
+        raise NotCovered("Newton's method leaves the given numbers")
+    for share in _SHARES:
+        unit = arb(2) ** -max(24, int(bits * share))
+        yield _box(names, point, [unit * size for size in sizes], bits)
+
+
+def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
+    """Return units of the unknowns: the largest values of states and dwell times along the cycle.
+
+    The changes of a state along the phases count too.
+    """
+    from flint import arb
+
+    now = equations.linearised(point, equations.near(point)).shooting
+    dwell = [abs(t).mid() for t in equations.dwell(point)]
+    sizes = []
+    for k in equations.free:
+        seen = [abs(y[k, 0]) for y in (*now.starts, *now.ends)]
+        seen += [abs(f[k, 0] * t) for f, t in zip(now.velocities, dwell, strict=True)]
+        size = max((x.mid() for x in seen), key=float)
+        sizes.append(size if size > 0 else arb(1))
+    longest = max(dwell, key=float)
+    if equations.closing.pairs:
+        sizes.append(longest)
+    return [*sizes, *(longest for _ in dwell)]
+
+
+def _box(
+    names: Sequence[str], centre: Sequence[arb], radii: Sequence[Any], bits: int
+) -> tuple[Unknown, ...]:
+    """Return a box with decimal middles and radii."""
+    from flint import arb
+
+    return tuple(
+        Unknown(name, *decimals(arb(x.mid(), r), bits))
+        for name, x, r in zip(names, centre, radii, strict=True)
+    )
+
+
+def nearly_vanishing(region: Region) -> tuple[Row, ...]:
+    """Return rational functions that seem to be zero in the first phase and last there.
+
+    They are exact rows (N + 1), as of x1 - x2 along an orbit that is symmetric.
+    """
+    from flint import fmpq
+    from scipy.linalg import expm
+
+    subject, tables = region.subject, region.tables
+    field = tables.fields[subject.cycle.configurations[0]]
+    rates = np.array([[tables.near(x) for x in row] for row in field])
+    size, dwell = len(rates), float(subject.dwell[0])
+    state = np.array([*map(float, subject.start), 1.0])
+    states = np.array([expm(rates * t) @ state for t in np.linspace(0, dwell, 4 * size)])
+    *_, sizes, turned = np.linalg.svd(states)
+    left = turned[sizes < _SMALL * sizes[0]]
+    found: list[np.ndarray] = []
+    for column in range(size):
+        if not len(left):
+            break
+        place = int(np.argmax(abs(left[:, column])))
+        if abs(left[place, column]) > _SMALL:
+            taken = left[place] / left[place, column]
+            left = np.delete(left, place, axis=0)
+            left = left - left[:, column, None] * taken
+            found = [*(row - row[column] * taken for row in found), taken]
+    near = [[Fraction(x).limit_denominator(_LARGEST_DENOMINATOR) for x in row] for row in found]
+    rows = Invariants.of([[rational_of(x) for x in row] for row in near]).lasting(field).rows
+    return rows if all(isinstance(x, fmpq) for row in rows for x in row) else ()
