@@ -116,7 +116,7 @@ def simulate(
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.model.engine_run import Status
     from nonsmooth.runtime.model.structure import structure_of
-    from nonsmooth.runtime.simulation.derivatives import check_numbers
+    from nonsmooth.runtime.simulation.derivatives import chosen_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
     if save is not None:
@@ -136,7 +136,7 @@ def simulate(
             raise InputError(f"state {name} = {state[name]} is not rational: no proof")
     by = None if derivatives in (None, "all") else split([derivatives])
     if by is not None:
-        check_numbers(by, structure_of(system).states, tuple(values))
+        chosen_numbers(by, structure_of(system).states, tuple(values))
     if transitions is not None and until is None:
         each = SECONDS["proved transition" if prove else "transition"]
         check_hours(f"{transitions} transitions", transitions * each, yes=yes)

@@ -6,6 +6,7 @@ callers may catch either the usual exception or `NonsmoothError`. Every message 
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from typing import Any
 
 LONGEST_LINE = 1000  # characters of a message
 _LONGEST_NAME = 80
@@ -58,6 +59,29 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     listing = f" known: {', '.join(names)}" if names else ""
     separator = ";" if hint or listing else ""
     return InputError(f"unknown {kind} {name!r}{separator}{hint}{listing}")
+
+
+def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...]:
+    """Names that are asked for, one or several, each of which has to be known.
+
+    `kind` says what is named, such as ``"given parameter"``. An `InputError` refuses no name at
+    all, what is no text, and an unknown one.
+
+    Examples
+    --------
+    >>> chosen_names("parameter", "eta", ["chi", "eta", "V"])
+    ('eta',)
+    """
+    listed = (chosen,) if isinstance(chosen, str) or not isinstance(chosen, Iterable) else chosen
+    names, every = tuple(listed), tuple(known)
+    if not names:
+        raise InputError(f"no {kind} is named; known: {', '.join(every)}")
+    for name in names:
+        if not isinstance(name, str):
+            raise InputError(f"{kind}: {name!r} is no name; known: {', '.join(every)}")
+        if name not in every:
+            raise unknown_name(kind, name, every)
+    return names
 
 
 def one_line(text: str, most: int = LONGEST_LINE) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.shooting.multipliers import (
     MultiplierDerivatives,
     multiplier_derivatives,
@@ -228,9 +228,7 @@ def orbit_derivatives(
     and where there is no derivative.
     """
     known = tuple(orbit.given)
-    names = known if by is None else (by,) if isinstance(by, str) else tuple(by)
-    for name in names:
-        _check(name, known)
+    names = known if by is None else chosen_names("given parameter", by, known)
     if orbit.status != CONVERGED:
         raise InputError(f"there is no orbit to differentiate: {orbit.message}")
     side, event = orbit.evaluation.border
@@ -242,8 +240,3 @@ def orbit_derivatives(
     found = OrbitDerivatives(orbit, names, side)
     found.directions  # noqa: B018 - what cannot be is refused here
     return found
-
-
-def _check(name: str, known: Sequence[str]) -> None:
-    if name not in known:
-        raise unknown_name("given parameter", name, known)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, chosen_names
 from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
@@ -257,11 +257,8 @@ def derivatives_of_many(
     derivative. `threads` None takes as many as processors. `InputError` is raised for an
     unknown parameter, and where boundaries are reached together.
     """
-    names = (by,) if isinstance(by, str) else tuple(by)
     known = [table.name for table in orbits.problem.parameters]
-    for name in names:
-        if name not in known:
-            raise unknown_name("parameter", name, known)
+    names = chosen_names("parameter", by, known)
     shape, kernels = orbits.status.shape, orbits.problem.kernels
     sound = np.flatnonzero(orbits.converged.ravel())
     every: slice | np.ndarray = slice(None) if len(sound) == orbits.status.size else sound

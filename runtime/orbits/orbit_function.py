@@ -9,11 +9,11 @@ from contextlib import suppress
 import numpy as np
 
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, chosen_names
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit, check_converged
 from nonsmooth.runtime.orbits.table_problem import labelled_as
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
@@ -58,10 +58,11 @@ def orbit_function(
     >>> found([1.01]).shape, found.jacobian([1.01]).shape
     ((1,), (1, 1))
     """
-    inputs = (by,) if isinstance(by, str) else tuple(by)
+    check_converged(orbit, "made a function of parameters")
+    inputs = chosen_names("given parameter", by, orbit.given)
     outputs = (of,) if isinstance(of, str) else tuple(of)
-    if not inputs or not outputs:
-        raise InputError("a function takes at least one number and gives at least one")
+    if not outputs:
+        raise InputError("a function gives at least one number")
     first = orbit.derivatives(inputs)
     for name in outputs:
         first.quantity(name)

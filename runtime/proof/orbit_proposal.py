@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import chosen_names
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.model.completion import followers
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -50,13 +50,7 @@ def asked_parameters(orbit: Orbit, by: Sequence[str] | str | bool | None) -> tup
     """
     if by is None or isinstance(by, bool):
         return tuple(orbit.given) if by else ()
-    names = (by,) if isinstance(by, str) else tuple(by)
-    for name in names:
-        if name not in orbit.given:
-            raise unknown_name("given parameter", str(name), orbit.given)
-    if not names:
-        raise InputError("derivatives: no parameter is named")
-    return tuple(dict.fromkeys(names))
+    return tuple(dict.fromkeys(chosen_names("given parameter", by, orbit.given)))
 
 
 def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[str, Direction]:

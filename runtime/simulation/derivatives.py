@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
@@ -44,7 +44,7 @@ from nonsmooth.runtime.simulation.one_sided import CUT, check_sides, check_times
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["MotionDerivatives", "check_numbers", "motion_derivatives"]
+__all__ = ["MotionDerivatives", "chosen_numbers", "motion_derivatives"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -372,8 +372,7 @@ def motion_derivatives(
         free = (name for place, name in enumerate(starts) if place not in forced)
         chosen = (*names, *free)
     else:
-        chosen = (by,) if isinstance(by, str) else tuple(by)
-        check_numbers(chosen, trajectory.names, names)
+        chosen = chosen_numbers(by, trajectory.names, names)
     array = np.atleast_1d(np.asarray([] if times is None else times, dtype=float))
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
@@ -387,12 +386,12 @@ def motion_derivatives(
     return found
 
 
-def check_numbers(by: Iterable[str], states: Sequence[str], parameters: Sequence[str]) -> None:
-    """Raise `InputError` for a name that is neither a parameter nor a state at the start."""
+def chosen_numbers(
+    by: Iterable[str] | str, states: Sequence[str], parameters: Sequence[str]
+) -> tuple[str, ...]:
+    """Names of parameters and of states at the start; an `InputError` refuses others."""
     known = (*parameters, *start_names(states, parameters))
-    for name in by:
-        if name not in known:
-            raise unknown_name("parameter or start", str(name), known)
+    return chosen_names("parameter or start", by, known)
 
 
 def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -87,10 +87,7 @@ def motion_function(
 
     nominal = follow(parameters, start)
     names, starts = input_names(nominal)
-    inputs = (by,) if isinstance(by, str) else tuple(by)
-    for name in inputs:
-        if name not in names and name not in starts:
-            raise unknown_name("parameter or start", str(name), (*names, *starts))
+    inputs = chosen_names("parameter or start", by, (*names, *starts))
     given = {name: float(value) for name, value in nominal.parameters.items()}
     given |= dict(zip(starts, nominal.states[0].tolist(), strict=True))
     first = int(nominal.run.configurations[0])

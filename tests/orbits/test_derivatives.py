@@ -136,6 +136,29 @@ def test_what_was_not_given_is_refused():
         ns.orbit_function(ns.solve(KERNELS[0]), by="eta", of="perio")
 
 
+@pytest.mark.parametrize(
+    ("names", "told"),
+    [
+        ([], "is named|etta"),
+        (5, "5 is no name"),
+        ([5, "eta"], "5 is no name"),
+        (["etta"], "'etta'"),
+    ],
+)
+def test_names_that_are_none_are_refused_wherever_they_are_asked_for(names, told):
+    orbit = ns.solve(KERNELS[0])
+    motion = ns.solve("rigid-stop/one-impact").trajectory()
+    for asked in (
+        lambda: orbit.derivatives(names),
+        lambda: ns.solve_many(KERNELS[0], eta=[1.0, 1.01], derivatives=names or "etta"),
+        lambda: motion.derivatives(names),
+        lambda: ns.orbit_function(orbit, by=names, of="period"),
+        lambda: ns.certify(orbit, derivatives=names),
+    ):
+        with pytest.raises(InputError, match=told):
+            asked()
+
+
 ALONG = (
     f"{GALLERY}/two_belts.py:both-stick",
     f"{GALLERY}/piecewise_stiffness.py:doubled",

@@ -290,7 +290,7 @@ def test_what_was_not_asked_for_is_not_there(tmp_path: Path) -> None:
     assert '"derivatives"' not in (tmp_path / "proof.json").read_text()
     with pytest.raises(InputError, match="unknown given parameter 'rr'"):
         ns.certify(loop(), derivatives=["rr"])
-    with pytest.raises(InputError, match="no parameter is named"):
+    with pytest.raises(InputError, match="no given parameter is named"):
         ns.certify(loop(), derivatives=[])
 
 
