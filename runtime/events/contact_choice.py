@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import Located, dot
+from nonsmooth.runtime.events.quasi_polynomials import UNIT
 from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law, Regimes
 from nonsmooth.runtime.model.contacts.stages import Path, Stage, requirements
-from nonsmooth.runtime.model.quasi_polynomials import UNIT
 
 __all__ = ["Chooser", "ContactOutcome"]
 

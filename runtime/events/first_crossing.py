@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.leading_derivative import leading
+from nonsmooth.runtime.events.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
-from nonsmooth.runtime.model.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
 
 __all__ = ["ORDERS", "Crossing", "Series", "Start", "first_crossing"]
 
@@ -130,7 +130,7 @@ def first_crossing(
 
     Examples
     --------
-    >>> from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
+    >>> from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
     >>> first_crossing(QuasiPolynomial((0j,), ((-1 + 0j, 1 + 0j),)), 3.0).time
     1.0
     """

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
+from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
 
 __all__ = [
     "LONGEST_PHASE",

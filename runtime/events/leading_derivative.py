@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.model.quasi_polynomials import UNIT
+from nonsmooth.runtime.events.quasi_polynomials import UNIT
 
 if TYPE_CHECKING:
     from flint import arb

@@ -17,10 +17,10 @@ import numpy as np
 from nonsmooth.runtime.events.contact_choice import Chooser, ContactOutcome
 from nonsmooth.runtime.events.leading_derivative import Located, Undecided
 from nonsmooth.runtime.events.phase_numbers import Row, orders
+from nonsmooth.runtime.events.quasi_polynomials import UNIT
 from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.quasi_polynomials import UNIT
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 
 __all__ = [

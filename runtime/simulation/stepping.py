@@ -19,6 +19,7 @@ from nonsmooth.runtime.events.phase_numbers import (
     ConfigurationTable,
     rows_of,
 )
+from nonsmooth.runtime.events.quasi_polynomials import UNIT, QuasiPolynomial
 from nonsmooth.runtime.events.transition_choice import Choice, Decider
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import (
@@ -32,7 +33,6 @@ from nonsmooth.runtime.model.engine_run import (
     Status,
 )
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.quasi_polynomials import UNIT, QuasiPolynomial
 from nonsmooth.runtime.model.structure import TransitionShape
 
 __all__ = ["run"]

@@ -9,7 +9,7 @@ import pytest
 
 from nonsmooth import InputError
 from nonsmooth.runtime.events.first_crossing import Start, _Search, first_crossing
-from nonsmooth.runtime.model.quasi_polynomials import QuasiPolynomial
+from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
 
 HIGH = mp.MPContext()
 HIGH.dps = 40
