@@ -66,8 +66,8 @@ class Assembly:
     @cached_property
     def holders(self) -> dict[int, Holder]:
         """Friction contacts and rigid stops, the parts that may be active, in their order."""
-        found: dict[int, Holder] = {**self.frictions, **self.stops}
-        return dict(sorted(found.items()))
+        holders: dict[int, Holder] = {**self.frictions, **self.stops}
+        return dict(sorted(holders.items()))
 
     def name(self, regimes: Regimes) -> str:
         """Name of a configuration: its regimes joined by hyphens, or `free` without elements."""

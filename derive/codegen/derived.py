@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import (
@@ -58,20 +59,31 @@ class Underived:
     many: bool = False  # whether kernels for many points may be derived of it
 
 
+class DerivedKernel(NamedTuple):
+    """A kernel, the name of its orbit, None for the system's, and its source in Python."""
+
+    kernel: Kernel
+    orbit: str | None
+    python: str
+
+
 @dataclass(frozen=True)
 class DerivedSystem:
     """A system, its orbits and the kernels of both."""
 
     form: SimulationForm
     orbits: tuple[EquationSystem | Underived, ...]  # in the order in which they were declared
-    # each with the name of its orbit, None for the system's
-    kernels: tuple[tuple[Kernel, str | None], ...]
-    functions: tuple[str, ...]  # Python sources of the kernels
+    kernels: tuple[DerivedKernel, ...]
 
     @property
     def system(self) -> System:
         """The declared system."""
         return self.form.system
+
+    @property
+    def functions(self) -> list[str]:
+        """Python sources of the kernels."""
+        return [kernel.python for kernel in self.kernels]
 
     @property
     def derived(self) -> tuple[EquationSystem, ...]:
@@ -102,12 +114,11 @@ def derive_system(
     name = system.name
     progress(f"{name}: flows")
     form = _form_of(system)
-    kernels: list[tuple[Kernel, str | None]] = []
+    flows: tuple[Kernel, ...] = ()
     if form.flows is not None:
-        flows = flow_kernels(system, form.spectrum, form.flows)
-        kernels += [(k, None) for k in (spectrum_kernel(form.spectrum), *flows)]
-    kernels += [(k, None) for k in form.kernels()]
-    functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
+        motions = flow_kernels(system, form.spectrum, form.flows)
+        flows = (spectrum_kernel(form.spectrum), *motions)
+    kernels = _printed((*flows, *form.kernels()), None)
     found: list[EquationSystem | Underived] = []
     for orbit in orbits:
         reason, many = _obstacle(form, orbit), False
@@ -123,7 +134,10 @@ def derive_system(
             continue
         progress(f"{name}/{orbit.name}: equations")
         try:
-            equations, own, sources = _orbit(form, orbit)
+            equations = _equations(form, orbit)
+            turn = period_map_kernel(equations) if use is Use.ANYTHING else None
+            every = (*orbit_kernels(equations), *([turn] if turn else []))
+            kernels += _printed(every, orbit.name)
         except DeclarationError:
             raise
         # SymPy says NotImplementedError where it cannot solve or print
@@ -132,13 +146,12 @@ def derive_system(
                 raise
             found.append(Underived(orbit, " ".join(str(problem).split())))
             continue
-        turn = period_map_kernel(equations) if use is Use.ANYTHING else None
-        if turn is not None:
-            own, sources = [*own, (turn, orbit.name)], [*sources, python_kernel(turn, orbit.name)]
         found.append(equations)
-        kernels += own
-        functions += sources
-    return DerivedSystem(form, tuple(found), tuple(kernels), tuple(functions))
+    return DerivedSystem(form, tuple(found), tuple(kernels))
+
+
+def _printed(kernels: Iterable[Kernel], orbit: str | None) -> list[DerivedKernel]:
+    return [DerivedKernel(kernel, orbit, python_kernel(kernel, orbit)) for kernel in kernels]
 
 
 def _too_long(orbit: Itinerary) -> str | None:
@@ -195,9 +208,8 @@ def _obstacle(form: SimulationForm, orbit: Itinerary) -> str | None:
     return None
 
 
-def _orbit(
-    form: SimulationForm, orbit: Itinerary
-) -> tuple[EquationSystem, list[tuple[Kernel, str | None]], list[str]]:
+def _equations(form: SimulationForm, orbit: Itinerary) -> EquationSystem:
+    """The equations of an orbit; DerivationError says why they are no good for kernels."""
     equations = derive_equations(orbit)
     if equations.conservative and orbit.period is None:
         raise DerivationError("it is one of a family: energy is kept, and no period is declared")
@@ -207,8 +219,7 @@ def _orbit(
     _check_reference(equations)
     if not set(reduced_names(equations)) <= set(map(str, equations.unknowns)):
         raise DerivationError("its reduced unknowns are coordinates of another section")
-    kernels: list[tuple[Kernel, str | None]] = [(k, orbit.name) for k in orbit_kernels(equations)]
-    return equations, kernels, [python_kernel(kernel, name) for kernel, name in kernels]
+    return equations
 
 
 def reduced_names(equations: EquationSystem) -> list[str]:

@@ -150,7 +150,7 @@ def _c_functions(derived: DerivedSystem) -> tuple[dict[Function, str], dict[Func
     system = derived.system.name
     wanted: list[tuple[Function, Callable[[], str]]] = [
         (function_of_kernel(kernel, system, orbit), partial(c_kernel, kernel, system, orbit))
-        for kernel, orbit in derived.kernels
+        for kernel, orbit, _ in derived.kernels
     ]
     wanted += [
         (describe(orbit), partial(define, orbit))

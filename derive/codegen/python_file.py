@@ -116,7 +116,7 @@ def system_tables(derived: DerivedSystem) -> str:
             [(a.shape, a.since) for a in k.arguments],
             [(o.name, o.shape) for o in k.outputs],
         )
-        for k, orbit in derived.kernels
+        for k, orbit, _ in derived.kernels
     }
     table = system_table(derived.form)
     orbit_tables = {

@@ -6,7 +6,6 @@ import difflib
 import json
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import takewhile
 from pathlib import Path
 
@@ -17,7 +16,6 @@ from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 
 __all__ = [
-    "Check",
     "check",
     "differences",
     "emit_systems",
@@ -31,18 +29,6 @@ _STAMP = re.compile(r"((?:derivation|sha256)\w*\W{1,4})(?:[0-9a-f]{64}|[0-9a-f]{
 # files by how easily a formula is read in them
 _READABLE = (".md", ".py", ".h", ".c")
 _SHOWN_LINES, _SHOWN_CHARACTERS = 8, 160
-
-
-@dataclass(frozen=True)
-class Check:
-    """The differences between existing files and those that the derivation gives."""
-
-    differences: tuple[str, ...]
-
-    @property
-    def same(self) -> bool:
-        """Whether nothing differs."""
-        return not self.differences
 
 
 def find_generated(*, writing: bool = True) -> Path:
@@ -108,8 +94,8 @@ def check(
     folder: Path | None = None,
     system: str | None = None,
     progress: Callable[[str], None] = lambda step: None,
-) -> Check:
-    """Compare the files with what the derivation gives now, and write nothing.
+) -> tuple[str, ...]:
+    """Differences between the files and what the derivation gives now; nothing is written.
 
     DerivationError refuses files that another version of SymPy made, whose output may
     differ without a fault.
@@ -121,7 +107,7 @@ def check(
             f"{PROVENANCE} is of SymPy {made_with}, this is SymPy {sp.__version__}:"
             f' compare under the former (pip install "sympy=={made_with}")'
         )
-    return Check(differences(target, _wanted(folder, system, progress)))
+    return differences(target, _wanted(folder, system, progress))
 
 
 def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:

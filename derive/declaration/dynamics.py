@@ -15,7 +15,7 @@ from nonsmooth.derive.declaration.algebra import (
     is_surely_positive_definite,
     symbols_of,
 )
-from nonsmooth.derive.declaration.parameter import check_finite, exact, set_fields
+from nonsmooth.derive.declaration.parameter import check_finite, exact, exact_rules, set_fields
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Dynamics", "FirstOrder", "SecondOrder"]
@@ -54,7 +54,7 @@ class SecondOrder:
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
         if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
-        held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
+        held = exact_rules(self.held)
         for symbol, velocity in held.items():
             check_finite(velocity, f"held velocity of {symbol}")
         set_fields(
@@ -63,7 +63,7 @@ class SecondOrder:
             stiffness=frozen(stiffness),
             damping=frozen(damping),
             load=frozen(load),
-            held=sp.Dict(held),
+            held=held,
         )
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:

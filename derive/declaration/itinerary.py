@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.parameter import Parameter, exact, set_fields
+from nonsmooth.derive.declaration.parameter import Parameter, exact_rules, set_fields
 from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.soundness import check_name
 from nonsmooth.derive.declaration.source import Source
@@ -138,10 +138,10 @@ class Itinerary:
             self,
             phases=phases,
             start=dict(self.start),
-            reversor=sp.Dict({s: exact(e) for s, e in self.reversor.items()}),
+            reversor=exact_rules(self.reversor),
             vanishing=tuple(self.vanishing),
             solved_for=tuple(self.solved_for),
-            symmetry=sp.Dict({s: exact(e) for s, e in self.symmetry.items()}),
+            symmetry=exact_rules(self.symmetry),
         )
         check_name(self.name, "itinerary")
         if not phases:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from keyword import iskeyword
 from typing import Any
@@ -12,7 +12,15 @@ import sympy as sp
 from nonsmooth.derive.declaration.real_numbers import settled
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Parameter", "check_finite", "exact", "is_positive", "is_rational", "set_fields"]
+__all__ = [
+    "Parameter",
+    "check_finite",
+    "exact",
+    "exact_rules",
+    "is_positive",
+    "is_rational",
+    "set_fields",
+]
 
 
 def exact(expression: Any) -> Any:
@@ -23,6 +31,11 @@ def exact(expression: Any) -> Any:
     expression = sp.sympify(expression)
     floats = expression.atoms(sp.Float)
     return settled(expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats}))
+
+
+def exact_rules(rules: Mapping[sp.Symbol, Any]) -> sp.Dict:
+    """Exact expressions by symbol, in a mapping that has a hash."""
+    return sp.Dict({symbol: exact(expression) for symbol, expression in rules.items()})
 
 
 def set_fields(record: object, **values: Any) -> None:

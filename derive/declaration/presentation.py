@@ -10,7 +10,7 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter, exact, set_fields
+from nonsmooth.derive.declaration.parameter import Parameter, exact, exact_rules, set_fields
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
@@ -44,7 +44,7 @@ class Presentation:
             self,
             states=tuple(self.states),
             origin=tuple(map(exact, self.origin)),
-            substitution=sp.Dict({s: exact(e) for s, e in self.substitution.items()}),
+            substitution=exact_rules(self.substitution),
         )
         if len(self.origin) != len(self.states):
             raise DeclarationError(

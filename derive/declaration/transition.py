@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.parameter import exact, set_fields
+from nonsmooth.derive.declaration.parameter import exact, exact_rules, set_fields
 
 __all__ = ["Condition", "ContactLaw", "LawContact", "Transition"]
 
@@ -66,7 +66,7 @@ class Transition:
             self,
             boundaries=frozenset(self.boundaries),
             conditions=tuple(self.conditions),
-            reset=sp.Dict({s: exact(e) for s, e in self.reset.items()}),
+            reset=exact_rules(self.reset),
         )
 
     def reset_of(self, state: sp.Matrix, states: Sequence[sp.Symbol]) -> sp.Matrix:

@@ -380,7 +380,7 @@ def regenerate(
         )
     if check:
         with steps() as begin:
-            differences = generation.check(out, system, begin).differences
+            differences = generation.check(out, system, begin)
         return show_comparison(told, differences, f"the derivation: {REMEDY}", as_json=as_json)
     check_folder(folder)
     with steps() as begin:

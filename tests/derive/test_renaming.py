@@ -72,7 +72,7 @@ def struck(names: Mapping[str, str]) -> tuple[System, list[Itinerary]]:
 
 def statements(text: str) -> Iterator[list[str]]:
     """The words of each statement, in an order of their own: printers sort terms by name."""
-    for line in text.splitlines():
+    for line in re.sub(r",\n +", ", ", text).splitlines():  # long names break lines elsewhere
         if re.search("=|return|Operations", line) and not re.search(r"Takes|^ *#|/\*", line):
             words = re.findall(r"[\w.]+", line)
             yield sorted("_".join(sorted(word.split("_"))) for word in words)
