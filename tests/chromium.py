@@ -53,6 +53,7 @@ LOOK = (
       .map((one) => one.getAttribute("src")),
     unnamed: [...document.images].filter((one) => !one.hasAttribute("alt"))
       .map((one) => one.getAttribute("src")),
+    width: innerWidth,
     scroll_width: document.documentElement.scrollWidth,
     wide: wide.map((one) => one.outerHTML.slice(0, 120)),
     links: [...document.links].map((one) => one.getAttribute("href")),
@@ -64,7 +65,7 @@ LOOK = (
 
 @dataclass(frozen=True)
 class Seen:
-    """What a page showed in a window of one width.
+    """What a page showed in a window of one width, and what it complained of until then.
 
     Attributes
     ----------
@@ -73,8 +74,8 @@ class Seen:
         Those that are not set, as they stand in the page.
     pictures, unnamed : list of str
         Addresses of those that did not load, and of those without a text in their place.
-    scroll_width : int
-        In pixels, of what is in the window.
+    width, scroll_width : int
+        In pixels, of the window and of what is in it.
     wide : list of str
         Beginnings of the elements that stand out at the right and are in no box of their own.
     links, anchors : list of str
@@ -89,6 +90,7 @@ class Seen:
     formulas: list[str]
     pictures: list[str]
     unnamed: list[str]
+    width: int
     scroll_width: int
     wide: list[str]
     links: list[str]
@@ -151,18 +153,26 @@ class Window:
         assert "exceptionDetails" not in answer, answer["exceptionDetails"]
         return answer["result"].get("value")
 
-    def open(self, address: str, width: int) -> None:
-        """Open a page in a window of a width in pixels and wait until it has loaded."""
+    def resize(self, width: int) -> None:
+        """Give the window a width in pixels."""
         size = {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
         self.ask("Emulation.setDeviceMetricsOverride", **size)
+
+    def open(self, address: str, width: int) -> None:
+        """Open a page in a window of a width in pixels and wait until it has loaded."""
+        self.resize(width)
         self._events.clear()
         self.ask("Page.navigate", url=address)
         while not any(event["method"] == "Page.loadEventFired" for event in self._events):
             self._events.append(self._next_message())
 
-    def look(self, address: str, width: int) -> Seen:
-        """Open a page and say what is seen."""
-        self.open(address, width)
+    def look(self, address: str, *widths: int) -> list[Seen]:
+        """Open a page and say what is seen in windows of these widths, one after the other."""
+        self.open(address, widths[0])
+        return [self._seen(address, width) for width in widths]
+
+    def _seen(self, address: str, width: int) -> Seen:
+        self.resize(width)
         facts = json.loads(self.run(LOOK))
         asked = [e["params"] for e in self._events if e["method"] == "Network.requestWillBeSent"]
         urls = [one["request"]["url"] for one in asked]

@@ -5,7 +5,7 @@ import json
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urljoin, urlsplit
@@ -75,21 +75,25 @@ def pages(site: Path) -> list[str]:
     return sorted(page for page in found if not page.startswith("_"))
 
 
-def faults(seen: Seen, width: int) -> dict[str, object]:
-    """What is wrong with a page as it was seen in a window of a width."""
+def faults(seen: Sequence[Seen]) -> dict[str, object]:
+    """What is wrong with a page as it was seen in one window after the other."""
     found = {
-        "no title": not seen.title,
-        "formulas that are not set": seen.formulas,
-        "pictures that are not there": seen.pictures,
-        "pictures without a text": seen.unnamed,
-        "wider than the window": seen.scroll_width > width and (seen.wide or True),
-        "complaints": seen.complaints,
-        "asked of others": seen.requests,
+        f"{name} at {one.width}": what
+        for one in seen
+        for name, what in (
+            ("no title", not one.title),
+            ("formulas that are not set", one.formulas),
+            ("pictures that are not there", one.pictures),
+            ("pictures without a text", one.unnamed),
+            ("wider than the window", one.scroll_width > one.width and (one.wide or True)),
+            ("complaints", one.complaints),
+            ("asked of others", one.requests),
+        )
     }
     return {name: what for name, what in found.items() if what}
 
 
-def leads_somewhere(link: str, page: str, seen: dict[str, Seen], site: Path) -> bool:
+def leads_somewhere(link: str, page: str, seen: dict[str, list[Seen]], site: Path) -> bool:
     """Whether a link of a page leads to a file and a place in it, or has the form of an address."""
     target = urlsplit(urljoin(f"http://site/{page}", link))
     if target.netloc != "site":
@@ -100,18 +104,17 @@ def leads_somewhere(link: str, page: str, seen: dict[str, Seen], site: Path) -> 
     place = unquote(target.path).strip("/") or "index.html"
     if place not in seen:
         return (site / place).is_file()
-    return not target.fragment or unquote(target.fragment) in seen[place].anchors
+    return not target.fragment or unquote(target.fragment) in seen[place][0].anchors
 
 
 @pytest.mark.slow
 @pytest.mark.browser
-@pytest.mark.parametrize("width", WIDTHS)
-def test_every_page_is_shown_whole(width: int, site: Path, browser: Window) -> None:
+def test_every_page_is_shown_whole(site: Path, browser: Window) -> None:
     with served(site) as address:
-        seen = {page: browser.look(f"{address}/{page}", width) for page in pages(site)}
+        seen = {page: browser.look(f"{address}/{page}", *WIDTHS) for page in pages(site)}
     assert len(seen) > len(PUBLIC)
-    assert {page: wrong for page, one in seen.items() if (wrong := faults(one, width))} == {}
-    links = {(page, link) for page, one in seen.items() for link in one.links}
+    assert {page: wrong for page, each in seen.items() if (wrong := faults(each))} == {}
+    links = {(page, link) for page, (one, *_) in seen.items() for link in one.links}
     assert [link for link in sorted(links) if not leads_somewhere(*link[::-1], seen, site)] == []
 
 
@@ -168,7 +171,8 @@ def test_every_command_and_option_is_told(site: Path) -> None:
 def test_what_is_broken_is_noticed(tmp_path: Path, browser: Window) -> None:
     (tmp_path / "broken.html").write_text(BROKEN, encoding="utf-8")
     with served(tmp_path) as address:
-        seen = browser.look(f"{address}/broken.html", 400)
+        both = browser.look(f"{address}/broken.html", 1280, 400)
+    seen = both[1]
     assert len(seen.formulas) == 2
     assert seen.pictures == ["picture.png", "https://example.org/picture.png"]
     assert seen.unnamed == ["picture.png"]
@@ -176,7 +180,10 @@ def test_what_is_broken_is_noticed(tmp_path: Path, browser: Window) -> None:
     for said in ("an error", "thrown", "404", "ERR_NAME_NOT_RESOLVED"):
         assert any(said in complaint for complaint in seen.complaints)
     assert seen.requests == ["https://example.org/picture.png"]
-    assert len(faults(seen, 400)) == 6
-    all_seen = {"broken.html": seen}
+    assert len(faults([seen])) == 6
+    assert {name for name in faults(both) if name.startswith("wider")} == {
+        "wider than the window at 400"
+    }
+    all_seen = {"broken.html": both}
     lost = [x for x in seen.links if not leads_somewhere(x, "broken.html", all_seen, tmp_path)]
     assert lost == ["#nowhere", "other.html", "https://nonsense"]

@@ -271,8 +271,8 @@ def test_a_survivor_is_tried_with_the_slow_tests(
 
 @pytest.mark.slow
 def test_most_bugs_of_a_module_are_noticed(capsys: pytest.CaptureFixture[str]) -> None:
-    mutate.main(["runtime/model/vectorised.py", "--sample", "9", "--seed", "1",
+    mutate.main(["runtime/model/vectorised.py", "--sample", "5", "--seed", "1",
                  "--tests", "tests/model/test_vectorised.py"])  # fmt: skip
-    told = re.search(r"^(\d+) of 9 bugs are noticed$", capsys.readouterr().out, re.MULTILINE)
+    told = re.search(r"^(\d+) of 5 bugs are noticed$", capsys.readouterr().out, re.MULTILINE)
     assert told is not None
-    assert int(told[1]) >= 6
+    assert int(told[1]) >= 3
