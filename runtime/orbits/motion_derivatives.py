@@ -19,7 +19,7 @@ from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
 from nonsmooth.runtime.simulation.observables import observed_rows
-from nonsmooth.runtime.simulation.phase_functions import Phases
+from nonsmooth.runtime.simulation.phase_functions import Phases, phase_states
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -90,21 +90,23 @@ class OrbitMotionDerivatives:
         self.cycle, self.lib = tables.cycle, working(orbit)
         self.structure = self.cycle.structure
         self.numbers = numbers_along(orbit, by, self.lib)
-        starts, dwell, ends = tables.states_up_to_shift, orbit.dwell_times, tables.shooting.ends
+        starts, dwell = tables.states_up_to_shift, orbit.dwell_times
+        system = tables.piecewise
         if self.lib is not None:
             lift = np.frompyfunc(self.lib.mp.mpf, 1, 1)
-            starts, dwell, ends = lift(starts), lift(dwell), lift(ends)
+            starts, dwell = lift(starts), lift(dwell)
+            system = piecewise(orbit.system, orbit.parameters)
         breaks = np.concatenate([[0 * dwell[0]], np.cumsum(dwell)])
         self.period = breaks[-1]
         configurations = np.array(self.cycle.configurations)
+        floats = dwell.astype(float), starts.astype(float)
+        ends = phase_states(system, configurations, *floats)
         phases = Phases(breaks[:-1], dwell, configurations, starts, ends)
         shifted = np.cumsum(directions.dwell, axis=1)
         rates = np.array([shifted - directions.dwell, shifted])
         fields = real_parts(self.numbers.fields[0])[configurations]
         velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
         changes = directions.starts - velocities * rates[0][..., None]
-        plain = self.lib is None
-        system = tables.piecewise if plain else piecewise(orbit.system, orbit.parameters)
         self.moved = MovedPhases(
             system, self.numbers, phases, np.moveaxis(changes, 0, -1), rates, self.lib
         )

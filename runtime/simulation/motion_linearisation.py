@@ -11,7 +11,7 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, stepped_tables
-from nonsmooth.runtime.simulation.flow_derivatives import ConfigurationFlows, configuration_flows
+from nonsmooth.runtime.simulation.flow_derivatives import PhaseFlows
 from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, following_changes
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import Transitions, transitions_behind
@@ -48,18 +48,13 @@ class MotionLinearisation:
         # phases up to their transitions, then those of the times
         self.phases = np.concatenate([np.arange(count - 1), phases])
         durations = np.concatenate([np.diff(run.times), times - run.times[phases]])
-        self.groups: list[tuple[int, np.ndarray, ConfigurationFlows]] = list(
-            configuration_flows(
-                trajectory.system,
-                run.configurations[self.phases].astype(int),
-                durations,
-                run.states[self.phases],
-            )
+        self.flows = PhaseFlows(
+            trajectory.system,
+            run.configurations[self.phases].astype(int),
+            durations,
+            run.states[self.phases],
         )
-        size = len(trajectory.names)
-        self.matrices = np.empty((len(self.phases), size, size))
-        for _, places, flows in self.groups:
-            self.matrices[places] = flows.matrices
+        self.matrices = self.flows.matrices
 
     @property
     def kernels(self) -> SystemKernels:
@@ -132,12 +127,7 @@ class MotionLinearisation:
         """Derivatives of the motion along changes of the tables and of the start (N, q)."""
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
-        added = np.empty((len(self.phases), size, q))
-        for configuration, places, flows in self.groups:
-            field = tables.fields[:, configuration]
-            moving = np.flatnonzero(field.any(axis=(1, 2)))  # of a start nothing
-            added[places] = 0.0
-            added[np.ix_(places, np.arange(size), moving)] = flows.changes(field[moving])
+        added = self.flows.changes(tables.fields)
         saltations, late = self.saltations
         inside = slice(0, count - 1)
         moved = _along(tables.rows, found.rows, found.before)
@@ -188,10 +178,7 @@ class MotionLinearisation:
         for k in range(count - 2, -1, -1):
             factors[k] += factors[k + 1] @ saltations[k] @ self.carried[k]
         ends = before[1:] + (factors[1:, None] @ saltations)[:, 0, :size]
-        ends = np.concatenate([ends, states])
-        fields = np.zeros_like(system.fields)
-        for configuration, places, flows in self.groups:
-            fields[configuration] += flows.gradients(ends[places])
+        fields = self.flows.gradients(np.concatenate([ends, states]))
         rows, resets = np.zeros_like(system.rows), np.zeros_like(system.resets)
         rates = (factors[1:] * late).sum(axis=1)
         np.add.at(rows, found.rows, rates[:, None] * found.before)
