@@ -18,7 +18,7 @@ from nonsmooth.runtime.orbits.table_directions import numbers_along, relative_ch
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
-from nonsmooth.runtime.simulation.observables import observed_rows
+from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows, observed_rows
 from nonsmooth.runtime.simulation.phase_functions import Phases, phase_states
 
 if TYPE_CHECKING:
@@ -144,15 +144,11 @@ class OrbitMotionDerivatives:
 
     def row_of(self, kind: str, of: str) -> np.ndarray:
         """Return the row of a quantity of one of the `KINDS`, of a state or a contact."""
-        size = len(self.structure.states)
         if kind == "peak_force":
-            place = size + 3 * self._contact(of)
-        else:
-            place = self._place(of)
-            if kind == "peak_acceleration":  # of a velocity, or of a position
-                velocity = dict(self.structure.coordinates).get(place, place)
-                return np.asarray(self.numbers.fields[:, :, velocity])
-        return observed_rows(self.structure, self.numbers.rows)[:, :, place]
+            return force_rows(self.structure, self.numbers.rows, self._contact(of))
+        if kind == "peak_acceleration":
+            return acceleration_rows(self.structure, self.numbers.fields, self._place(of))
+        return observed_rows(self.structure, self.numbers.rows)[:, :, self._place(of)]
 
     def peak(self, row: np.ndarray, name: str) -> Differentiated:
         """Return the largest absolute value of an affine function over the period.

@@ -14,9 +14,8 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.motion_linearisation import input_names
+from nonsmooth.runtime.simulation.motion_linearisation import input_names, nearest_start
 from nonsmooth.runtime.simulation.simulate import simulate
-from nonsmooth.runtime.simulation.start_derivatives import nearest_start
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["motion_function"]

@@ -10,13 +10,17 @@ import numpy as np
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, stepped_tables
 from nonsmooth.runtime.simulation.flow_derivatives import PhaseFlows
-from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, following_changes
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from nonsmooth.runtime.simulation.transition_derivatives import Transitions, transitions_behind
+from nonsmooth.runtime.simulation.transition_derivatives import (
+    Transitions,
+    extended,
+    transitions_behind,
+)
 
-__all__ = ["MotionChanges", "MotionLinearisation", "input_names"]
+__all__ = ["MotionChanges", "MotionLinearisation", "input_names", "nearest_start"]
 
 _ERROR = 64 * np.finfo(float).eps
 
@@ -74,8 +78,8 @@ class MotionLinearisation:
         moved = stepped_tables(self.kernels, point, steps, None)
         tables = TableDerivatives(*(imaginary_parts(part, None) for part in moved))
         configuration, start = int(run.configurations[0]), run.states[0]
-        changes = following_changes(system, configuration, start, tables.rows)
-        allowed = allowed_changes(system, configuration, start)
+        changes = _following_changes(system, configuration, start, tables.rows)
+        allowed = _allowed_changes(system, configuration, start)
         own = [column for column, name in enumerate(by) if name in starts]
         changes[:, own] = allowed[:, [starts.index(by[column]) for column in own]]
         return tables, changes
@@ -223,3 +227,52 @@ def input_names(trajectory: Trajectory) -> tuple[tuple[str, ...], tuple[str, ...
     """Names of the motion's parameters, and of its states at the start."""
     names = tuple(trajectory.parameters)
     return names, start_names(trajectory.names, names)
+
+
+def _allowed_changes(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
+    """Orthogonal projection (N, N) of changes of a start (N,) onto those that are allowed.
+
+    They keep the constraints of the configuration satisfied, and move all forcings along
+    one time.
+    """
+    structure, size = system.structure, len(start)
+    rows = [system.rows[row][:-1] for row in structure.constraints[configuration]]
+    turns = []
+    for cosine, sine in structure.forcing:
+        radial, turn = np.zeros(size), np.zeros(size)
+        radial[[cosine, sine]] = start[[cosine, sine]]
+        speed = system.fields[configuration, sine, cosine]
+        turn[[cosine, sine]] = -start[sine], start[cosine]
+        rows.append(radial)
+        turns.append(turn / speed)
+    rows += [turn - turns[0] for turn in turns[1:]]
+    if not rows:
+        return np.eye(size)
+    matrix = np.array(rows)
+    return np.asarray(np.eye(size) - np.linalg.pinv(matrix) @ matrix)
+
+
+def _following_changes(
+    system: PiecewiseLinear, configuration: int, start: np.ndarray, rows: np.ndarray
+) -> np.ndarray:
+    """Changes (N, q) of a start (N,) that keep it on its constraints while q parameters change.
+
+    They are the smallest ones in the system's units. `rows` (q, R, N + 1) are the
+    derivatives of the rows by the parameters.
+    """
+    held = list(system.structure.constraints[configuration])
+    if not held:
+        return np.zeros((len(start), len(rows)))
+    missed = rows[:, held] @ extended(start)
+    return np.asarray(-np.linalg.pinv(system.rows[held][:, :-1]) @ missed.T)
+
+
+def nearest_start(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
+    """The start (N,) nearest to a given one that satisfies the constraints of a configuration."""
+    held = list(system.structure.constraints[configuration])
+    found = start.copy()
+    if held:
+        found -= np.linalg.pinv(system.rows[held][:, :-1]) @ (system.rows[held] @ extended(start))
+    for cosine, sine in system.structure.forcing:
+        found[[cosine, sine]] /= np.hypot(found[cosine], found[sine])
+    return found
