@@ -18,8 +18,8 @@ from nonsmooth.runtime.orbits.table_directions import numbers_along, relative_ch
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
-from nonsmooth.runtime.simulation.observables import observed_rows
-from nonsmooth.runtime.simulation.phase_functions import Phases
+from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows, observed_rows
+from nonsmooth.runtime.simulation.phase_functions import Phases, phase_states
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -90,21 +90,23 @@ class OrbitMotionDerivatives:
         self.cycle, self.lib = tables.cycle, working(orbit)
         self.structure = self.cycle.structure
         self.numbers = numbers_along(orbit, by, self.lib)
-        starts, dwell, ends = tables.states_up_to_shift, orbit.dwell_times, tables.shooting.ends
+        starts, dwell = tables.states_up_to_shift, orbit.dwell_times
+        system = tables.piecewise
         if self.lib is not None:
             lift = np.frompyfunc(self.lib.mp.mpf, 1, 1)
-            starts, dwell, ends = lift(starts), lift(dwell), lift(ends)
+            starts, dwell = lift(starts), lift(dwell)
+            system = piecewise(orbit.system, orbit.parameters)
         breaks = np.concatenate([[0 * dwell[0]], np.cumsum(dwell)])
         self.period = breaks[-1]
         configurations = np.array(self.cycle.configurations)
+        floats = dwell.astype(float), starts.astype(float)
+        ends = phase_states(system, configurations, *floats)
         phases = Phases(breaks[:-1], dwell, configurations, starts, ends)
         shifted = np.cumsum(directions.dwell, axis=1)
         rates = np.array([shifted - directions.dwell, shifted])
         fields = real_parts(self.numbers.fields[0])[configurations]
         velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
         changes = directions.starts - velocities * rates[0][..., None]
-        plain = self.lib is None
-        system = tables.piecewise if plain else piecewise(orbit.system, orbit.parameters)
         self.moved = MovedPhases(
             system, self.numbers, phases, np.moveaxis(changes, 0, -1), rates, self.lib
         )
@@ -142,15 +144,11 @@ class OrbitMotionDerivatives:
 
     def row_of(self, kind: str, of: str) -> np.ndarray:
         """Return the row of a quantity of one of the `KINDS`, of a state or a contact."""
-        size = len(self.structure.states)
         if kind == "peak_force":
-            place = size + 3 * self._contact(of)
-        else:
-            place = self._place(of)
-            if kind == "peak_acceleration":  # of a velocity, or of a position
-                velocity = dict(self.structure.coordinates).get(place, place)
-                return np.asarray(self.numbers.fields[:, :, velocity])
-        return observed_rows(self.structure, self.numbers.rows)[:, :, place]
+            return force_rows(self.structure, self.numbers.rows, self._contact(of))
+        if kind == "peak_acceleration":
+            return acceleration_rows(self.structure, self.numbers.fields, self._place(of))
+        return observed_rows(self.structure, self.numbers.rows)[:, :, self._place(of)]
 
     def peak(self, row: np.ndarray, name: str) -> Differentiated:
         """Return the largest absolute value of an affine function over the period.

@@ -22,9 +22,12 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, relative_rates
-from nonsmooth.runtime.simulation.motion_linearisation import MotionChanges, MotionLinearisation
+from nonsmooth.runtime.simulation.motion_linearisation import (
+    MotionChanges,
+    MotionLinearisation,
+    nearest_start,
+)
 from nonsmooth.runtime.simulation.simulate import simulate
-from nonsmooth.runtime.simulation.start_derivatives import nearest_start
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import (
     extended,

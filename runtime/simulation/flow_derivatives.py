@@ -13,7 +13,6 @@ is below h^40 3e-60 = 3e-20 for half of that, h = 10.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import lru_cache
 from typing import Protocol
 
@@ -24,7 +23,7 @@ from nonsmooth.runtime.model.flows import composite_rule, functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.phase_functions import fastest
 
-__all__ = ["ConfigurationFlows", "configuration_flows", "flow_matrices", "rule_on", "rule_pieces"]
+__all__ = ["PhaseFlows", "flow_matrices", "rule_on", "rule_pieces"]
 
 _NODES = 20  # of an integral, in a piece
 _ANGLE = 10.0  # radians in a piece
@@ -132,24 +131,58 @@ def flow_matrices(system: PiecewiseLinear, configuration: int, durations: np.nda
     return np.asarray(np.tensordot(functions, flows[:, :, :-1], axes=1))
 
 
-def configuration_flows(
-    system: PiecewiseLinear, configurations: np.ndarray, durations: np.ndarray, starts: np.ndarray
-) -> Iterator[tuple[int, np.ndarray, ConfigurationFlows]]:
-    """Yield each configuration, the places (k,) of its phases, and their flows.
+class PhaseFlows:
+    """Flows over n durations from n starts, with their derivatives.
 
-    The phases have `configurations` (n,), `durations` (n,) and `starts` (n, N). Where
-    memory requires it, a configuration comes in several portions.
+    The phases have `configurations` (n,), `durations` (n,) and `starts` (n, N).
     """
-    for configuration in np.unique(configurations).tolist():
-        here = np.flatnonzero(configurations == configuration)
-        factored = isinstance(system.flows[configuration], FactoredFlows)
-        count = system.structure.functions[configuration]
-        size = 4 * count**2 if factored else count * starts.shape[1]
-        step = max(1, _CHUNK // max(1, size))
-        for low in range(0, len(here), step):
-            part = here[low : low + step]
+
+    def __init__(
+        self,
+        system: PiecewiseLinear,
+        configurations: np.ndarray,
+        durations: np.ndarray,
+        starts: np.ndarray,
+    ) -> None:
+        self._system, (count, size) = system, starts.shape
+        # (n, N, N), derivatives of the end states by the starts
+        self.matrices = np.empty((count, size, size))
+        self._parts: list[tuple[int, np.ndarray, ConfigurationFlows]] = []
+        for configuration in np.unique(configurations).tolist():
+            here = np.flatnonzero(configurations == configuration)
+            factored = isinstance(system.flows[configuration], FactoredFlows)
+            functions = system.structure.functions[configuration]
+            step = max(1, _CHUNK // max(1, 4 * functions**2 if factored else functions * size))
             make = _FactoredFlows if factored else _DenseFlows
-            yield configuration, part, make(system, configuration, durations[part], starts[part])
+            for low in range(0, len(here), step):
+                part = here[low : low + step]
+                flows = make(system, configuration, durations[part], starts[part])
+                self.matrices[part] = flows.matrices
+                self._parts.append((configuration, part, flows))
+
+    def changes(self, fields: np.ndarray) -> np.ndarray:
+        """Derivatives (n, N, q) of the end states by q numbers, starts and durations kept.
+
+        `fields` (q, configurations, N, N + 1) are those of the vector fields.
+        """
+        found = np.zeros((*self.matrices.shape[:2], len(fields)))
+        every = np.arange(found.shape[1])
+        for configuration, places, flows in self._parts:
+            field = fields[:, configuration]
+            moving = np.flatnonzero(field.any(axis=(1, 2)))
+            if moving.size:
+                found[np.ix_(places, every, moving)] = flows.changes(field[moving])
+        return found
+
+    def gradients(self, cotangents: np.ndarray) -> np.ndarray:
+        """Derivative (configurations, N, N + 1) by the fields of end states times factors (n, N).
+
+        It is a sum over all phases.
+        """
+        found = np.zeros_like(self._system.fields)
+        for configuration, places, flows in self._parts:
+            found[configuration] += flows.gradients(cotangents[places])
+        return found
 
 
 def rule_pieces(system: PiecewiseLinear, configuration: int, durations: np.ndarray) -> np.ndarray:

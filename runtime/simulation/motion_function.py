@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,8 @@ from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.motion_linearisation import input_names
+from nonsmooth.runtime.simulation.motion_linearisation import input_names, nearest_start
 from nonsmooth.runtime.simulation.simulate import simulate
-from nonsmooth.runtime.simulation.start_derivatives import nearest_start
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["motion_function"]
@@ -124,54 +124,41 @@ def motion_function(
             raise InputError(f"the motion ends at t = {found.end!r}: {found.message}")
         return np.asarray(found(wanted) @ rows[:, :-1].T + rows[:, -1]).ravel()
 
-    def each(points: np.ndarray, work: Callable[[int], None]) -> None:
-        for place in range(len(points)):
-            try:
-                work(place)
-            except InputError:
-                continue
-
     def evaluate(points: np.ndarray) -> np.ndarray:
         values = np.full((len(points), len(labels)), np.nan)
-
-        def work(place: int) -> None:
-            values[place] = read(motion(points[place]))
-
-        each(points, work)
+        for place, point in enumerate(points):
+            with suppress(InputError):
+                values[place] = read(motion(point))
         return values
 
     def differentiate(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         values = np.full((len(points), len(labels)), np.nan)
         jacobians = np.full((len(points), len(labels), len(inputs)), np.nan)
-
-        def work(place: int) -> None:
-            found = motion(points[place])
-            values[place] = read(found)
-            changes = found.derivatives(inputs, times=wanted)
-            if wanted is None:
-                jacobians[place] = changes.event_times[: len(labels)]
-            else:
-                jacobians[place] = (rows[:, :-1] @ changes.states).reshape(-1, len(inputs))
-
-        each(points, work)
+        for place, point in enumerate(points):
+            with suppress(InputError):
+                found = motion(point)
+                values[place] = read(found)
+                changes = found.derivatives(inputs, times=wanted)
+                if wanted is None:
+                    jacobians[place] = changes.event_times[: len(labels)]
+                else:
+                    jacobians[place] = (rows[:, :-1] @ changes.states).reshape(-1, len(inputs))
         return values, jacobians
 
     def pull(points: np.ndarray, cotangents: np.ndarray) -> np.ndarray:
         gradients = np.full(points.shape, np.nan)
-
-        def work(place: int) -> None:
-            found = motion(points[place])
-            read(found)
-            changes, factors = found.derivatives(inputs, times=wanted), cotangents[place]
-            if wanted is None:
-                padded = np.zeros(found.transitions)
-                padded[: len(factors)] = factors
-                gradients[place] = changes.vjp(event_times=padded)
-            else:
-                states = factors.reshape(len(wanted), -1) @ rows[:, :-1]
-                gradients[place] = changes.vjp(states=states)
-
-        each(points, work)
+        for place, (point, factors) in enumerate(zip(points, cotangents, strict=True)):
+            with suppress(InputError):
+                found = motion(point)
+                read(found)
+                changes = found.derivatives(inputs, times=wanted)
+                if wanted is None:
+                    padded = np.zeros(found.transitions)
+                    padded[: len(factors)] = factors
+                    gradients[place] = changes.vjp(event_times=padded)
+                else:
+                    states = factors.reshape(len(wanted), -1) @ rows[:, :-1]
+                    gradients[place] = changes.vjp(states=states)
         return gradients
 
     reference = np.array([given[name] for name in inputs])

@@ -10,13 +10,17 @@ import numpy as np
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, stepped_tables
-from nonsmooth.runtime.simulation.flow_derivatives import ConfigurationFlows, configuration_flows
-from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, following_changes
+from nonsmooth.runtime.simulation.flow_derivatives import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from nonsmooth.runtime.simulation.transition_derivatives import Transitions, transitions_behind
+from nonsmooth.runtime.simulation.transition_derivatives import (
+    Transitions,
+    extended,
+    transitions_behind,
+)
 
-__all__ = ["MotionChanges", "MotionLinearisation", "input_names"]
+__all__ = ["MotionChanges", "MotionLinearisation", "input_names", "nearest_start"]
 
 _ERROR = 64 * np.finfo(float).eps
 
@@ -48,18 +52,13 @@ class MotionLinearisation:
         # phases up to their transitions, then those of the times
         self.phases = np.concatenate([np.arange(count - 1), phases])
         durations = np.concatenate([np.diff(run.times), times - run.times[phases]])
-        self.groups: list[tuple[int, np.ndarray, ConfigurationFlows]] = list(
-            configuration_flows(
-                trajectory.system,
-                run.configurations[self.phases].astype(int),
-                durations,
-                run.states[self.phases],
-            )
+        self.flows = PhaseFlows(
+            trajectory.system,
+            run.configurations[self.phases].astype(int),
+            durations,
+            run.states[self.phases],
         )
-        size = len(trajectory.names)
-        self.matrices = np.empty((len(self.phases), size, size))
-        for _, places, flows in self.groups:
-            self.matrices[places] = flows.matrices
+        self.matrices = self.flows.matrices
 
     @property
     def kernels(self) -> SystemKernels:
@@ -79,8 +78,8 @@ class MotionLinearisation:
         moved = stepped_tables(self.kernels, point, steps, None)
         tables = TableDerivatives(*(imaginary_parts(part, None) for part in moved))
         configuration, start = int(run.configurations[0]), run.states[0]
-        changes = following_changes(system, configuration, start, tables.rows)
-        allowed = allowed_changes(system, configuration, start)
+        changes = _following_changes(system, configuration, start, tables.rows)
+        allowed = _allowed_changes(system, configuration, start)
         own = [column for column, name in enumerate(by) if name in starts]
         changes[:, own] = allowed[:, [starts.index(by[column]) for column in own]]
         return tables, changes
@@ -132,12 +131,7 @@ class MotionLinearisation:
         """Derivatives of the motion along changes of the tables and of the start (N, q)."""
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
-        added = np.empty((len(self.phases), size, q))
-        for configuration, places, flows in self.groups:
-            field = tables.fields[:, configuration]
-            moving = np.flatnonzero(field.any(axis=(1, 2)))  # of a start nothing
-            added[places] = 0.0
-            added[np.ix_(places, np.arange(size), moving)] = flows.changes(field[moving])
+        added = self.flows.changes(tables.fields)
         saltations, late = self.saltations
         inside = slice(0, count - 1)
         moved = _along(tables.rows, found.rows, found.before)
@@ -188,10 +182,7 @@ class MotionLinearisation:
         for k in range(count - 2, -1, -1):
             factors[k] += factors[k + 1] @ saltations[k] @ self.carried[k]
         ends = before[1:] + (factors[1:, None] @ saltations)[:, 0, :size]
-        ends = np.concatenate([ends, states])
-        fields = np.zeros_like(system.fields)
-        for configuration, places, flows in self.groups:
-            fields[configuration] += flows.gradients(ends[places])
+        fields = self.flows.gradients(np.concatenate([ends, states]))
         rows, resets = np.zeros_like(system.rows), np.zeros_like(system.resets)
         rates = (factors[1:] * late).sum(axis=1)
         np.add.at(rows, found.rows, rates[:, None] * found.before)
@@ -236,3 +227,52 @@ def input_names(trajectory: Trajectory) -> tuple[tuple[str, ...], tuple[str, ...
     """Names of the motion's parameters, and of its states at the start."""
     names = tuple(trajectory.parameters)
     return names, start_names(trajectory.names, names)
+
+
+def _allowed_changes(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
+    """Orthogonal projection (N, N) of changes of a start (N,) onto those that are allowed.
+
+    They keep the constraints of the configuration satisfied, and move all forcings along
+    one time.
+    """
+    structure, size = system.structure, len(start)
+    rows = [system.rows[row][:-1] for row in structure.constraints[configuration]]
+    turns = []
+    for cosine, sine in structure.forcing:
+        radial, turn = np.zeros(size), np.zeros(size)
+        radial[[cosine, sine]] = start[[cosine, sine]]
+        speed = system.fields[configuration, sine, cosine]
+        turn[[cosine, sine]] = -start[sine], start[cosine]
+        rows.append(radial)
+        turns.append(turn / speed)
+    rows += [turn - turns[0] for turn in turns[1:]]
+    if not rows:
+        return np.eye(size)
+    matrix = np.array(rows)
+    return np.asarray(np.eye(size) - np.linalg.pinv(matrix) @ matrix)
+
+
+def _following_changes(
+    system: PiecewiseLinear, configuration: int, start: np.ndarray, rows: np.ndarray
+) -> np.ndarray:
+    """Changes (N, q) of a start (N,) that keep it on its constraints while q parameters change.
+
+    They are the smallest ones in the system's units. `rows` (q, R, N + 1) are the
+    derivatives of the rows by the parameters.
+    """
+    held = list(system.structure.constraints[configuration])
+    if not held:
+        return np.zeros((len(start), len(rows)))
+    missed = rows[:, held] @ extended(start)
+    return np.asarray(-np.linalg.pinv(system.rows[held][:, :-1]) @ missed.T)
+
+
+def nearest_start(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
+    """The start (N,) nearest to a given one that satisfies the constraints of a configuration."""
+    held = list(system.structure.constraints[configuration])
+    found = start.copy()
+    if held:
+        found -= np.linalg.pinv(system.rows[held][:, :-1]) @ (system.rows[held] @ extended(start))
+    for cosine, sine in system.structure.forcing:
+        found[[cosine, sine]] /= np.hypot(found[cosine], found[sine])
+    return found

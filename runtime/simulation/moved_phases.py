@@ -17,17 +17,16 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
-from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.derivatives import flows_over
 from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.extremes import extremes
 from nonsmooth.runtime.simulation.flow_derivatives import (
-    configuration_flows,
+    PhaseFlows,
     rule_on,
     rule_pieces,
 )
-from nonsmooth.runtime.simulation.phase_functions import Phases
+from nonsmooth.runtime.simulation.phase_functions import Phases, phase_states
 
 __all__ = ["Differentiated", "MovedPhases"]
 
@@ -82,18 +81,9 @@ class MovedPhases:
     ) -> tuple[np.ndarray, np.ndarray]:
         """States (m, N) and derivatives (q, m, N), in double precision; see `at`."""
         configurations = self.phases.configurations[places]
-        starts, moved = self.phases.starts[places], self.changes[places]
-        states, changes = np.empty_like(starts), np.empty_like(moved)
-        for configuration, there, flows in configuration_flows(
-            self.system, configurations, since, starts
-        ):
-            states[there] = flow_states(self.system, configuration, since[there], starts[there])
-            found = flows.matrices @ moved[there]
-            field = self._field_rates[:, configuration]
-            moving = np.flatnonzero(field.any(axis=(1, 2)))
-            if moving.size:
-                found[..., moving] += flows.changes(field[moving])
-            changes[there] = found
+        states = self._plain_states(places, since)
+        flows = PhaseFlows(self.system, configurations, since, self.phases.starts[places])
+        changes = flows.matrices @ self.changes[places] + flows.changes(self._field_rates)
         slopes = np.moveaxis(changes, -1, 0)
         if np.ndim(rates):
             fields = self.system.fields[configurations]
@@ -180,7 +170,7 @@ class MovedPhases:
             kept = np.flatnonzero(inside)
             if not kept.size:
                 break
-            states = real_parts(self._plain_states(places[kept], times[kept]))
+            states = self._plain_states(places[kept], times[kept])
             slope, bend = (
                 (part[kept, :-1] * states).sum(axis=-1) + part[kept, -1] for part in (slopes, bends)
             )
@@ -194,16 +184,13 @@ class MovedPhases:
         return np.asarray(times)
 
     def _plain_states(self, places: np.ndarray, since: np.ndarray) -> np.ndarray:
-        """States (m, N) without steps, or those of one direction."""
+        """States (m, N), without derivatives in double precision."""
         if self.lib is not None:
-            return np.asarray(self.at(places, since)[0])
-        states = np.empty((len(places), self.phases.starts.shape[1]))
-        configurations = self.phases.configurations[places]
-        for configuration in np.unique(configurations).tolist():
-            there = np.flatnonzero(configurations == configuration)
-            starts = self.phases.starts[places[there]]
-            states[there] = flow_states(self.system, configuration, since[there], starts)
-        return states
+            return real_parts(self.at(places, since)[0])
+        phases = self.phases
+        return phase_states(
+            self.system, phases.configurations[places], since, phases.starts[places]
+        )
 
     def extremes(
         self, rows: np.ndarray, side: str | None = None

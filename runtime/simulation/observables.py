@@ -19,7 +19,15 @@ from nonsmooth.runtime.simulation.extremes import Extreme, extremes
 from nonsmooth.runtime.simulation.phase_functions import Phases, panels, phases_of, values_at
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["ContactObservables", "Observables", "observe", "observed_rows", "sticking"]
+__all__ = [
+    "ContactObservables",
+    "Observables",
+    "acceleration_rows",
+    "force_rows",
+    "observe",
+    "observed_rows",
+    "sticking",
+]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _ANGLE = 2.0
@@ -211,11 +219,28 @@ def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
     return dict(zip(names, values, strict=True))
 
 
+def force_rows(structure: Structure, rows: np.ndarray, contact: int) -> np.ndarray:
+    """Force (..., configurations, N + 1) of a contact, from the rows (..., R, N + 1) of tables.
+
+    It is zero in configurations that do not have it.
+    """
+    shape = (*rows.shape[:-2], len(structure.configurations), rows.shape[-1])
+    found = np.zeros(shape, dtype=rows.dtype)
+    for configuration, force in structure.contacts[contact].forces.items():
+        found[..., configuration, :] = rows[..., force, :]
+    return found
+
+
+def acceleration_rows(structure: Structure, fields: np.ndarray, state: int) -> np.ndarray:
+    """Rate (..., configurations, N + 1) of a velocity, which may be told by its position."""
+    return np.asarray(fields[..., dict(structure.coordinates).get(state, state), :])
+
+
 def observed_rows(structure: Structure, rows: np.ndarray) -> np.ndarray:
     """Affine functions (..., configurations, K, N + 1), from the rows (..., R, N + 1) of tables.
 
-    They are the states, then force, velocity and surface of each contact; where it has none the
-    force is zero. Each is ``n y + c``: n, then c.
+    They are the states, then force, velocity and surface of each contact, each ``n y + c``: n,
+    then c.
     """
     size, count = len(structure.states), len(structure.configurations)
     width = size + 3 * len(structure.contacts)
@@ -223,8 +248,7 @@ def observed_rows(structure: Structure, rows: np.ndarray) -> np.ndarray:
     found[..., :size, :] = np.eye(size, size + 1)
     for place, contact in enumerate(structure.contacts):
         at = size + 3 * place
-        for configuration, force in contact.forces.items():
-            found[..., configuration, at, :] = rows[..., force, :]
+        found[..., at, :] = force_rows(structure, rows, place)
         found[..., at + 1, :] = rows[..., None, contact.velocity, :]
         found[..., at + 2, :] = rows[..., None, contact.surface, :]
     return found

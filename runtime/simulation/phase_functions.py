@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.flows import functions_of, parts_of
+from nonsmooth.runtime.model.flows import flow_states, functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Panels", "Phases", "fastest", "panels", "phases_of", "values_at"]
+__all__ = ["Panels", "Phases", "fastest", "panels", "phase_states", "phases_of", "values_at"]
 
 _CHUNK = 20_000  # panels whose functions are in memory at a time
 
@@ -60,6 +60,17 @@ def phases_of(trajectory: Trajectory, since: float = 0.0) -> Phases:
     ends = np.concatenate([trajectory.before[first + 1 :], trajectory(end)[None]])
     configurations = trajectory.run.configurations[first:].astype(int)
     return Phases(begins, durations, configurations, starts, ends)
+
+
+def phase_states(
+    system: PiecewiseLinear, configurations: np.ndarray, since: np.ndarray, starts: np.ndarray
+) -> np.ndarray:
+    """States (m, N) of phases in configurations (m,), at times (m,) since their starts (m, N)."""
+    states = np.empty_like(starts)
+    for configuration in np.unique(configurations).tolist():
+        here = configurations == configuration
+        states[here] = flow_states(system, configuration, since[here], starts[here])
+    return states
 
 
 class Panels(NamedTuple):

@@ -18,6 +18,7 @@ from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.simulation.phase_functions import phase_states
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
@@ -154,13 +155,8 @@ class Trajectory(Shown):
         array = self._checked(times)
         flat = array.ravel()
         phases = self._phases(flat)
-        since = flat - self.times[phases]
-        states = np.empty((flat.size, len(self.names)))
-        where = self.run.configurations[phases]
-        for configuration in np.unique(where):
-            here = where == configuration
-            starts = self.states[phases[here]]
-            states[here] = flow_states(self.system, int(configuration), since[here], starts)
+        where, since = self.run.configurations[phases], flat - self.times[phases]
+        states = phase_states(self.system, where, since, self.states[phases])
         return states.reshape(*array.shape, len(self.names))
 
     def configuration(self, times: Any) -> Any:

@@ -305,3 +305,16 @@ def test_extremes_have_derivatives_of_all_digits():
         moved = dataclasses.replace(orbit, given={**orbit.given, "r": value})
         sides.append(ns.refine(moved, 50).derivatives("r").quantity("minimum:x")[0])
     assert abs(rate - (sides[0] - sides[1]) * 10**18 / 2) < 1e-28
+
+
+def test_local_extremes_of_a_motion_that_turns_back_are_symmetric_in_time():
+    """An elastic impact reverses time: an extreme near one end of the period is near the other."""
+    orbit = ns.solve("rigid-stop/one-impact")
+    found = orbit.derivatives().local_extremes("maximum:x2")
+    times, values = (
+        np.array([getattr(each, name) for each in found]) for name in ("time", "value")
+    )
+    rates = np.array([each.rates for each in found])
+    assert_allclose(times + times[::-1], orbit.period, rtol=1e-12)
+    assert_allclose(values, values[::-1], rtol=1e-12)
+    assert_allclose(rates, rates[::-1], rtol=1e-9, atol=1e-9)

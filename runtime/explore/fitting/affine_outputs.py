@@ -17,6 +17,7 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.expressions import Function
 from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows
 
 __all__ = ["Output", "affine_row", "output_of"]
 
@@ -56,13 +57,11 @@ class Output(NamedTuple):
         found[...] = np.append(self.row[:size], self.row[-1])
         for factor, term in zip(self.row[size:-1].tolist(), self.terms, strict=True):
             if term.kind == _FORCE:
-                (contact,) = (each for each in structure.contacts if each.name == term.name)
-                for configuration, force in contact.forces.items():
-                    found[..., configuration, :] += factor * rows[..., force, :]
+                place = [contact.name for contact in structure.contacts].index(term.name)
+                found += factor * force_rows(structure, rows, place)
             else:
                 place = structure.states.index(term.name)
-                velocity = dict(structure.coordinates).get(place, place)
-                found += factor * fields[..., velocity, :]
+                found += factor * acceleration_rows(structure, fields, place)
         return found
 
 
