@@ -588,10 +588,9 @@ def test_multipliers_that_lie_too_near_are_not_stated() -> None:
 RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
 ARITHMETIC = {
-    "taylor_models", "taylor_averages", "jets", "rational_functions", "irrational_numbers",
-    "matrix_chains", "float_sets", "float_flows", "box_grid",
-    "divided_grid",
-    "processes", "errors",  # no arithmetic: who does which part
+    "taylor_models", "jets", "rational_functions", "irrational_numbers", "matrix_chains",
+    "float_sets", "float_flows", "box_grid",
+    "parallel", "errors",  # no arithmetic: who does which part
 }  # fmt: skip
 
 
