@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, reduce
 from typing import ClassVar
@@ -53,20 +53,18 @@ class KernelPoints:
     """One orbit at many points (n,) by its kernels, solved for at each by itself."""
 
     kernels: OrbitKernels
-    batch: Batch  # how its parameters are completed
+    given: tuple[str, ...] = ()  # names of what is fixed or swept
     worth: bool = False  # whether kernels are compiled where the work is worth it
     chunk: ClassVar[int] = 1 << 16
 
-    @classmethod
-    def of(
-        cls, kernels: OrbitKernels, given: Iterable[str], *, worth: bool = False
-    ) -> KernelPoints:
-        """Return the orbit, where what is fixed or swept has these names.
+    @cached_property
+    def batch(self) -> Batch:
+        """How parameters are completed.
 
         `InputError` is raised for a name that fixes nothing, or several that fix one
         parameter twice.
         """
-        return cls(kernels, complete_batch(kernels, given), worth)
+        return complete_batch(self.kernels, self.given)
 
     @property
     def parameters(self) -> list[ParameterTable]:

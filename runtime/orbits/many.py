@@ -190,9 +190,8 @@ class DeclaredPoints:
         """The same orbit in the names of the kernels."""
         assert self.derived is not None
         unused = {p.name for p in self.derived.other_parameters}
-        return KernelPoints.of(
-            self.derived, [name for name in self.derived.tables if name not in unused]
-        )
+        names = (name for name in self.derived.tables if name not in unused)
+        return KernelPoints(self.derived, tuple(names))
 
     def by_kernels(
         self, values: _Arrays, start: np.ndarray | None = None, **options: Any
@@ -297,11 +296,10 @@ def points_of(
     """Return an orbit at many points, where what is fixed or swept has the names `given`.
 
     `own` are compiled kernels that stand in for the tables of a composed orbit.
-    `InputError` is raised for a name that fixes nothing, several that fix one parameter
-    twice, or an orbit that cannot be found at many points at once.
+    `InputError` is raised for an orbit that cannot be found at many points at once.
     """
     if kernels.derived:
-        return KernelPoints.of(kernels, given)
+        return KernelPoints(kernels, given)
     _check(kernels)
     if own is not None:
         return own
@@ -430,7 +428,7 @@ def _named_points(
     Wrong names and shapes are refused before anything is compiled.
     """
     if known.derived:
-        return KernelPoints.of(known, values, worth=True), values
+        return KernelPoints(known, worth=True), values
     _check(known)
     values = {**known.table["reference"]["parameters"], **values}
     parameter_points(known.system, values)

@@ -123,18 +123,17 @@ def _errors(
     matrix, right = closure_equations(cycle, numbers, now, dwell, size_of, period)
     errors, of_dwell = np.full(len(flat), math.inf), np.full(dwell.shape, math.inf)
     sound = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
-    missed, gaps = np.abs(right), []
-    for place, configuration in enumerate(cycle.configurations):
-        rounding = _rounding(cycle, numbers, configuration, dwell[:, place], now.starts[place])
-        rounding = rounding + _TERM * _EPSILON * size_of
-        row = np.abs(numbers.rows[:, cycle.rows[place], :-1])
-        gap = np.abs(now.residual[place]) + (row * rounding).sum(axis=-1)
-        gaps.append(gap / np.abs(now.speeds[place]))
-        moved = rounding + np.abs(now.velocities[place]) * gaps[-1][:, None]
-        missed[:, : size_of.shape[-1]] += moved / size_of
+    missed = np.abs(right)
+    phases = zip(cycle.configurations, dwell.T, now.starts, strict=False)
+    rounding = np.array([_rounding(cycle, numbers, *phase) for phase in phases])
+    rounding = rounding + _TERM * _EPSILON * size_of
+    rows = np.abs(np.moveaxis(numbers.rows[:, list(cycle.rows), :-1], 1, 0))
+    gaps = (np.abs(now.residual) + (rows * rounding).sum(axis=-1)) / np.abs(now.speeds)
+    moved = rounding + np.abs(now.velocities) * gaps[..., None]
+    missed[:, : size_of.shape[-1]] += (moved / size_of).sum(axis=0)
     inverse = np.abs(np.linalg.pinv(matrix[sound], rcond=0.0))
     by_state = (inverse * missed[sound, None, :]).sum(axis=-1) * size_of[sound]
-    by_start = (np.abs(now.rates[:, sound, :-1]) * by_state).sum(axis=-1) + np.array(gaps)[:, sound]
+    by_start = (np.abs(now.rates[:, sound, :-1]) * by_state).sum(axis=-1) + gaps[:, sound]
     own = by_state / np.maximum(1, np.abs(start[sound]))
     waits = by_start / np.maximum(1, dwell[sound]).T
     errors[sound] = np.maximum(own.max(axis=-1), waits.max(axis=0))

@@ -49,7 +49,7 @@ from nonsmooth.runtime.shooting.translations import (
 
 __all__ = ["TableBatch", "solve_itineraries"]
 
-CHUNK = 1 << 10  # points that one thread takes at a time
+CHUNK = 1 << 11  # points that one thread takes at a time; an eighth where there are several
 
 
 def solve_itineraries(
@@ -246,8 +246,10 @@ class TableBatch:
         if start is not None:
             sound &= np.isfinite(start).all(axis=1)
 
+        step = CHUNK if threads == 1 else max(CHUNK // 8, 1)
+
         def work(begin: int) -> None:
-            for group in numbers_at(system, points[begin : begin + CHUNK], cycle.configurations):
+            for group in numbers_at(system, points[begin : begin + step], cycle.configurations):
                 rows, flat = begin + group.places, group.flat
                 if not (kept := sound[rows]).all():
                     rows, flat = rows[kept], flat[kept]
@@ -262,7 +264,7 @@ class TableBatch:
                     at = points[rows[there]], flat[there], solved.dwell[there], solved.starts[there]
                     limit[rows[there]] = first_limits(system, here, *at)
 
-        in_parallel(work, range(0, count, CHUNK), threads)
+        in_parallel(work, range(0, count, step), threads)
         for array in found[:5]:
             array[found.status != CONVERGED] = np.nan
         _, rank, dimension = self.section

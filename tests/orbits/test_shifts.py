@@ -21,9 +21,10 @@ from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
-from nonsmooth.runtime.model.kernels import kernels_of, load_system
+from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.many import points_of
 from nonsmooth.runtime.proof.exact_closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
@@ -306,6 +307,17 @@ def test_an_itinerary_that_is_declared_is_composed():
     ]
     orbit = Itinerary("pulled", SLED, phases, reference=Reference(PULLED, period))
     assert ns.solve(orbit).period == pytest.approx(sled().period, abs=1e-12)
+
+
+@pytest.mark.slow
+def test_many_points_have_the_margins_of_single_orbits():
+    damping = np.array([0.0998, 0.1, 0.1002])
+    given = {n: float(x) for n, x in gear().parameters.items()} | {"c": damping}
+    found = points_of(load_orbit(f"{GEAR}:rattle"), ()).solve(given, margins=True)
+    for place, value in enumerate(damping.tolist()):
+        one = ns.solve(f"{GEAR}:rattle", {"c": value})
+        assert found.margin[place] == pytest.approx(one.stability.margin, rel=1e-9)
+        assert bool(found.admissible[place]) is one.admissibility.verdict
 
 
 @pytest.mark.slow
