@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.files import check_target, unwritable, write_file
 from nonsmooth.runtime.explore.finding.found import Found
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.files.declared_table import declared_table
+from nonsmooth.runtime.present.files.named_entries import declared_table
 
 __all__ = ["check_declaration", "write_itineraries"]
 

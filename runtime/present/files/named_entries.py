@@ -17,13 +17,28 @@ from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable, Sys
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
 from nonsmooth.runtime.present.files import found as finding
-from nonsmooth.runtime.present.files.declared_table import declared_table
 from nonsmooth.runtime.present.files.loading import load
 from nonsmooth.runtime.present.files.orbits import load_orbit_file, orbit_content, orbit_in
+from nonsmooth.runtime.shooting.symmetry import images_of
 
-__all__ = ["held_kernels", "orbit_to_hold", "saved_kernels", "saved_listing", "saved_orbit"]
+__all__ = [
+    "declared_table",
+    "held_kernels",
+    "orbit_to_hold",
+    "saved_kernels",
+    "saved_listing",
+    "saved_orbit",
+]
 
 _DESIGN = "nonsmooth design"
+_PERIOD = {
+    "name": "period",
+    "description": "period",
+    "lower": "0",
+    "upper": None,
+    "closed": False,
+    "upper_closed": False,
+}
 
 
 def saved_orbit(name: str) -> Orbit:
@@ -86,6 +101,34 @@ def saved_listing(name: str) -> tuple[SystemKernels, dict[str, OrbitKernels | st
         except InputError as problem:
             orbits[each] = str(problem)
     return system, orbits
+
+
+def declared_table(orbit: Orbit) -> dict[str, Any]:
+    """The table of a converged orbit, as generated modules hold it.
+
+    It has the phases, the names of the unknowns, what closes the orbit, and the orbit as
+    reference.
+    """
+    part = len(orbit.itinerary)
+    symmetry = orbit.symmetry
+    if symmetry is not None:
+        part //= symmetry.order
+    names = list(orbit.unknowns)
+    count = len(orbit.itinerary)
+    dwell, start = names[:part], names[count:]
+    numbers = [*orbit.dwell_times[:part].tolist(), *orbit.states[0].tolist()]
+    return {
+        "derived": False,
+        "reason": "it is known by its phases",
+        "phases": [(*phase, name) for phase, name in zip(orbit.itinerary, dwell, strict=False)],
+        "start": dict(zip(orbit.state_names, start, strict=True)),
+        "period": None if orbit.given_period is None else dict(_PERIOD),
+        "symmetry": {} if symmetry is None else images_of(symmetry.matrix, orbit.state_names),
+        "reference": {
+            "parameters": {name: value.text for name, value in orbit.given.items()},
+            "guess": {n: repr(float(x)) for n, x in zip([*dwell, *start], numbers, strict=True)},
+        },
+    }
 
 
 def _place(name: str) -> tuple[Path, int | None]:

@@ -28,5 +28,5 @@ KINDS = {
     "phase": Kind((4.9, 4.4), "panels.draw_portraits", "motion_panels.draw_portraits"),
     "strip": Kind((6.4, 2.4), "panels.draw_strip", "motion_panels.draw_strip"),
     "multipliers": Kind((4.8, 5.0), "panels.draw_multipliers", of_motions=False),
-    "all": Kind((11.0, 8.0), "layout.draw_all"),
+    "all": Kind((11.0, 8.0), "plot.draw_all"),
 }
