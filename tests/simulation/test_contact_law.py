@@ -243,7 +243,7 @@ def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
         reached = reached | slipping
 
 
-@pytest.mark.parametrize(("seed", "count"), [(5, 2), pytest.param(6, 3, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("seed", "count"), [(5, 2), pytest.param(4, 3, marks=pytest.mark.slow)])
 def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """And what minimises is tried first: nothing else has to be, where nothing is tied."""
     monkeypatch.setattr(contact_choice, "product", None)
