@@ -21,21 +21,21 @@ from nonsmooth.runtime.checker.motion import Margin, admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape, check_sharp
-from nonsmooth.runtime.checker.stability import multipliers, others_below, stability
+from nonsmooth.runtime.checker.stability import (
+    CORNER,
+    TANGENTIAL,
+    judged_stability,
+    multipliers,
+    others_below,
+)
 
-__all__ = ["CORNER", "GUARD", "TANGENTIAL", "JudgedOrbit", "check"]
+__all__ = ["GUARD", "JudgedOrbit", "check"]
 
 GUARD = 96  # bits beyond those of the enclosures
 _ENOUGH = 128  # bits that do for admissibility
-CORNER = "boundaries are reached together: the Poincare map has a corner"
-TANGENTIAL = "a boundary may be reached tangentially"
 _SINGULAR = (
     "Krawczyk's test fails: the equations are singular here, or nearly so, or more bits are needed"
 )
-_ON_CIRCLE = {
-    "stable": "a multiplier cannot be told from the unit circle",
-    "neutral": "a nontrivial pair of multipliers cannot be told from a double one",
-}
 
 
 class JudgedOrbit:
@@ -98,14 +98,7 @@ class JudgedOrbit:
     @cached_property
     def stability(self) -> Verdict:
         """The verdict on the multipliers: all inside the unit circle, or on it, by `kind`."""
-        return self._judged(self._stable)
-
-    def _stable(self) -> Verdict:
-        demand("trace" in self.enclosures, TANGENTIAL)
-        demand(self.declared.alone, CORNER)
-        claim = stability(self.orbit)
-        told = {"refuted": "a multiplier lies outside the unit circle", "proved": ""}
-        return Verdict(claim, told.get(claim, _ON_CIRCLE[self.kind]))
+        return self._judged(lambda: judged_stability(self.orbit))
 
     @cached_property
     def multipliers(self) -> tuple[Any, ...]:

@@ -7,14 +7,17 @@ from typing import Any
 
 from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx
 
-from nonsmooth.runtime.checker.exact import demand
+from nonsmooth.runtime.checker.exact import Verdict, demand
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of
 
 __all__ = [
+    "CORNER",
     "MULTIPLIERS",
+    "TANGENTIAL",
     "characteristic",
     "demand_alone",
+    "judged_stability",
     "multipliers",
     "others_below",
     "outside_if_reached",
@@ -26,6 +29,12 @@ __all__ = [
 
 MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 _LEAST_SLOPE = 2.0**-72  # of a polynomial at its roots that are told apart
+CORNER = "boundaries are reached together: the Poincare map has a corner"
+TANGENTIAL = "a boundary may be reached tangentially"
+_ON_CIRCLE = {
+    "stable": "a multiplier cannot be told from the unit circle",
+    "neutral": "a nontrivial pair of multipliers cannot be told from a double one",
+}
 _SQUARINGS = 12  # of roots, before nothing is said of them
 
 
@@ -86,6 +95,18 @@ def others_below(orbit: CheckedOrbit, known: Sequence[Any]) -> Any:
             coefficients.append(carried)
     sizes = (arb(abs(x).upper()).root(k) for k, x in enumerate(coefficients[1:], 1))
     return 2 * max((size.upper() for size in sizes), default=arb(0))
+
+
+def judged_stability(orbit: CheckedOrbit) -> Verdict:
+    """Return the verdict on an orbit's kind of stability, with the reason where it is not proved.
+
+    `Failure` is raised if the Poincare map's derivative is not known.
+    """
+    demand(range_of(trace_of(orbit.section)).is_finite(), TANGENTIAL)
+    demand(orbit.declared.alone, CORNER)
+    claim = stability(orbit)
+    told = {"refuted": "a multiplier lies outside the unit circle", "proved": ""}
+    return Verdict(claim, told.get(claim, _ON_CIRCLE[orbit.declared.stability]))
 
 
 def stability(orbit: CheckedOrbit) -> str:

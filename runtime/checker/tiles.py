@@ -14,6 +14,7 @@ from nonsmooth.runtime.checker.divided import Division
 from nonsmooth.runtime.checker.edges import SMALLEST, neighbours
 from nonsmooth.runtime.checker.exact import (
     Failure,
+    Verdict,
     agreed_claims,
     check_sum,
     demand,
@@ -25,7 +26,7 @@ from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import MAP, check_shape
-from nonsmooth.runtime.checker.stability import stability
+from nonsmooth.runtime.checker.stability import judged_stability, stability
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
 __all__ = ["CheckedBox", "MapTile", "check_tiles", "check_whole"]
@@ -118,8 +119,7 @@ class CheckedBox:
 
     def proved(self, tile: dict[str, Any]) -> "MapTile":
         """Prove all claims of a tile and return it."""
-        pairs = zip(tile["place"], self.ends, strict=True)
-        where = [_interval(step, level, *ends) for (step, level), ends in pairs]
+        where = self.where(tile["place"])
         with ctx.workprec(_BITS):
             found = MapTile(self.declared, self.energies, self.constants, tile, self.names)
             try:
@@ -127,6 +127,25 @@ class CheckedBox:
             except Failure as failure:
                 raise Failure(f"{_in_tile(where)}: {failure}") from None
         return found
+
+    def judged(self, place: Sequence[Any], guess: Sequence[float], order: int = 0) -> "MapTile":
+        """Return a tile with what is proved of the one orbit near a guess in its middle.
+
+        `order` is that of the Taylor models, by default what costs least. `Failure` is raised if
+        the orbit is not proved to exist.
+        """
+        undecided = dict.fromkeys(("existence", "admissibility", "stability"), "undecided")
+        empty = {"place": place, "guess": guess, "claims": undecided, "event": None,
+                 "reasons": dict.fromkeys(undecided, ""), "enclosures": {}}  # fmt: skip
+        with ctx.workprec(_BITS):
+            found = MapTile(self.declared, self.energies, self.constants, empty, self.names)
+            found.judge(self.where(place), order or _ORDERS.get(len(place), 2))
+        return found
+
+    def where(self, place: Sequence[Any]) -> list[Interval]:
+        """Return the ends of each parameter over a tile."""
+        pairs = zip(place, self.ends, strict=True)
+        return [_interval(step, level, *ends) for (step, level), ends in pairs]
 
     def check_joint(self, tile: "MapTile", other: "MapTile") -> None:
         """Prove that two proved tiles of two parameters have the same orbits where they meet."""
@@ -190,14 +209,39 @@ class MapTile:
                 if order == orders[-1] or isinstance(failure, _Contradicted):
                     raise
 
-    def _all(self, where: Sequence[Interval]) -> None:
-        """Prove the claims in Taylor models of one order."""
+    def judge(self, where: Sequence[Interval], order: int) -> None:
+        """Find what is true of the tile's orbit on the whole tile, in models of one order.
+
+        `verdicts` and `enclosures` hold it. `Failure` is raised if there may be no orbit.
+        """
+        self.where, self.space = where, space_of(len(where), order)
+        orbit = self._whole(where)
+        self.verdicts = {"existence": Verdict("proved")}
+        for name, judge in (("admissibility", admissibility), ("stability", judged_stability)):
+            try:
+                self.verdicts[name] = judge(orbit)
+            except Failure as failure:
+                self.verdicts[name] = Verdict("undecided", str(failure))
+        self.enclosures = {name: range_of(x) for name, x in orbit.enclosures().items()}
+
+    @property
+    def parameters(self) -> list[Any]:
+        """All parameters of the tile, as models of the order in which it was judged."""
+        return _values(self.where, self.space)
+
+    def _whole(self, where: Sequence[Interval]) -> CheckedOrbit:
+        """Return the orbit near the tile's guess, which becomes the tile's."""
         guess = [arb(float(x)) for x in self.tile["guess"]]
         whole = self._orbit(where, guess)
         found = [_at(x, [arb(0)] * len(where)) for x in whole.root]
         near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in zip(found, guess, strict=True))
         demand(near, "the orbit is not near the numbers that are stated")
         self.centre, self.radii, self.root = whole.centre, whole.radii, whole.root
+        return whole
+
+    def _all(self, where: Sequence[Interval]) -> None:
+        """Prove the claims in Taylor models of one order."""
+        whole = self._whole(where)
         if self.division is not None:
             self.division.phases(whole)
         self._judge(whole, whole, where, [(fmpq(-1), fmpq(1))] * len(where), 0)

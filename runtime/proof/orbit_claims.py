@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple
 
-from nonsmooth.runtime.checker.points import CORNER, TANGENTIAL
+from nonsmooth.runtime.checker.stability import CORNER, TANGENTIAL
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality, judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
@@ -30,7 +30,6 @@ __all__ = [
     "claim_of_map",
     "conserved",
     "judged",
-    "named_numbers",
     "unstable_if_reached",
 ]
 
@@ -113,21 +112,6 @@ def judged(
         reason = "the declaration takes a root or a sine: what is exactly zero is not known"
         return Judgement("undecided", reason, ())
     return judge([plan.at(number) for plan in region.plans], phases, now, dwell, assumed)
-
-
-def named_numbers(
-    region: Region, equations: Equations, now: Shooting, dwell: Sequence[Any], trace: Any
-) -> dict[str, Any]:
-    """Return trace, period, dwell times and start by name, in the system's units.
-
-    A trace None is left out.
-    """
-    subject, period = region.subject, equations.period
-    named = {} if trace is None else {"trace": trace}
-    named["period"] = sum(dwell[1:], dwell[0]) if period is None else period
-    named |= dict(zip(subject.dwell_names, dwell, strict=True))
-    named |= dict(zip(subject.start_names, now.starts[0].entries()[:-1], strict=True))
-    return named
 
 
 def conserved(region: Region, number: Number, now: Shooting) -> bool:

@@ -175,6 +175,15 @@ def test_derivatives_are_those_of_the_multiplier_that_is_stated(tmp_path: Path) 
     refused({**content, "derivatives": rates}, "the derivative of multiplier")
 
 
+def test_derivatives_by_one_parameter_are_not_those_by_another(tmp_path: Path) -> None:
+    ns.certify(SUBJECTS["symmetric"](), derivatives=["V", "eta"]).save(tmp_path / "proof.json")
+    content = json.loads((tmp_path / "proof.json").read_text())
+    content["directions"]["V"] = content["directions"]["eta"]
+    for rates in content["derivatives"].values():
+        rates["V"] = rates["eta"]
+    refused(content, "V moves something else")
+
+
 PROPOSAL = ("parameters", "given_period", "itinerary", "declaration", "closing", "box", "bits")
 
 

@@ -67,7 +67,9 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
     claim: str, error: Exception, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It alone is undecided, with its reason, and all that follows from it."""
-    step = {"existence": "StatedSystem", "derivatives": "rates_along"}.get(claim, claim)
+    step = {
+        "existence": "StatedSystem", "stability": "judged_stability", "derivatives": "rates_along",
+    }.get(claim, claim)  # fmt: skip
 
     def planted(*_: Any, **__: Any) -> Any:
         raise error
@@ -98,8 +100,8 @@ def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The check refuses the whole box, and all tiles at one of its corners."""
     with monkeypatch.context() as planted:
-        proved = refusing(CheckedBox.proved, lambda _, tile: tile["place"][0][0] == 0)
-        planted.setattr(CheckedBox, "proved", proved)
+        judged = refusing(CheckedBox.judged, lambda _, place, *told: place[0][0] == 0)
+        planted.setattr(CheckedBox, "judged", judged)
         found = ns.certify_box(orbit(), {"V": ("0.999", "1.001")}, tiles=9)
     verdicts = {tile.place.steps[0]: tile.verdict for tile in found.tiles}
     assert verdicts.pop((0, 5)) == verdicts.pop((1, 5), "undecided") == "undecided"
@@ -113,8 +115,8 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     box = {"V": ("0.999", "1.001"), "eta": ("0.999", "1.001")}
     with monkeypatch.context() as planted:
-        whole = refusing(CheckedBox.proved, lambda _, tile: tile["place"] == [[0, 0], [0, 0]])
-        planted.setattr(CheckedBox, "proved", whole)
+        whole = refusing(CheckedBox.judged, lambda _, place, *told: place == [[0, 0], [0, 0]])
+        planted.setattr(CheckedBox, "judged", whole)
         planted.setattr(CheckedBox, "check_joint", refusing(CheckedBox.check_joint))
         found = ns.certify_box(orbit(), box)
     assert sorted(tile.verdict for tile in found.tiles) == ["proved", "undecided"]

@@ -41,6 +41,7 @@ __all__ = ["MOST_TILES", "certify_box"]
 MOST_TILES = 4000
 _PLANE = 2  # parameters of a box in which events are curves
 _DEEPEST = 12  # halvings along each axis
+_SEEN = 30  # bits to which the ends of an enclosure are stated
 _EVERY = 10.0  # seconds between states that are kept
 _NOT_TRIED = "not looked at yet"
 _MEET = "two orbits meet there"
@@ -225,7 +226,7 @@ class _Work:
                     self.tubes[tile.place], event = folded
                     self._take(_folded(tile, event, folded[0]))
                     return True
-            self._take(_judged(tile, proof, self.region))
+            self._take(self._judged(tile, proof))
             return True
         return False
 
@@ -239,15 +240,50 @@ class _Work:
         """What is proved on a tile, at a high order where a low one decides nothing."""
         region, place = self.region, tile.place
         rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
-        proof = prove(region, place, anchor, rough=rough)
+        proof = prove(self.refusals, region, place, anchor, rough=rough)
         if proof.tube is None and rough:
-            proof = prove(region, place, anchor)
+            proof = prove(self.refusals, region, place, anchor)
         if len(region.names) != _PLANE or proof.tube is None or proof.decided:
             return proof
-        if _judged(tile, proof, region).verdict != "undecided":
+        if self._judged(tile, proof).verdict != "undecided":
             return proof
-        sharp = prove(region, place, anchor, sharp=True)
+        sharp = prove(self.refusals, region, place, anchor, sharp=True)
         return proof if sharp.tube is None else sharp
+
+    def _judged(self, tile: Tile, proof: TileProof) -> Tile:
+        """A tile after its proof; a claim that was decided before stays so if it is not now."""
+        if proof.found is None:
+            reached = tile.claims["existence"] == "proved"
+            reasons = tile.reasons if reached else {"existence": proof.reason}
+            return replace(tile, looked_at=True, reasons=reasons)
+        verdicts = {name: proof.found.verdicts[name] for name in CLAIMS}
+        claims = {
+            name: tile.claims[name] if verdict.claim == "undecided" else verdict.claim
+            for name, verdict in verdicts.items()
+        }
+        known = {**tile.reasons, **{name: v.reason for name, v in verdicts.items() if v.reason}}
+        left = {name for name, claim in claims.items() if claim != "proved"}
+        with flint_precision(BITS):
+            enclosures = {
+                name: Stated.around(_wider(ball), BITS, DIGITS)
+                for name, ball in proof.found.enclosures.items()
+                if ball.is_finite()
+            }
+        found = Tile(
+            place=tile.place,
+            claims=claims,
+            reasons={name: known[name] for name in CLAIMS if name in left and name in known},
+            enclosures=enclosures,
+            guess=tuple(proof.found.tile["guess"]),
+            looked_at=True,
+            event=None,
+        )
+        if found.verdict == "undecided":
+            return replace(found, event=proof.event)
+        same = claims == {name: verdict.claim for name, verdict in verdicts.items()}
+        if same and not proof.rough:
+            self.refusals.take(found, proof.found)
+        return found
 
     def _anchor(self, tile: Tile) -> Anchor | None:
         """A point of a tile with the approximate orbit there; None if no orbit has reached it."""
@@ -277,7 +313,7 @@ class _Work:
                     self.tubes[tile.place] = folded
                 return folded
             anchor = Anchor(tile.place.middle(self.region.box), _balls(tile.guess))
-            tube = prove(self.region, tile.place, anchor).tube
+            tube = prove(self.refusals, self.region, tile.place, anchor).tube
             if tube is None:
                 return None
             self.tubes[tile.place] = tube
@@ -328,32 +364,6 @@ def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
     return entry[:2]
 
 
-def _judged(tile: Tile, proof: TileProof, region: Region) -> Tile:
-    """A tile after its proof; a claim that was decided before stays so where the proof does not."""
-    if proof.tube is None:
-        reached = tile.claims["existence"] == "proved"
-        return replace(tile, looked_at=True, reasons=tile.reasons if reached else proof.reasons)
-    told = zip(CLAIMS, (proof.existence, proof.admissibility, proof.stability), strict=True)
-    claims = {n: tile.claims[n] if verdict == "undecided" else verdict for n, verdict in told}
-    known = {**tile.reasons, **proof.reasons}
-    reasons = {n: known[n] for n, verdict in claims.items() if verdict != "proved" and n in known}
-    guess = tuple(float(x.mid()) for x in proof.tube.at(tile.place.middle(region.box)))
-    with flint_precision(BITS):
-        enclosures = {
-            n: Stated.around(b, BITS, DIGITS) for n, b in proof.enclosures.items() if b.is_finite()
-        }
-    found = Tile(
-        place=tile.place,
-        claims=claims,
-        reasons=reasons,
-        enclosures=enclosures,
-        guess=guess,
-        looked_at=True,
-        event=None,
-    )
-    return replace(found, event=proof.event) if found.verdict == "undecided" else found
-
-
 def _folded(tile: Tile, event: TileEvent, tube: FoldTube) -> Tile:
     """An undecided tile with a fold: two orbits meet in it or near it."""
     return Tile(
@@ -365,6 +375,14 @@ def _folded(tile: Tile, event: TileEvent, tube: FoldTube) -> Tile:
         looked_at=True,
         event=event,
     )
+
+
+def _wider(ball: arb) -> arb:
+    """A ball a little wider: another version of the arithmetic may round otherwise."""
+    from flint import arb
+
+    found: arb = ball + arb(0, (1 + abs(ball)) * arb(2) ** -_SEEN)
+    return found
 
 
 def _point(values: Sequence[Fraction]) -> list[arb]:

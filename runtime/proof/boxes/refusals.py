@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from nonsmooth.runtime.checker.tiles import CheckedBox, MapTile, check_whole
@@ -29,6 +30,27 @@ class BoxRefusals:
         if reason:
             raise NotCovered(reason)
         self._checked: dict[Place, tuple[Tile, MapTile]] = {}
+
+    def judged(self, place: Place, guess: Sequence[float], order: int = 0) -> MapTile:
+        """What the checker proves of the orbit near a guess in the middle of a tile.
+
+        `order` is that of the Taylor models, by default what costs least. `NotCovered` if there may
+        be no orbit.
+        """
+        found: list[MapTile] = []
+
+        def judge() -> None:
+            steps = [list(step) for step in place.steps]
+            found.append(self.box.judged(steps, list(guess), order))
+            self.box.check_divisors()
+
+        if reason := refusal(judge):
+            raise NotCovered(reason)
+        return found[0]
+
+    def take(self, tile: Tile, found: MapTile) -> None:
+        """Keep a tile of which nothing is stated but what the checker found of it."""
+        self._checked[tile.place] = tile, found
 
     def has_proved(self, tile: Tile) -> bool:
         """Whether the checker was asked about a tile and proved what is stated of it."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.checker.points import CORNER
+from nonsmooth.runtime.checker.stability import CORNER
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, space_of
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, Watched
