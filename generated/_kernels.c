@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation c0c8fc1d9d6a69e6 */
+ * SymPy 1.14.0, derivation 49124c68434ae62e */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 

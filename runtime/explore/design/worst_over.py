@@ -42,7 +42,7 @@ _ROUNDS = 30
 _WORSE = 1e-11  # by which a place between the watched ones may be worse
 
 
-class _Watch(NamedTuple):
+class _Place(NamedTuple):
     """A place along a branch where something is worst."""
 
     part: float  # position in the branch's interval, from 0 to 1
@@ -109,7 +109,7 @@ def _scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) 
     return _Scan(parts, tuple(found[k] for k in range(count)))
 
 
-def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan) -> list[_Watch]:
+def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan) -> list[_Place]:
     """Places along a branch where something is worst, in order.
 
     For the quantity that is minimised they are all local maxima; for each condition and each
@@ -117,7 +117,7 @@ def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan
     at the parameters `place` (q,). Raises `Beyond` if the branch does not lead to one of them.
     """
     alarms = np.array([_alarms(aim, member, points.lengths[-1]) for member in scan.members])
-    found: list[_Watch] = []
+    found: list[_Place] = []
     for row in range(alarms.shape[2]):
         values, slopes = alarms[:, 0, row], alarms[:, 1, row]
 
@@ -127,7 +127,7 @@ def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan
 
         value, slope = partial(at, which=0), partial(at, which=1)
         least = _least(scan.parts, values, slopes, value, slope, every=row == 0)
-        found += [_Watch(part, row, bend) for part, bend in least]
+        found += [_Place(part, row, bend) for part, bend in least]
     found.sort()
     return [w for k, w in enumerate(found) if k == 0 or w.part - found[k - 1].part > _APART]
 
@@ -200,7 +200,7 @@ class _BranchPoint:
 
     place: np.ndarray  # (q,), of the parameters in their bounds
     members: tuple[DesignPoint, ...]  # orbits at the watched places of the branch's parameter
-    watches: tuple[_Watch, ...]  # these places
+    watches: tuple[_Place, ...]  # these places
 
 
 class BranchPoints:
@@ -213,7 +213,7 @@ class BranchPoints:
     """
 
     def __init__(
-        self, points: DesignPoints, aim: Aim, begin: np.ndarray, watches: Iterable[_Watch]
+        self, points: DesignPoints, aim: Aim, begin: np.ndarray, watches: Iterable[_Place]
     ) -> None:
         self.points, self._aim = points, aim
         self.visited: list[_BranchPoint] = [self._found(begin, tuple(watches))]
@@ -237,12 +237,12 @@ class BranchPoints:
         self.visited.append(found)
         return found
 
-    def _found(self, place: np.ndarray, watches: tuple[_Watch, ...]) -> _BranchPoint:
+    def _found(self, place: np.ndarray, watches: tuple[_Place, ...]) -> _BranchPoint:
         moved = [self._moved(place, watch) for watch in watches]
         members, places = zip(*moved, strict=True)
         return _BranchPoint(place, members, places)
 
-    def _moved(self, place: np.ndarray, watch: _Watch) -> tuple[DesignPoint, _Watch]:
+    def _moved(self, place: np.ndarray, watch: _Place) -> tuple[DesignPoint, _Place]:
         """The orbit at a watched place that moves with the parameters, and the place.
 
         It is the zero of the slope along the branch, by Newton's method.
@@ -262,7 +262,7 @@ class BranchPoints:
             found = (self._slope(other, row) - slope) / (following - part)
             bend = found if found > _FLATTER * bend else bend
             member, part = other, following
-        return member, _Watch(part, row, bend)
+        return member, _Place(part, row, bend)
 
     def _slope(self, member: DesignPoint, row: int) -> float:
         return float(_alarms(self._aim, member, self.points.lengths[-1])[1][row])
@@ -359,7 +359,7 @@ def optimise_worst(
             try:
                 worst, worse = _looked(points, aim, ended.point)
             except Beyond as problem:  # the branch ends between the watched places
-                watches = (*watches, _Watch(float(problem.target[-1]), 0, 0.0))
+                watches = (*watches, _Place(float(problem.target[-1]), 0, 0.0))
                 points = BranchPoints(inner, aim, good, watches)
                 ended = Ended(points.visited[0], problem.reason)
                 continue
@@ -374,7 +374,7 @@ def optimise_worst(
     return ended, points
 
 
-def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[_Watch], list[_Watch]]:
+def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[_Place], list[_Place]]:
     """The worst places of a branch, and those that are worse than all watched ones.
 
     A coarse scan comes first, then a finer one if the first shows nothing worse.
