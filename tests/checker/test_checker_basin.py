@@ -239,7 +239,7 @@ def test_false_tiles_are_not_followed_for_ever(content):
     sums = section.sums(np.repeat(*zip(*content["ranks"], strict=True)) >= 0)
     verdicts, followed = np.array(flat(content["verdicts"])), []
     for verdict in (2, 1):
-        motions, chosen = _motions(content), np.flatnonzero(verdicts == verdict)[:12]
+        motions, chosen = _motions(content, 8), np.flatnonzero(verdicts == verdict)[:12]
         leaves, portions = motions.leaves, []
 
         def counted(*arguments, leaves=leaves, portions=portions):
