@@ -10,17 +10,21 @@ from typing import Any
 import numpy as np
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker.many_sets import ManyMotions
+from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets
-from nonsmooth.runtime.proof.sets.branching import BranchingMap
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.sections import transition_section
+from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 
-__all__ = ["DATA", "SCALES", "anywhere", "arrival", "branching", "corner", "inside", "missed",
-           "returns", "sampled", "section_of"]  # fmt: skip
+__all__ = ["DATA", "anywhere", "arrival", "corner", "declared_system", "inside", "missed",
+           "motions_of", "returns", "sampled", "section_of"]  # fmt: skip
 
 # with the paper's orbit, which has a phase in which both masses stick
 DATA = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4.0195",
         "ur2": "1.4831"}  # fmt: skip
-SCALES = np.ones(4)
+SECTION = StatedSection("slip-stick", source="stick-stick", boundary="first-breaks-forward")
 
 
 def returns(start: Any, configuration: str = "slip-stick", transitions: int = 60) -> np.ndarray:
@@ -44,9 +48,15 @@ def section_of(system: Any) -> Any:
     return transition_section(system, source, frozenset({boundary}), target)
 
 
-def branching(system: Any, most: int = 400, widest: float = 0.25) -> BranchingMap:
-    """The prover's map of sets to the section."""
-    return BranchingMap(system, section_of(system), SCALES, widest, most, longest=16)
+def declared_system(name: str = "dry-friction", data: Any = None) -> Any:
+    """The declaration of a system with all of its transitions, as a file states it."""
+    kernels = load_system(name)
+    return listed_declaration(kernels, enclosed_system(kernels, data or DATA)(64))
+
+
+def motions_of(declared: Any, most: int = 400, widest: float = 0.25) -> ManyMotions:
+    """The map of sets to the section, of a declaration."""
+    return ManyMotions(declared, DATA, SECTION, np.ones(4), widest, most, 16)
 
 
 def anywhere(low: Any, high: Any) -> ManySets:

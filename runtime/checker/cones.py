@@ -16,14 +16,22 @@ from typing import Any, NamedTuple, Protocol
 from flint import arb, arb_mat, fmpq
 
 from nonsmooth.runtime.checker.exact import demand, exact
+from nonsmooth.runtime.checker.section_maps import Box, divided
 from nonsmooth.runtime.checker.sets import StateSet, TooWide
 
-__all__ = ["MappedSet", "check_cones"]
+__all__ = [
+    "SPREADS",
+    "Derivatives",
+    "MappedSet",
+    "Matrix",
+    "check_cones",
+    "check_rates",
+    "positive",
+]
 
 _FINEST = fmpq(1, 2**22)
-_SPREADS = (1.0, 0.4, 0.2, 0.1, 0.05)  # of a derivative, against what stretches
+SPREADS = (1.0, 0.4, 0.2, 0.1, 0.05)  # of a derivative, against what stretches
 
-Box = tuple[tuple[Any, Any], ...]
 Matrix = list[list[Any]]
 
 
@@ -71,60 +79,76 @@ def check_cones(
         strips[source, target] = box
     pairs = {(name, other) for name, others in targets.items() for other in others}
     demand(strips.keys() == pairs, "strips of other coverings")
+    rates = check_rates(cones, size, iterates)
+    for name, others in targets.items():
+        own = Derivatives(name, mapped(name), {other: strips[name, other] for other in others})
+        for spread in SPREADS:
+            proved = all(
+                positive(hull, forms[other], forms[name], rate)
+                for other, hull in own.hulls(spread).items()
+                for rate in rates
+            )
+            if proved:
+                break
+        demand(proved, f"the cone condition of {name} is not proved")
+
+
+def check_rates(cones: Mapping[str, Any], size: int, iterates: int) -> list[Any]:
+    """Return the rates that are stated; `Failure` unless the exponent follows from them."""
     expansion, contraction = exact(cones["expansion"]), exact(cones["contraction"])
     demand(expansion > 1, "cones that do not grow")
     demand(0 <= contraction < 1 and bool(contraction) == (size > 1), "cones that do not shrink")
-    rates = [expansion, *([contraction] if size > 1 else [])]
     exponent = exact(cones["exponent"])
     demand(exponent > 0, "no positive exponent")
     least = arb(expansion).log() / (2 * iterates)
     demand(least >= arb(exponent), "the exponent is larger than what follows")
-    for name, others in targets.items():
-        own = {other: strips[name, other] for other in others}
-        _check_set(name, mapped(name), own, forms, rates)
+    return [expansion, *([contraction] if size > 1 else [])]
 
 
-def _check_set(
-    name: str,
-    mapped: MappedSet,
-    strips: dict[str, Box],
-    forms: dict[str, list[Any]],
-    rates: Sequence[Any],
-) -> None:
-    parts: list[_MappedPart] = []
-    waiting: list[Box] = [tuple((fmpq(-1), fmpq(1)) for _ in forms[name])]
-    for spread in _SPREADS:
+class Derivatives:
+    """The derivatives of a map over strips of one set, part by part.
+
+    `strips` has for each target a box of the set. `Failure` is raised where it is not shown that
+    all states that are mapped into the target lie in it.
+    """
+
+    def __init__(self, name: str, mapped: MappedSet, strips: Mapping[str, Box]) -> None:
+        self._name, self._mapped, self._strips = name, mapped, strips
+        self._parts: list[_MappedPart] = []
+        first = next(iter(strips.values()))
+        self._waiting: list[Box] = [((fmpq(-1), fmpq(1)),) * len(first)]
+
+    def hulls(self, spread: float) -> dict[str, Matrix]:
+        """Return for each target balls that contain the derivative at every state of the strip.
+
+        Parts are divided until the derivative varies by no more than a spread over each.
+        """
+        parts, waiting, mapped, strips = self._parts, self._waiting, self._mapped, self._strips
         for part in parts:
             if _spread(part) > spread:
-                waiting += _halves(part.box, _longest(mapped, part))
+                waiting += divided(part.box, _longest(mapped, part))
         parts = [part for part in parts if _spread(part) <= spread]
         while waiting:
             box = waiting.pop()
             border = _border(box, strips.values())
             if border is not None:
-                waiting += _divided(box, *border)
+                waiting += divided(box, *border)
                 continue
             found, part = _looked_at(mapped, box, strips)
             if found and _spread(part) <= spread:
                 parts.append(part)
                 continue
             wide = max(b - a for a, b in box)
-            demand(wide > _FINEST, f"what {name} is stretched by is not proved")
-            waiting += _halves(box, _longest(mapped, part))
-        hulls = {
+            demand(wide > _FINEST, f"what {self._name} is stretched by is not proved")
+            waiting += divided(box, _longest(mapped, part))
+        self._parts = parts
+        return {
             other: _hull([part.slopes[other] for part in parts if other in part.slopes])
             for other in strips
         }
-        if all(
-            _positive(hull, forms[other], forms[name], rate)
-            for other, hull in hulls.items()
-            for rate in rates
-        ):
-            return
-    demand(False, f"the cone condition of {name} is not proved")
 
 
-def _looked_at(mapped: MappedSet, box: Box, strips: dict[str, Box]) -> tuple[bool, _MappedPart]:
+def _looked_at(mapped: MappedSet, box: Box, strips: Mapping[str, Box]) -> tuple[bool, _MappedPart]:
     """Return whether a part's image avoids those targets in whose strips the part does not lie.
 
     The part is returned with its derivatives to the targets in whose strips it lies. A part whose
@@ -155,16 +179,6 @@ def _border(box: Box, strips: Any) -> tuple[int, Any] | None:
                 if a < end < b:
                     return k, end
     return None
-
-
-def _halves(box: Box, k: int) -> list[Box]:
-    low, high = box[k]
-    return _divided(box, k, (low + high) / 2)
-
-
-def _divided(box: Box, k: int, place: Any) -> list[Box]:
-    low, high = box[k]
-    return [(*box[:k], part, *box[k + 1 :]) for part in ((place, high), (low, place))]
 
 
 def _longest(mapped: MappedSet, part: _MappedPart) -> int:
@@ -201,7 +215,7 @@ def _hull(matrices: list[Matrix]) -> Matrix:
     return found
 
 
-def _positive(matrix: Matrix, behind: list[Any], before: list[Any], rate: Any) -> bool:
+def positive(matrix: Matrix, behind: Sequence[Any], before: Sequence[Any], rate: Any) -> bool:
     """Return whether V^T Q_M V - m Q_N is positive definite for all V in balls.
 
     Sylvester's minors are taken in the basis of the columns of C = ((1/V_uu, -V_us/V_uu), (0, 1)),

@@ -7,6 +7,7 @@ is lost.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,12 +32,15 @@ from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded
 
 __all__ = ["Arrivals", "ManyMotions"]
 
-_BITS = 80
 _ABOUT_ZERO = 2.0**-30  # a time
 _HALVINGS = 16  # of a set that is lost or comes elsewhere too, as a whole
 _SHARE = 4  # of the portions of a set those that sets have on average, at most
 _HALVES = 1024  # of several sets, besides two of each
 _RADIANS = 0.125  # of the fastest motion in a window
+
+
+# numbers (L,) of sets and boxes (L, d): whether parts of these sets may come to these boxes
+Known = Callable[[Any, Floats, Floats], Any]
 
 
 class Arrivals(NamedTuple):
@@ -46,7 +50,7 @@ class Arrivals(NamedTuple):
     low: Floats  # (L, d) lower ends, in the section's coordinates
     high: Floats  # (L, d)
     lost: Any  # whether nothing is known of each set
-    portions: int  # how many were followed
+    portions: int = 0  # how many were followed
 
 
 class ManyMotions:
@@ -54,8 +58,9 @@ class ManyMotions:
 
     Sets wider than `widest`, in units of `scales` (N), are halved where a phase begins. A
     set may have at most `most` portions and pass at most `longest` transitions; sets on
-    their way are divided down to the share `finest` of a window of time. `facts` are the
-    reduced rows that are zero on the section, `free` the states that are its coordinates.
+    their way are divided down to the share `finest` of a window of time. Flows have `bits`
+    before they are rounded to doubles. `facts` are the reduced rows that are zero on the
+    section, `free` the states that are its coordinates.
     `Failure` is raised if there is no such section or the declaration is of another kind.
     """
 
@@ -69,11 +74,13 @@ class ManyMotions:
         most: int = 400,
         longest: int = 40,
         finest: float = 1.0,
+        bits: int = 80,
     ) -> None:
         self.system, self.section = SwitchingSystem(declared, parameters), section
-        demand(self.system.size + 2 <= LONGEST, "too many states for sets in double precision")
+        few = self.system.size + 2 <= LONGEST
+        demand(few, f"sets are carried with up to {LONGEST - 2} states")
         self.scales, self.widest = np.array(scales, dtype=float), widest
-        self.most, self.longest, self.finest = most, longest, finest
+        self.most, self.longest, self.finest, self.bits = most, longest, finest, bits
         self.exactly = Elimination()
         self.facts, self.forced = section.facts(self.system, self.exactly)
         self.free = _without_pivots(self.facts, self.system.size)
@@ -82,41 +89,53 @@ class ManyMotions:
 
     def arrivals(self, starts: ManySets) -> Arrivals:
         """Return the first arrivals of sets on the section, given as sets of (coordinates, 1)."""
-        with ctx.workprec(_BITS):
+        return self.leaves(*self.on_section(starts))
+
+    def on_section(self, starts: ManySets) -> tuple[ManySets, str, Sequence[Any]]:
+        """Return what `leaves` takes, for sets of (coordinates, 1) of the section."""
+        with ctx.workprec(self.bits):
             lifted = starts.mapped(self.lift(self.facts, timed=False))
-        return self.leaves(lifted, self.section.configuration, self.facts)
+        return lifted, self.section.configuration, self.facts
 
     @np.errstate(all="ignore")  # sets without bounds are lost
     def leaves(
-        self, starts: ManySets, configuration: str, facts: Sequence[Any], whole: float = np.inf
+        self,
+        starts: ManySets,
+        configuration: str,
+        facts: Sequence[Any],
+        known: Known | None = None,
+        whole: float = np.inf,
     ) -> Arrivals:
         """Return boxes that contain the first arrival of every state of every set.
 
         The sets are of (y, 0, 1) in one configuration; only their states beyond no boundary
         count. `facts` are rows that are exactly zero for them; with a forcing these imply the
-        section's phase. All sets are lost if they have more than `whole` portions together.
+        section's phase. A set that may come to a box that is not `known` is lost, and not
+        followed further. All sets are lost if they have more than `whole` portions together.
         `Failure` is raised if the configuration is not declared or the forcing has another
         phase.
         """
         demand(configuration in self.system.fields, "a configuration is not declared")
         times = np.abs(np.array(starts.hull)[:, :, self.system.size])
         demand((times < _ABOUT_ZERO).all(), "a start at another time")
-        known = tuple(self.exactly.echelon(facts))
-        here = all(not any(reduced(row, known)) for row in self.forced)
+        true = tuple(self.exactly.echelon(facts))
+        here = all(not any(reduced(row, true)) for row in self.forced)
         demand(here, "the forcing has another phase")
         rows = self.system.boundaries[configuration]
-        inside = frozenset(name for name, row in rows.items() if any(reduced(row, known)))
+        inside = frozenset(name for name, row in rows.items() if any(reduced(row, true)))
         remaining = Remaining(len(starts), self.most, whole)
         each = np.arange(len(starts))
         remaining.add(
-            KnownStart(configuration, known, inside, 0), Portions(starts, each, np.zeros_like(each))
+            KnownStart(configuration, true, inside, 0), Portions(starts, each, np.zeros_like(each))
         )
         found = [(each[:0], *np.zeros((2, 0, len(self.free))))]
-        with ctx.workprec(_BITS):
+        with ctx.workprec(self.bits):
             while (taken := remaining.take()) is not None:
                 for own in self._followed(*taken, remaining):
-                    low, high = own.states.hull
-                    found.append((own.origin, low[:, self.free], high[:, self.free]))
+                    low, high = (ends[:, self.free] for ends in own.states.hull)
+                    if known is not None:
+                        remaining.lose(own.origin[~known(own.origin, low, high)])
+                    found.append((own.origin, low, high))
         origin, low, high = (np.concatenate(x) for x in zip(*found, strict=True))
         kept = ~remaining.lost[origin]
         return Arrivals(origin[kept], low[kept], high[kept], remaining.lost, remaining.portions)
@@ -126,7 +145,7 @@ class ManyMotions:
         starts: ManySets,
         configuration: str,
         facts: Sequence[Any],
-        known: Callable[[Any, Any, Any], Any],
+        known: Known,
     ) -> bool:
         """Return whether all states of all sets come to known places, in parts if need be.
 
@@ -138,10 +157,13 @@ class ManyMotions:
         origin, most = np.arange(len(starts)), 2 * len(starts) + _HALVES
         left = self.most * (len(starts) / _SHARE + 1)
         for _ in range(_HALVINGS + 1):
-            found = self.leaves(starts, configuration, facts, left)
+
+            def own(numbers: Any, low: Floats, high: Floats, origin: Any = origin) -> Any:
+                return known(origin[numbers], low, high)
+
+            found = self.leaves(starts, configuration, facts, own, left)
             left -= found.portions
-            bad = found.lost.copy()
-            bad[found.origin[~known(origin[found.origin], found.low, found.high)]] = True
+            bad = found.lost
             if not bad.any():
                 return True
             starts, origin = starts[bad], np.tile(origin[bad], 2)
@@ -214,8 +236,8 @@ class ManyMotions:
             stays = [tuple(fmpq(int(i == j)) for j in range(size + 1)) for i in range(size + 1)]
             ways = iter([(stays, here, end.portions, end.facts, signs)])
         else:
-            listed = self.system.transitions.get((here, end.names), [])
-            ways = self._chosen(listed, end, signs, remaining)
+            orders = self.system.transitions.get((here, end.names), [[]])
+            ways = chain.from_iterable(self._chosen(x, end, signs, remaining) for x in orders)
         section = self.section
         for reset, target, portions, before, now in ways:
             if target not in self.system.fields:
@@ -239,8 +261,7 @@ class ManyMotions:
                 arrived = not end.names and target == section.configuration
             else:
                 way = here, end.names, target
-                arrived = way == (section.source, frozenset({section.boundary}), target)
-                arrived &= target == section.configuration
+                arrived = way == (section.source, section.boundaries, section.configuration)
             own = Portions(states, portions.origin, portions.passed + 1)
             yield KnownStart(target, tuple(facts), below, turns), own, arrived
 

@@ -7,9 +7,10 @@ that every state of the set does about then, and nothing else before.
 
 from collections.abc import Sequence
 from functools import cached_property
-from math import hypot, isfinite
+from math import ceil, frexp, hypot, ldexp
 from typing import Any, NamedTuple
 
+import numpy as np
 from flint import arb, arb_mat
 
 from nonsmooth.runtime.checker.exact import Failure
@@ -18,9 +19,12 @@ __all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
 
 _ORDER = 7  # of Taylor's polynomials
 _DEEPEST = 14  # halvings of a phase
-_WIDER = 1.25  # windows of times are so much wider than they have to be
+_WIDER = 1.5  # windows of times are so much wider than they have to be
 _LEAST = 2.0**-44  # of a time: the width of its window at least
+_CORRECTIONS = 3  # of the time at which a centre arrives
+_SHARES = 64  # of a power of 2: radii of windows are rounded up to these
 _GRID, _LONGEST = 0.1, 100_000  # steps of the guess, in radians of the fastest motion
+_STEPS, _TERMS = 64, 20  # at once, and of Taylor's polynomial over a step
 
 
 class TooWide(Exception):
@@ -105,6 +109,8 @@ class CarryingPhase:
         self.near = _near(self.matrix)
         self.size = len(field) + 1
         self._taylor: dict[Any, Any] = {}
+        self._flows: dict[float, Any] = {}
+        self._rows: dict[str, tuple[Any, Any]] = {}
 
     def flow(self, time: Any) -> Any:
         """Return the flow over a time, as a matrix over (states, time, 1)."""
@@ -114,43 +120,54 @@ class CarryingPhase:
         """Return a row (N + 1) as a row (1, N + 2) over (states, time, 1)."""
         return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
 
-    def guess(self, centre: Any, row: Any) -> float:
-        """Return about the time at which a function of the centre first rises through zero.
+    @np.errstate(all="ignore")
+    def guess(self, centre: Any, name: str) -> float:
+        """Return about the time at which a boundary's function of the centre first rises to zero.
 
         It has to be negative before. `TooWide` is raised if the centre is not finite,
         `Failure` if the function does not rise: then it does not on parts of the set either.
         """
-        step, ahead = self._ahead
-        state = [float(x.mid()) for x in centre.entries()]
-        normal = [float(x.mid()) for x in row.entries()]
-        if not all(map(isfinite, state)):
+        step, powers = self._ahead
+        state, time = np.array([float(x.mid()) for x in centre.entries()]), 0.0
+        if not np.isfinite(state).all():
             raise TooWide
-        value, time = _product(normal, state), 0.0
-        for _ in range(_LONGEST):
-            behind = _moved(ahead, state)
-            after = _product(normal, behind)
-            if value < 0 < after or (time > 0 and value == 0 < after):
-                return time + self._root(state, normal, step * value / (value - after))
-            state, value, time = behind, after, time + step
+        seen, slopes = self._seen(name)
+        for _ in range(_LONGEST // _STEPS):
+            values = seen @ state
+            before, behind = values[:-1], values[1:]
+            below = before < 0
+            below[1 if not time else 0 :] |= before[1 if not time else 0 :] == 0
+            rises = np.flatnonzero(below & (behind > 0))
+            if len(rises):
+                k = int(rises[0])
+                part = step * before[k] / (before[k] - behind[k])
+                return float(time + k * step + _root(slopes @ powers[k] @ state, part))
+            if not np.isfinite(values).all():
+                break
+            state, time = powers[-1] @ state, time + _STEPS * step
         raise Failure("a state of a set does not come to the boundary that is stated")
 
     @cached_property
-    def _ahead(self) -> tuple[float, list[list[float]]]:
-        """A step of time, and the flow over it in double precision."""
+    def _ahead(self) -> tuple[float, Any]:
+        """A step of time, and the flows over no, one and more steps in double precision."""
         rates = arb_mat(self.near).eig(algorithm="approx")
         fastest = max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
         fast = max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
-        return _GRID / fast, _near(self.flow(arb(_GRID / fast)))
+        step = _GRID / fast
+        powers = [np.eye(self.size)]
+        for _ in range(_STEPS):
+            powers.append(np.array(_near(self.flow(arb(step)))) @ powers[-1])
+        return step, np.stack(powers)
 
-    def _root(self, state: list[float], normal: list[float], part: float) -> float:
-        """Return the time at which a function is zero, by Newton's method from about then."""
-        for _ in range(4):
-            there = _moved(_near(self.flow(arb(part))), state)
-            slope = _product(normal, _moved(self.near, there))
-            if not slope:
-                break
-            part -= _product(normal, there) / slope
-        return part
+    def _seen(self, name: str) -> tuple[Any, Any]:
+        """A boundary's function after no, one and more steps, and Taylor's coefficients of it."""
+        if name not in self._rows:
+            (row,), field = _near(self.timed(self.rows[name])), np.array(self.near)
+            slopes = [np.array(row)]
+            for k in range(1, _TERMS):
+                slopes.append(slopes[-1] @ field / k)
+            self._rows[name] = row @ self._ahead[1], np.stack(slopes)
+        return self._rows[name]
 
     def clear(
         self, states: StateSet, until: Any, watched: dict[str, int], ends: str | None = None
@@ -166,9 +183,9 @@ class CarryingPhase:
         while windows:
             begin, end, depth, names = windows.pop()
             middle = ((begin + end) / 2).mid()
-            radius = (begin - middle).union(end - middle)  # the middle is rounded
+            radius, near = self._around((begin - middle).union(end - middle))
             moved = states.through(self.flow(middle)).hull
-            over = self.flow(radius) * moved
+            over = near * moved
             left = []
             for name in names:
                 first = watched[name] if begin == 0 else 0
@@ -182,6 +199,14 @@ class CarryingPhase:
             if left:
                 windows.append((middle, end, depth + 1, left))
                 windows.append((begin, middle, depth + 1, left))
+
+    def _around(self, radius: Any) -> tuple[Any, Any]:
+        """Return a ball around zero that holds another one, and the flow over it."""
+        size, power = frexp(float(radius.abs_upper()))
+        rounded = ldexp(ceil(size * _SHARES + 2.0**-20) / _SHARES, power)
+        if rounded not in self._flows:
+            self._flows[rounded] = self.flow(arb(0, rounded))
+        return arb(0, rounded), self._flows[rounded]
 
     def _over(self, name: str, first: int, moved: Any, over: Any, radius: Any) -> Any:
         """Enclose a derivative over a window by Taylor's polynomial and a remainder."""
@@ -226,8 +251,8 @@ class CarryingPhase:
         before, after = time - size.upper(), time + size.upper()
         if not slope > 0 or not before > 0:
             raise TooWide
-        first, last = (states.through(row * self.flow(t)).hull[0, 0] for t in (before, after))
-        if not (first < 0 and last > 0):
+        # the function rises by more than its level on each side of the window
+        if not (level / slope).abs_upper() < late.abs_upper():
             raise TooWide
         # by the mean value theorem, with what the time of arrival changes by; then once more,
         # for the rates at which the states that arrive are known to move
@@ -244,7 +269,7 @@ class CarryingPhase:
 
     def _centre(self, centre: Any, row: Any, late: Any) -> Any:
         """Return where one state is when the function is zero, for a time in a given ball."""
-        for _ in range(4):
+        for _ in range(_CORRECTIONS):
             at = late.mid()
             there = self.flow(at) * centre
             over = self.flow(late - at) * there
@@ -260,9 +285,13 @@ def _near(matrix: Any) -> list[list[float]]:
     return [[float(x.mid()) for x in row] for row in matrix.tolist()]
 
 
-def _product(one: Sequence[float], other: Sequence[float]) -> float:
-    return sum(a * b for a, b in zip(one, other, strict=True))
-
-
-def _moved(matrix: list[list[float]], state: list[float]) -> list[float]:
-    return [_product(row, state) for row in matrix]
+def _root(terms: Any, part: float) -> float:
+    """Return where a polynomial is zero, by Newton's method from about there."""
+    powers = np.arange(len(terms))
+    for _ in range(4):
+        raised = part**powers
+        slope = (powers[1:] * terms[1:]) @ raised[:-1]
+        if not slope:
+            break
+        part -= terms @ raised / slope
+    return part

@@ -5,6 +5,7 @@ together, or to a configuration of which nothing is stated is lost.
 """
 
 from collections.abc import Mapping
+from math import factorial
 from typing import Any, NamedTuple
 
 from flint import fmpq
@@ -21,8 +22,9 @@ class SwitchingSystem:
     `fields` has an (N + 1, N + 1) field for each configuration, `boundaries` its rows by
     name (negative inside), and `held` the rows that vanish in it. `transitions` leads
     from a source and its boundaries to lists of (conditions, reset, target), first come
-    first. `forcing` has the places of each cosine and sine. The declaration has no
-    contact law, and all its numbers are rational.
+    first: one list for each order in which stops that are reached together may act.
+    `forcing` has the places of each cosine and sine. The declaration has no contact law,
+    and all its numbers are rational.
     """
 
     def __init__(self, declared: dict[str, Any], parameters: Mapping[str, str]) -> None:
@@ -41,16 +43,18 @@ class SwitchingSystem:
             self.fields[name] = [*self._rows(entry["field"]), (*last, fmpq(0))]
             self.boundaries[name] = {b: self._row(r) for b, r in entry["boundaries"].items()}
             self.held[name] = [*map(self._row, entry["held"])]
-        self.transitions: dict[tuple[str, frozenset[str]], list[Any]] = {}
+        taken: dict[tuple[str, frozenset[str]], list[Any]] = {}
         for entry in declared["transitions"]:
-            demand("order" not in entry and "steps" not in entry, "a transition of another kind")
+            demand("steps" not in entry, "a transition of another kind")
             conditions = [(self._row(r), along, holds) for r, along, holds in entry["conditions"]]
             told = all(along in self.fields for _, along, _ in conditions)
             demand(told, "a configuration is missing")
             key = entry["source"], frozenset(entry["boundaries"])
             demand(len(key[1]) == len(entry["boundaries"]), "a boundary is named twice")
             reset = [*self._rows(entry["reset"]), (*last, fmpq(1))]
-            self.transitions.setdefault(key, []).append((conditions, reset, entry["target"]))
+            way = conditions, reset, entry["target"]
+            taken.setdefault(key, []).append((entry.get("order", 0), way))
+        self.transitions = {key: _in_orders(ways) for key, ways in taken.items()}
         self.forcing = [tuple(pair) for pair in declared["forcing"]]
 
     def _row(self, entries: list[Any]) -> tuple[Any, ...]:
@@ -79,7 +83,9 @@ class SwitchingSystem:
         for field in self.fields.values():
             even = [*field[c]] == [-speed * x for x in unit[s]]
             demand(even and [*field[s]] == [speed * x for x in unit[c]], "an uneven forcing")
-        for _, reset, _ in (way for ways in self.transitions.values() for way in ways):
+        for _, reset, _ in (
+            way for orders in self.transitions.values() for ways in orders for way in ways
+        ):
             demand(all([*reset[k]] == unit[k] for k in (c, s)), "a reset forcing")
         return abs(speed)
 
@@ -90,7 +96,18 @@ class StatedSection(NamedTuple):
     configuration: str
     phase: tuple[str, ...] = ()  # cosine and sine of the phase, where there is a forcing
     source: str = ""  # configuration before the transition
-    boundary: str = ""  # the transition's
+    boundary: str = ""  # the transition's; several that are reached together are joined by +
+
+    @staticmethod
+    def of(content: Mapping[str, Any]) -> "StatedSection":
+        """Return the section that a file states."""
+        source, boundary = content["source"], content["boundary"]
+        return StatedSection(content["configuration"], tuple(content["phase"]), source, boundary)
+
+    @property
+    def boundaries(self) -> frozenset[str]:
+        """The boundaries that the transition follows."""
+        return frozenset(self.boundary.split("+"))
 
     def facts(self, system: SwitchingSystem, exactly: Elimination) -> tuple[Any, list[Any]]:
         """Return reduced rows that are zero on the section, and those zero at the forcing's phase.
@@ -101,11 +118,12 @@ class StatedSection(NamedTuple):
         demand(here in system.fields, "the section's configuration is not declared")
         if not system.forcing:
             demand(not self.phase, "a phase of no forcing")
-            listed = system.transitions.get((self.source, frozenset({self.boundary})), [])
-            ways = [reset for _, reset, target in listed if target == here]
+            orders = system.transitions.get((self.source, self.boundaries), [])
+            ways = [reset for own in orders for _, reset, target in own if target == here]
             rows = system.boundaries.get(self.source, {})
-            demand(ways and self.boundary in rows, "no such transition")
-            before = exactly.echelon([*system.held[self.source], rows[self.boundary]])
+            demand(ways and self.boundaries <= rows.keys(), "no such transition")
+            reached = [rows[name] for name in sorted(self.boundaries)]
+            before = exactly.echelon([*system.held[self.source], *reached])
             found = [echelon_behind(exactly, before, reset) for reset in ways]
             demand(all(own == found[0] for own in found), "a section of two kinds")
             forced = []
@@ -122,6 +140,18 @@ class StatedSection(NamedTuple):
             found = [exactly.echelon([*forced, *system.held[here]])]
         demand(all(any(row[:-1]) for row in found[0]), "the section is empty")
         return found[0], forced
+
+
+def _in_orders(ways: list[tuple[int, Any]]) -> list[list[Any]]:
+    """Return the ways (order, way) as one list for each order; 0 belongs to all of them.
+
+    Stops that are reached together act in all orders: where some are not stated nothing is.
+    """
+    numbers = sorted({number for number, _ in ways if number})
+    full = len(numbers) in (factorial(n) for n in range(2, len(numbers) + 2))
+    if numbers and not (full and numbers == [*range(1, len(numbers) + 1)]):
+        return [[]]
+    return [[way for order, way in ways if order in (0, number)] for number in numbers or [0]]
 
 
 def echelon_behind(exactly: Elimination, facts: Any, reset: Any) -> list[Any]:

@@ -147,9 +147,11 @@ class FloatFlow:
         curve, curve_off = _product(self.curve, centre)
         first = _sizes(self.rate, spread)
         second = _sizes(self.curve, spread)
-        longest = float(half.max()) if len(half) else 0.0
-        exponent = int(np.ceil(np.log2(longest))) if longest > 0 else -60
-        third = self._third(exponent) @ upward(np.abs(centre) + spread)[:, :, None]
+        exponents, place = np.unique(
+            np.where(half > 0, np.frexp(half)[1], -60), return_inverse=True
+        )
+        bounds = np.stack([self._third(int(k)) for k in exponents] or [self._third(-60)])[place]
+        third = bounds @ upward(np.abs(centre) + spread)[:, :, None]
         h = half[:, None]
         squared = h * h
         loose = h * (rate_off + first) + squared / 2 * (second + curve_off)

@@ -179,11 +179,17 @@ def test_tiles_are_those_of_the_box_that_is_stated(content, tmp_path, ends):
 def test_another_core_is_refused(content, tmp_path):
     core = content["core"]
     wide = {**core, "sides": [["3.5"]]}
-    refused({**content, "core": wide}, tmp_path, "the core")
-    beside = {**core, "centre": ["9.5"], "sides": [["0.01"]]}
-    refused({**content, "core": beside}, tmp_path, "the core")
-    refused({**content, "contraction": "1/2"}, tmp_path, "the core")
+    refused({**content, "core": wide}, tmp_path, "contracted")
+    refused({**content, "contraction": "1/2"}, tmp_path, "contracted")
     refused({**content, "contraction": "1"}, tmp_path, "the core is not contracted")
+
+
+def test_a_core_that_is_mapped_elsewhere_is_refused(belt, tmp_path):
+    # all of it is mapped to one point, which is beside it
+    core = belt["core"]
+    (centre,), ((side,),) = core["centre"], core["sides"]
+    beside = {**core, "centre": [str(float(centre) + 1.5 * abs(float(side)))]}
+    refused({**belt, "core": beside}, tmp_path, "contracted")
 
 
 @pytest.mark.parametrize(
@@ -239,7 +245,7 @@ def test_false_tiles_are_not_followed_for_ever(content):
     sums = section.sums(np.repeat(*zip(*content["ranks"], strict=True)) >= 0)
     verdicts, followed = np.array(flat(content["verdicts"])), []
     for verdict in (2, 1):
-        motions, chosen = _motions(content), np.flatnonzero(verdicts == verdict)[:12]
+        motions, chosen = _motions(content, 8), np.flatnonzero(verdicts == verdict)[:12]
         leaves, portions = motions.leaves, []
 
         def counted(*arguments, leaves=leaves, portions=portions):

@@ -15,7 +15,9 @@ from nonsmooth.runtime.proof.basin import certify_basin as certifying
 from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
 from nonsmooth.runtime.proof.basin.basin_section import section_of as basin_section
 from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
+from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from tests.certified import accepted
 from tests.friction_sets import DATA, arrival, section_of
 from tests.places import GALLERY
 
@@ -178,12 +180,13 @@ def test_files_are_read_as_they_were(found, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.compiled
-def test_with_a_forcing_the_section_holds_all_states(impact):
+def test_with_a_forcing_the_section_holds_all_states(impact, tmp_path):
     found = ns.certify_basin(impact, box={"x": (-0.6, -0.5), "v": (0.045, 0.085)})
     assert found.proved, found.reason
     assert found.phase
     assert found.tiles is None
     assert found.coordinates == ("x", "v")
+    accepted(found, tmp_path)
     good = np.flatnonzero(found.ranks >= 0)
     assert len(good) > 50
     random = np.random.default_rng(3)
@@ -218,13 +221,13 @@ def test_an_orbit_that_is_not_stable_has_no_basin():
 
 def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit, found):
     met = orbit.trajectory().states[1, 1]
-    at = enclosed_system("dry-friction", DATA)
+    assert abs(float(found.core.centre[0]) - met) < 1e-5
     with flint_precision(96):
-        system = at(96)
-        section = section_of(system)
-        assert abs(float(found.core.centre[0]) - met) < 1e-5
-        with pytest.raises(Undecided, match="another orbit is there"):
-            attracting_core(system, section, 1, np.array([met + 2]), 16.0)
+        section = section_of(enclosed_system("dry-friction", DATA)(96))
+    values = {name: float(text) for name, text in DATA.items()}
+    floats = FloatSection(orbit.system, values, section, 0.0)
+    with pytest.raises(Undecided, match="another orbit is there"):
+        attracting_core(floats, 1, np.array([met + 2]), 16.0, pytest.fail)
 
 
 def test_an_orbit_beside_an_attractor_has_no_basin():

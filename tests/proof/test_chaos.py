@@ -5,15 +5,16 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb_mat
+from flint import arb_mat, fmpq
 
 import nonsmooth as ns
 from nonsmooth import certify_chaos
+from nonsmooth.runtime.checker.section_maps import Parallelepiped
+from nonsmooth.runtime.checker.sets import CarryingPhase, StateSet
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, decimal_set
+from nonsmooth.runtime.proof.chaos.h_sets import decimal_set
 from nonsmooth.runtime.proof.chaos.search import _walks
-from nonsmooth.runtime.proof.sets.affine_sets import affine_set
 from tests.horseshoes import (
     FOLDED,
     FOLDED_DATA,
@@ -122,18 +123,20 @@ def test_a_mass_that_rests_at_its_stop_when_the_forcing_has_a_phase_is_not_calle
 
 def test_a_time_that_depends_on_the_state_moves_the_set_with_it():
     # x' = v, v' = 0, to x = 0: the time is -x / v
+    rows = [[fmpq(x) for x in row] for row in ([0, 1, 0], [0, 0, 0], [0, 0, 0])]
+    phase = CarryingPhase(rows, {"end": tuple(map(fmpq, (1, 0, 0)))})
     with flint_precision(80):
-        field = arb_mat([[0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
-        columns = arb_mat([[-1, 0.125, 0], [2, 0, 0.0625], [0, 0, 0], [1, 0, 0]])
-        row = arb_mat([[1, 0, 0, 0]])
-        from flint import arb
-
-        found = affine_set(columns, arb_mat(4, 1)).reach(field, row, arb(0.5, 0.1))
-        x, v, time, _ = found.ranges
+        sides = arb_mat([[0.125, 0], [0, 0.0625], [0, 0], [0, 0]])
+        states = StateSet(arb_mat([[-1], [2], [0], [1]]), sides, arb_mat(4, 1))
+        about = phase.guess(states.centre, "end")
+        found, before, after = phase.arrive(states, phase.timed(phase.rows["end"]), about)
+        x, v, time, _ = found.hull.entries()
+    assert about == pytest.approx(0.5)
     assert x.contains(0)
     assert float(x.rad()) < 0.03
     for start, speed in ((-1.125, 1.9375), (-0.875, 2.0625), (-1.125, 2.0625), (-0.875, 1.9375)):
         assert time.contains(-start / speed)
+        assert before < -start / speed < after
         assert v.contains(speed)
 
 
@@ -153,9 +156,10 @@ def test_walks_choose_among_sets_that_meet():
 
 
 def test_sets_apart():
-    one = HSet("a", ("0", "0"), (("1", "0"), ("0", "1")))
-    assert apart(one, HSet("b", ("2.5", "0"), (("1", "1"), ("0", "0.1")))) is True
-    assert apart(one, HSet("c", ("1.5", "0"), (("1", "1"), ("0", "0.1")))) is False
+    one = Parallelepiped({"centre": ("0", "0"), "sides": (("1", "0"), ("0", "1"))}, 2)
+    sides = (("1", "1"), ("0", "0.1"))
+    assert one.apart(Parallelepiped({"centre": ("2.5", "0"), "sides": sides}, 2))
+    assert not one.apart(Parallelepiped({"centre": ("1.5", "0"), "sides": sides}, 2))
 
 
 @pytest.mark.parametrize("units", [(1, 1), (1e-9, 1e-4), (1e6, 1e-6)], ids=str)

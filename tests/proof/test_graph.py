@@ -5,17 +5,12 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
-from nonsmooth.runtime.checker.many_sets import ManyMotions
-from nonsmooth.runtime.checker.switching import StatedSection
+from nonsmooth.runtime.checker.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
-from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
-from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
-from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from tests.certified import kicked
-from tests.friction_sets import DATA, SCALES, arrival, section_of
+from tests.friction_sets import DATA, arrival
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
 
@@ -115,37 +110,13 @@ def test_motions_do_not_leave_trapping_regions(friction, impacts):
     assert any(own.attracting for own in impacts.components)
 
 
-@pytest.mark.slow
-def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
-    boxes = friction.trapping
-    with flint_precision(64):
-        system = enclosed_system("dry-friction", DATA)(64)
-        mapped = BranchingMap(system, section_of(system), SCALES, 0.5)
-        mapped.leaves(friction.graph.grid.sets(boxes))
-        kernels = load_system("dry-friction")
-        declared = visited_declaration(kernels, system, sorted(mapped.passages))
-    stated = StatedSection(
-        friction.configuration, source=friction.source, boundary=friction.boundary
-    )
-    motions = ManyMotions(declared, DATA, stated, SCALES, 0.5)
-    found = motions.arrivals(friction.graph.grid.sets(boxes))
-    assert not found.lost.any()
-    _, met, inside = friction.graph.grid.numbers_met(found.low, found.high)
-    assert inside.all()
-    assert np.isin(met, boxes).all()
-    (attracting,) = (own.boxes for own in friction.components if own.attracting)
-    own = np.isin(boxes[found.origin], attracting)
-    _, met, _ = friction.graph.grid.numbers_met(found.low[own], found.high[own])
-    assert np.isin(met, attracting).all()
-
-
 def graph_of(edges, count, outside=(), unknown=()):
     """Boxes of width 1; the image of each is inside of those that edges name."""
     grid = DividedGrid.of(BoxGrid((0,), (0,), (count,)))
     origin = np.array([i for i, _ in edges] + list(outside))
     low = np.array([[j + 0.25] for _, j in edges] + [[count + 5.5]] * len(outside))
     lost = np.isin(np.arange(count), unknown)
-    return BoxGraph.unseen(grid).seen(np.arange(count), Leaves(origin, low, low + 0.5, lost))
+    return BoxGraph.unseen(grid).seen(np.arange(count), Arrivals(origin, low, low + 0.5, lost))
 
 
 def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
@@ -165,7 +136,7 @@ def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
 def test_images_that_are_no_boxes_are_not_known_or_outside(bad):
     grid = DividedGrid.of(BoxGrid((0,), (0,), (4,)))
     low, high = np.array([[1.2], [min(bad, 1.0)]]), np.array([[1.4], [max(bad, 1.0)]])
-    leaves = Leaves(np.array([0, 1]), low, high, np.zeros(4, dtype=bool))
+    leaves = Arrivals(np.array([0, 1]), low, high, np.zeros(4, dtype=bool))
     graph = BoxGraph.unseen(grid).seen(np.arange(4), leaves)
     assert (graph.outside | graph.unknown).tolist() == [False, True, False, False]
     assert not graph.trapping[1]

@@ -11,12 +11,11 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, points
+from nonsmooth.runtime.checker.chaos import StretchedSets
+from nonsmooth.runtime.checker.cones import Derivatives
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import refusals as of_branches
-from nonsmooth.runtime.proof.chaos import certify_chaos
-from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
-from nonsmooth.runtime.proof.chaos.coverings import Coverings
 from nonsmooth.runtime.proof.counting import certify_all
 from nonsmooth.runtime.proof.doubling import certify_doubling
 from nonsmooth.runtime.proof.events import certify_event
@@ -171,24 +170,22 @@ def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert accepted(found, tmp_path).claims == {"doubling": "undecided"}
 
 
+def refused(*told: Any) -> Any:
+    raise Failure("planted")
+
+
 def test_chaos(monkeypatch: pytest.MonkeyPatch) -> None:
-    def believed(mapped: Any, h_set: Any, others: Any, wanted: Any, *rest: Any) -> Coverings:
-        return Coverings(tuple(wanted), (), (), "")
-
-    monkeypatch.setattr(certify_chaos, "coverings", believed)
-    with pytest.raises(AssertionError, match="the checker refuses it: "):
-        folded_horseshoe(exponents=False)  # which is to be proved
+    monkeypatch.setattr(StretchedSets, "covered", refused)
+    with pytest.raises(AssertionError, match="planted"):
+        folded_horseshoe()
 
 
-@pytest.mark.slow
 def test_cones(monkeypatch: pytest.MonkeyPatch) -> None:
-    false = ConeCondition({"A": ("1",), "B": ("1",)}, (), "9", "0", "1")
-    monkeypatch.setattr(certify_chaos, "cone_condition", lambda *told: false)
+    monkeypatch.setattr(Derivatives, "hulls", refused)
     found = folded_horseshoe(exponents=True)
     assert found.proved
     assert found.cones is None
-    (told,) = found.tried
-    assert told.startswith("no cone condition: the checker refuses it: ")
+    assert found.tried == ("no cone condition: planted",)
 
 
 def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

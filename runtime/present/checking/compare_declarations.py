@@ -31,8 +31,11 @@ from nonsmooth.runtime.proof.parametric_declaration import (
     orbit_declaration,
     system_declaration,
 )
-from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration, visited_declaration
+from nonsmooth.runtime.proof.sets.visited_declaration import (
+    PassedTransition,
+    listed_declaration,
+    visited_declaration,
+)
 
 __all__ = ["check_domains", "compare"]
 

@@ -76,14 +76,8 @@ BASIN = FileFormat(
 def save_basin(found: BasinCertificate, path: str | os.PathLike[str]) -> None:
     """Write a basin certificate to a file, which is replaced only when the new one is complete.
 
-    `InputError` is raised if the file cannot be written, or if a law of coupled contacts
-    decides transitions: a file states listed transitions only.
+    `InputError` is raised if the file cannot be written.
     """
-    if found.proved and not found.declaration:
-        raise InputError(
-            "not saved: a law of coupled contacts decides what follows a transition here, and a"
-            " file of a basin states listed transitions alone"
-        )
     BASIN.write(path, basin_entries(found))
 
 

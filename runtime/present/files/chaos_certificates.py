@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact, decode, encode
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
@@ -68,14 +67,8 @@ CHAOS = FileFormat(
 def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
     """Write a certificate of chaos to a file, which is replaced only when the new one is complete.
 
-    `InputError` is raised if the file cannot be written, or if a law of coupled contacts
-    decides transitions: a file states listed transitions only.
+    `InputError` is raised if the file cannot be written.
     """
-    if found.proved and not found.declaration:
-        raise InputError(
-            "not saved: a law of coupled contacts decides what follows a transition here, and a"
-            " file of chaos states listed transitions alone"
-        )
     CHAOS.write(path, chaos_entries(found))
 
 

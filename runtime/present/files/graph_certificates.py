@@ -79,23 +79,15 @@ GRAPH = FileFormat(
 def save_graph(found: GraphCertificate, path: str | os.PathLike[str]) -> None:
     """Write a graph's certificate to a file, which is replaced only when the new one is complete.
 
-    `InputError` is raised if the file cannot be written, or if a law of coupled contacts
-    decides transitions: a file states listed transitions only.
+    `InputError` is raised if the file cannot be written.
     """
-    if not found.declaration:
-        raise InputError(
-            "not saved: a law of coupled contacts decides what follows a transition here, and a"
-            " file of a graph states listed transitions alone"
-        )
     GRAPH.write(path, graph_entries(found))
 
 
 def graph_entries(found: GraphCertificate) -> GraphEntries:
     """Entries of the file of a graph of boxes."""
     name, _, saved = named(known_system(found.system, None))
-    graph, components = found.graph, np.full(len(found.graph.grid), -1)
-    for number, own in enumerate(graph.components):
-        components[own] = number
+    graph = found.graph
     texts = ("configuration", "phase", "source", "boundary", "coordinates")
     numbers = ("widest", "most", "longest", "bits")
     return GraphEntries(
@@ -109,7 +101,7 @@ def graph_entries(found: GraphCertificate) -> GraphEntries:
         outside=runs(graph.outside),
         unknown=runs(graph.unknown),
         trapping=runs(graph.trapping),
-        components=runs(components),
+        components=runs(graph.labels),
         ranks=runs(graph.ranks),
         declaration=dict(found.declaration),
         **{key: getattr(found, key) for key in (*texts, *numbers)},

@@ -72,8 +72,7 @@ class BasinCertificate(Kept):
     bits : int
         Precision of the proof of the core.
     declaration : dict
-        The system, as functions of its parameters, as in the file; empty where a contact law
-        decides what follows.
+        The system, as functions of its parameters, as in the file.
     """
 
     _kept_by = "save_basin"

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
@@ -14,7 +15,7 @@ from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     forcing_section,
     phases,
-    transition_section,
+    sections_behind,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -38,7 +39,10 @@ def section_of(system: EnclosedSystem, motion: Trajectory, period: float) -> Met
     """
     if system.structure.forcing:
         return _forced(system, motion, period)
-    return min(_passed(system, motion), key=lambda met: (len(met.point), met.iterates))
+    found = [*_passed(system, motion)]
+    if not found:
+        raise InputError("the orbit passes no listed transition behind which a state is free")
+    return min(found, key=lambda met: (len(met.point), met.iterates))
 
 
 def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSection:
@@ -72,7 +76,7 @@ def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[MetSection]:
         )
         for k in range(count)
     ]
+    sections = sections_behind(system, ways)
     for k, way in enumerate(ways):
-        section = transition_section(system, *way)
-        if section.free:
+        if section := sections.get(way):
             yield MetSection(section, motion.states[k + 1][list(section.free)], ways.count(way))

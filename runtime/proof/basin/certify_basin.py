@@ -3,40 +3,38 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import replace
-from itertools import count
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.checker.basin import AttractedTiles, attracted_boxes, contraction
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
+from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.start_box import start_box
+from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
-from nonsmooth.runtime.proof.basin.starting_tiles import (
-    BITS,
-    begin_tiles,
-    branching_map,
-    next_tiles,
-)
-from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
+from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
-from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.told_question import ToldQuestion
-from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
+from nonsmooth.runtime.proof.sets.visited_declaration import (
+    listed_declaration,
+    refused_as_input,
+    section_entries,
+)
 
 __all__ = ["certify_basin"]
 
@@ -169,7 +167,7 @@ def certify_basin(
             return question.undecided(met, f"the orbit is {orbit.stability.verdict}")
         scale = float(np.abs(whole[list(met.section.free)]).max())
         try:
-            core = attracting_core(enclosed, met.section, met.iterates, met.point, scale)
+            core = question.core(met, scale)
         except Undecided as reason:
             return question.undecided(met, reason.reason)
     return question.tiled(question.on_section(met, core), tiles, workers, keep)
@@ -193,8 +191,8 @@ class _BasinQuestion:
         self.orbit, self.limits, self.whole = orbit, limits, whole
         self.most, self.bits = most, bits
         self.progress = progress
-        with flint_precision(BITS):
-            self.system = at(BITS)
+        with flint_precision(bits):
+            self.system = at(bits)
         low, high = limits.T / _TILES
         self.side = float((high - low).max() if side is None else side)
         self.tiles: BoxGrid | None = None
@@ -223,26 +221,40 @@ class _BasinQuestion:
         far = side * count ** (2 / len(free)) / 2 if len(free) > 1 else side * count / 2
         return BoxGrid.around(np.maximum(low, centre - far), np.minimum(high, centre + far), side)
 
+    def core(self, met: MetSection, scale: float) -> AttractingCore:
+        """A set around the orbit's point that is contracted; `Undecided` if none is proved."""
+        kernels, values = self.orbit.system, {n: float(x) for n, x in self.system.values.items()}
+        period = 0.0 if met.section.phase is None else float(met.section.period(self.system))
+        floats = FloatSection(kernels, values, met.section, period)
+        empty = self.undecided(met, "")
+        empty = replace(empty, declaration=listed_declaration(kernels, self.system))
+
+        def judge(core: AttractingCore) -> Any:
+            return contraction(_entries(self._with_core(empty, core)))
+
+        return attracting_core(floats, met.iterates, met.point, scale, judge)
+
+    def _with_core(self, known: BasinCertificate, core: AttractingCore) -> BasinCertificate:
+        """The certificate with a core."""
+        return replace(
+            known,
+            core=core.h_set,
+            iterates=core.iterates,
+            itinerary=self._told(core.way),
+            contraction=str(core.contraction),
+        )
+
     def on_section(self, met: MetSection, core: AttractingCore) -> BasinCertificate:
         """The certificate of what is proved on the section; no tile is looked at yet."""
         grid = self._section_grid(met, core)
         if met.section.phase is not None and not self.wide_given:
             self.widest = _STRETCHED * float(grid.sides.max())
-        with flint_precision(BITS):
-            mapped = branching_map(self.system, met.section, self.widest, self.most)
-            ranks = _ranks(mapped, core.h_set, grid, self.progress)
-        empty = self.undecided(met, "")
         tiles = self.tiles
         size = 0 if tiles is None else len(tiles)
-        return replace(
-            empty,
+        found = replace(
+            self._with_core(self.undecided(met, ""), core),
             claim="proved",
-            core=core.h_set,
-            iterates=core.iterates,
-            itinerary=self._told(core.passages),
-            contraction=str(core.contraction),
             grid=grid,
-            ranks=ranks,
             tiles=tiles,
             states=tuple(self._box),
             box=self._box,
@@ -250,6 +262,10 @@ class _BasinQuestion:
             attracted=np.zeros(size, dtype=bool),
             declaration=listed_declaration(self.orbit.system, self.system),
         )
+        with flint_precision(self.bits), refused_as_input():
+            told = _entries(found)
+            ranks = attracted_boxes(told, grid, lambda: self.progress(0.0, 0))
+        return replace(found, ranks=ranks)
 
     def tiled(
         self,
@@ -279,11 +295,11 @@ class _BasinQuestion:
             return replace(known, looked=looked.copy(), attracted=attracted.copy())
 
         done, due = 0, time.monotonic() + _EVERY
-        none = np.zeros(0, dtype=bool)
-        told = replace(known, core=None, declaration={}, looked=none, attracted=none)
-        question = ToldQuestion.of(self.orbit.system, told)
         try:
-            with closing(in_processes(begin_tiles, question, batches(), workers)) as found:
+            with (
+                refused_as_input(),
+                closing(in_processes(_begin_tiles, _entries(known), batches(), workers)) as found,
+            ):
                 for numbers, good in found:
                     looked[numbers], attracted[numbers] = True, good
                     done += len(numbers)
@@ -346,48 +362,39 @@ class _BasinQuestion:
         )
         check_same_question("basin", {name: {**asked, **own}[name] for name in names}, found)
 
-    def _told(self, passages: Sequence[PassedTransition]) -> tuple[tuple[str, str, str], ...]:
+    def _told(self, way: Iterable[tuple[int, int, int]]) -> tuple[tuple[str, str, str], ...]:
         """Transitions by names: source, boundaries and target of each."""
         structure = self.system.structure
         names = structure.configurations
         return tuple(
             (
-                names[p.source],
-                "+".join(structure.boundaries[p.source][b].name for b in p.boundaries),
-                names[p.target],
+                names[source],
+                "+".join(structure.boundaries[source][b].name for b in members_of(mask)),
+                names[target],
             )
-            for p in passages
+            for source, mask, target in way
         )
 
 
-def _ranks(
-    mapped: BranchingMap, core: HSet, grid: BoxGrid, progress: Callable[[float, int], object]
-) -> NDArray[np.int_]:
-    """The number of steps in which each box of the section is proved to come to the core, or -1."""
-    inward = Rounded.of(core.inward)
+def _entries(found: BasinCertificate) -> dict[str, Any]:
+    """What is proved on the section, and the tiles, as the entries of a file that state it."""
+    grids = {
+        name: own and vars(own) for name, own in (("grid", found.grid), ("tiles", found.tiles))
+    }
+    more = ("iterates", "itinerary", "contraction", "widest", "most", "bits")
+    core = found.core and {"centre": found.core.centre, "sides": found.core.sides}
+    ranks = [(int(rank), 1) for rank in found.ranks]
+    told = {**section_entries(found, *more), "coordinates": list(found.coordinates)}
+    return {**told, "core": core, "ranks": ranks, **grids}
 
-    def in_core(boxes: ManySets) -> NDArray[np.bool_]:
-        low, high = boxes.ranges(inward)
-        inside: NDArray[np.bool_] = np.all((low > -1) & (high < 1), axis=1)
-        return inside
 
-    ranks = np.where(in_core(grid.sets(np.arange(len(grid)))), 0, -1)
-    parts = []
-    for begin in range(0, len(grid), _BATCH):
-        progress(0.0, 0)
-        numbers = np.arange(begin, min(begin + _BATCH, len(grid)))
-        found = mapped.leaves(grid.sets(numbers))
-        parts.append(found._replace(origin=found.origin + begin))
-    leaves = Leaves(*(np.concatenate(x) for x in zip(*parts, strict=True)))
-    inner = np.zeros(0, dtype=bool)
-    if len(leaves.origin):
-        inner = in_core(ManySets.of_boxes(leaves.low, leaves.high))
-    seen = np.isin(np.arange(len(grid)), leaves.origin)
-    for rank in count(1):
-        known = inner | grid.covered(grid.sums(ranks >= 0), leaves.low, leaves.high)
-        bad = np.bincount(leaves.origin[~known], minlength=len(grid)) > 0
-        new = (ranks < 0) & seen & ~leaves.lost & ~bad
-        if not new.any():
-            return ranks
-        ranks[new] = rank
-    raise AssertionError
+def _begin_tiles(question: Mapping[str, Any]) -> Callable[[NDArray[np.int_]], NDArray[np.bool_]]:
+    """A function that tells which tiles are attracted."""
+    tiles = AttractedTiles(question)
+
+    def attracted(numbers: NDArray[np.int_]) -> NDArray[np.bool_]:
+        with flint_precision(question["bits"]):
+            found: NDArray[np.bool_] = tiles.each(numbers)
+        return found
+
+    return attracted

@@ -4,28 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from typing import Any
 
-from nonsmooth.runtime.checker.chaos import check_chaos
+from nonsmooth.runtime.checker.chaos import StretchedSets, check_entropy
+from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
-from nonsmooth.runtime.proof.chaos.coverings import Coverings, coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth, logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.refusals import as_file, refusal
-from nonsmooth.runtime.proof.sets.images import PassedTransition, SectionMap
 from nonsmooth.runtime.proof.sets.sections import MapSection
-from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+from nonsmooth.runtime.proof.sets.visited_declaration import (
+    PassedTransition,
+    refused_as_failure,
+    section_entries,
+    visited_declaration,
+)
 from nonsmooth.runtime.simulation.simulate import simulate
 
 __all__ = ["certify_chaos"]
@@ -74,7 +76,7 @@ def certify_chaos(
     attempts : int
         How many candidates are tried to be proved.
     parts : int
-        Parts into which one h-set is divided, at most.
+        Parts into which an h-set is divided, at most, on average over all of them.
     exponents : bool
         Whether a cone condition is looked for too, which bounds Lyapunov exponents: derivatives
         over small parts of the sets, several times as many images.
@@ -153,13 +155,10 @@ class _ChaosQuestion:
 
     def candidates(self, motion: Any) -> Iterator[tuple[MapSection, Horseshoe]]:
         """Yield sections of a motion, each with sets on it that seem to be a horseshoe."""
-        values = {name: float(value) for name, value in self.system.values.items()}
         visited = False
         for section, points, ranges in sampled_sections(self.system, motion):
             visited = True
-            name = _told(self.system, section)
-            period = float(section.period(self.system)) if section.phase is not None else 0.0
-            floats = FloatSection(self.kernels, values, section, period)
+            name, floats = _told(self.system, section), self._floats(section)
             orbits = orbits_on(floats, points, ranges)
             if orbits is None:
                 self.tried.append(f"{name}: the motion is one point, or does not stay")
@@ -179,55 +178,71 @@ class _ChaosQuestion:
 
     def prove(self, section: MapSection, candidate: Horseshoe) -> ChaosCertificate | None:
         """The certificate of a candidate; None, with the reason in `tried`, if the proof fails."""
-        sets, edges = candidate.h_sets, list(candidate.edges)
-        told = f"{_told(self.system, section)}: {len(sets)} sets, {candidate.iterates} iterates"
-        if not all(apart(a, b) for k, a in enumerate(sets) for b in sets[:k]):
-            self.tried.append(f"{told}: two sets meet")
+        told = f"{_told(self.system, section)}: {len(candidate.h_sets)} sets"
+        told += f", {candidate.iterates} iterates"
+        try:
+            with refused_as_failure():
+                return self._proved(section, candidate)
+        except Failure as failure:
+            self.tried.append(f"{told}: {failure}")
             return None
-        mapped, before = SectionMap(self.system, section, candidate.iterates), self.images
-        found: list[Coverings] = []
-        for k, h_set in enumerate(sets):
-            wanted = [j for i, j in edges if i == k]
-            proved = coverings(mapped, h_set, sets, wanted, self.parts, self._tick)
-            found.append(proved)
-            edges = [(i, j) for i, j in edges if i != k or j in proved.targets]
-            if growth(len(sets), edges)[0] <= 1:
-                self.tried.append(f"{told}: {h_set.name}: {proved.reason}")
-                return None
-        bound, kept, _ = growth(len(sets), edges)
-        inner = [(i, j) for i, j in edges if i in kept and j in kept]
-        number = {k: place for place, k in enumerate(kept)}
-        own = [sets[k] for k in kept]
-        between = [(number[i], number[j]) for i, j in inner]
-        count = self.images - before
-        whole = self._certificate(mapped, bound, own, between, [found[k] for k in kept], count)
-        reason = _refused(whole)
-        if reason:
-            self.tried.append(f"{told}: {reason}")
-            return None
-        return self._with_cones(whole, mapped, between) if self.exponents else whole
+
+    def _floats(self, section: MapSection) -> FloatSection:
+        """The section's map in double precision."""
+        values = {name: float(value) for name, value in self.system.values.items()}
+        period = float(section.period(self.system)) if section.phase is not None else 0.0
+        return FloatSection(self.kernels, values, section, period)
+
+    def _proved(self, section: MapSection, candidate: Horseshoe) -> ChaosCertificate:
+        """The certificate of a candidate; `Failure` if the proof fails."""
+        floats, names = self._floats(section), [own.name for own in candidate.h_sets]
+        ways = [floats.way(own.near[0], candidate.iterates) for own in candidate.h_sets]
+        asked = self._certificate(section, candidate.iterates, candidate.h_sets, ways)
+        if not asked.declaration:
+            raise Failure("a contact law decides what follows")
+        before, most = self.images, self.parts * len(names)
+        sets = StretchedSets(_entries(asked), most, self._tick)
+        sets.check_apart()
+        edges, images = list(candidate.edges), {}
+        for k, name in enumerate(names):
+            found = sets.covered(name, [names[j] for i, j in edges if i == k])
+            images[name] = tuple(map(outline, found.parts))
+            edges = [(i, j) for i, j in edges if i != k or names[j] in found.targets]
+            if growth(len(names), edges)[0] <= 1:
+                raise Failure(f"{name}: {next(iter(found.reasons.values()), 'no set is covered')}")
+        bound, kept, _ = growth(len(names), edges)
+        h_sets = [candidate.h_sets[k] for k in kept]
+        proved = replace(
+            self._certificate(section, candidate.iterates, h_sets, [ways[k] for k in kept]),
+            claim="proved",
+            coverings=tuple((names[i], names[j]) for i, j in edges if i in kept and j in kept),
+            growth=str(bound),
+            entropy=logarithm_below(bound, candidate.iterates),
+            images={own.name: images[own.name] for own in h_sets},
+            parts=self.images - before,
+        )
+        sets = StretchedSets(_entries(proved), _CONE_PARTS * most, self._tick)
+        check_entropy(_entries(proved), sets)
+        return self._with_cones(proved, sets, floats) if self.exponents else proved
 
     def _with_cones(
-        self, proved: ChaosCertificate, mapped: SectionMap, edges: Sequence[tuple[int, int]]
+        self, proved: ChaosCertificate, sets: StretchedSets, floats: FloatSection
     ) -> ChaosCertificate:
         """The certificate with a cone condition, or without one where none is proved.
 
         The reason goes to `tried` then.
         """
-        most, before = _CONE_PARTS * self.parts, self.images
+        before = self.images
         try:
-            cones = cone_condition(mapped, proved.h_sets, edges, most, self._tick)
-            with_cones = replace(proved, cones=cones, parts=proved.parts + self.images - before)
-            reason = _refused(with_cones)
-            if not reason:
-                return with_cones
-        except Undecided as trouble:
-            reason = trouble.reason
+            with refused_as_failure():
+                cones = cone_condition(sets, proved.h_sets, proved.coverings, floats)
+        except Failure as failure:
+            self.tried.append(f"no cone condition: {failure}")
+            return replace(proved, tried=tuple(self.tried))
         except KeyboardInterrupt:
             told = (*self.tried, "no cone condition: interrupted")
             raise Interrupted(replace(proved, tried=told)) from None
-        self.tried.append(f"no cone condition: {reason}")
-        return replace(proved, tried=tuple(self.tried))
+        return replace(proved, cones=cones, parts=proved.parts + self.images - before)
 
     def _tick(self) -> None:
         self.images += 1
@@ -235,50 +250,46 @@ class _ChaosQuestion:
 
     def _certificate(
         self,
-        mapped: SectionMap,
-        bound: Fraction,
+        section: MapSection,
+        iterates: int,
         sets: Sequence[HSet],
-        edges: Sequence[tuple[int, int]],
-        found: Sequence[Coverings],
-        count: int,
+        ways: Sequence[Sequence[tuple[int, int, int]]],
     ) -> ChaosCertificate:
-        section, structure = mapped.section, self.system.structure
-        names = structure.configurations
+        """The certificate of sets and ways of which nothing is proved."""
+        names = self.system.structure.configurations
+        passed = [
+            [
+                PassedTransition(source, tuple(members_of(mask)), target)
+                for source, mask, target in way
+            ]
+            for way in ways
+        ]
         itineraries = {
-            h_set.name: tuple(
+            own.name: tuple(
                 (names[p.source], _joined(self.system, p.source, p.boundaries), names[p.target])
-                for p in own.passages
+                for p in way
             )
-            for h_set, own in zip(sets, found, strict=True)
+            for own, way in zip(sets, passed, strict=True)
         }
-        phase = () if section.phase is None else tuple(map(str, section.phase))
-        passages = [p for own in found for p in own.passages]
+        passages = [p for way in passed for p in way]
         if section.phase is None:
             reached = tuple(sorted(section.boundaries))
             passages.append(PassedTransition(section.source, reached, section.configuration))
-        return ChaosCertificate(
-            system=structure.name,
-            parameters=self.system.values,
-            claim="proved",
+        source, boundary = "", ""
+        if section.phase is None:
+            source = names[section.source]
+            boundary = _joined(self.system, section.source, tuple(sorted(section.boundaries)))
+        return replace(
+            self.undecided(),
             reason="",
             configuration=names[section.configuration],
-            phase=phase,
-            source="" if section.phase else names[section.source],
-            boundary=""
-            if section.phase
-            else _joined(self.system, section.source, tuple(sorted(section.boundaries))),
-            coordinates=tuple(structure.states[k] for k in section.free),
-            iterates=mapped.iterates,
+            phase=() if section.phase is None else tuple(map(str, section.phase)),
+            source=source,
+            boundary=boundary,
+            coordinates=tuple(self.system.structure.states[k] for k in section.free),
+            iterates=iterates,
             h_sets=tuple(sets),
-            coverings=tuple((sets[i].name, sets[j].name) for i, j in edges),
             itineraries=itineraries,
-            growth=str(bound),
-            entropy=logarithm_below(bound, mapped.iterates),
-            cones=None,
-            images={own.name: of.parts for own, of in zip(sets, found, strict=True)},
-            parts=count,
-            tried=tuple(self.tried),
-            bits=self.system.bits,
             declaration=visited_declaration(self.kernels, self.system, passages),
         )
 
@@ -309,12 +320,11 @@ class _ChaosQuestion:
         )
 
 
-def _refused(found: ChaosCertificate) -> str:
-    """Why the checker refuses a certificate; "" where it proves it, or no file can state it."""
-    if not found.declaration:
-        return ""
-    told = {**found.to_json(), "tables": None, "declaration": dict(found.declaration)}
-    return refusal(lambda: check_chaos(as_file(told)))
+def _entries(found: ChaosCertificate) -> dict[str, Any]:
+    """What the checker takes of a certificate, as its file states it."""
+    more = ("iterates", "coordinates", "itineraries", "coverings", "growth", "entropy")
+    told = section_entries(found, *more)
+    return {**told, "h_sets": [own.entry for own in found.h_sets]}
 
 
 def _joined(system: EnclosedSystem, source: int, boundaries: Sequence[int]) -> str:

@@ -73,8 +73,8 @@ class ChaosCertificate(Shown):
     bits : int
         Precision of the proof.
     declaration : dict
-        The system, as functions of its parameters, as in the file; empty where a contact law
-        decides what follows.
+        The system, as functions of its parameters, as in the file; empty where nothing is
+        claimed.
     """
 
     system: str
@@ -246,8 +246,7 @@ class ChaosCertificate(Shown):
         Raises
         ------
         InputError
-            If the file cannot be written, or the motions were proved with a contact law, which
-            a file of chaos cannot state.
+            If the file cannot be written.
         """
         registered("save_chaos")(self, path)
 

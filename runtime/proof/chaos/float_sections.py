@@ -18,7 +18,7 @@ from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
 __all__ = ["FloatSection", "Mapped"]
 
 _KEPT = 48  # transitions among which the next passage is looked for
-_MOST = 512  # transitions in one period of the forcing
+_MOST = 512  # transitions in one iterate
 _ROUNDING = 1e-12  # of a boundary's function
 _STEP = 1e-6  # of a derivative, in units of the coordinates' ranges
 
@@ -87,6 +87,30 @@ class FloatSection:
         images[sound[good]] = ends.last_states[rows, place[good]][:, free]
         ways[sound[good]] = _ways(ends, place)[good]
         return Mapped(images, ways)
+
+    def way(self, point: np.ndarray, iterates: int) -> list[tuple[int, int, int]]:
+        """The transitions from a point (d,) to its image under a power of the map.
+
+        They are given by source, mask of boundaries and target; none where there is no image.
+        """
+        section, starts = self.section, self.states(point[None])
+        most = _MOST * iterates
+        ends: dict[str, Any] = {"transitions": most, "keep": most + 1}
+        if section.phase is not None:
+            ends["until"] = iterates * self._period
+        found = self._follow(starts, **ends)
+        places, sets = found.last_configurations[0], found.last_sets[0]
+        known = np.flatnonzero(places >= 0)
+        ways = [
+            (int(places[k]), int(sets[k + 1]), int(places[k + 1]))
+            for k in known[:-1].tolist()
+            if sets[k + 1]
+        ]
+        if section.phase is not None:
+            return ways
+        back = section.source, mask_of(section.boundaries), section.configuration
+        passed = [k for k, way in enumerate(ways, 1) if way == back][:iterates]
+        return ways[: passed[-1]] if len(passed) == iterates else []
 
     def jacobians(self, points: np.ndarray, sizes: np.ndarray) -> tuple[Mapped, np.ndarray]:
         """Images of coordinates (n, d), and derivatives (n, d, d) by central differences.

@@ -15,17 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.exact import exact
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, affine_set
-from nonsmooth.runtime.proof.sets.sections import MapSection
-
 if TYPE_CHECKING:
-    from flint import arb, arb_mat
+    from nonsmooth.runtime.checker.sets import StateSet
 
-__all__ = ["Box", "HSet", "apart", "decimal_set", "piece"]
-
-Box = tuple[tuple[float, float], ...]  # of coordinates of an h-set, within -1 and 1
+__all__ = ["HSet", "decimal_set", "outline"]
 
 
 @dataclass(frozen=True)
@@ -44,6 +37,11 @@ class HSet:
         return np.array([float(Fraction(x)) for x in self.centre]), np.array(sides).T
 
     @property
+    def entry(self) -> dict[str, Any]:
+        """The set as a file states it."""
+        return {"name": self.name, "centre": list(self.centre), "sides": [*map(list, self.sides)]}
+
+    @property
     def corners(self) -> np.ndarray:
         """Approximate corners (2^d, d), those of two coordinates around their parallelogram."""
         centre, sides = self.near
@@ -52,85 +50,6 @@ class HSet:
         if len(centre) == 2:
             signs = signs[[0, 1, 3, 2]]
         return np.asarray(centre + signs @ sides.T)
-
-    def exactly(self) -> tuple[list[Any], list[list[Any]]]:
-        """Centre and sides as rational numbers (fmpq).
-
-        `InputError` if they are no numbers, or not as many sides as coordinates.
-        """
-        size = len(self.centre)
-        if not size or len(self.sides) != size or any(len(side) != size for side in self.sides):
-            raise InputError("an h-set has a centre and as many sides as coordinates")
-        try:
-            return [*map(exact, self.centre)], [[*map(exact, side)] for side in self.sides]
-        except (ValueError, ZeroDivisionError):
-            raise InputError("the centre and the sides of an h-set are decimal texts") from None
-
-    def seen(self, coordinates: AffineSet) -> list[arb]:
-        """Balls (d,) around the coordinates, in this set, of a set of points of the section.
-
-        The set has d + 1 rows: the section's coordinates and 1.
-        """
-        return coordinates.mapped(self.inward).ranges
-
-    @cached_property
-    def inward(self) -> arb_mat:
-        """The matrix (d, d + 1) from the section's coordinates and 1 to those of the set."""
-        from flint import arb_mat, fmpq_mat
-
-        centre, sides = self.exactly()
-        matrix = fmpq_mat(sides).transpose()
-        try:
-            inverse = matrix.inv()
-        except ZeroDivisionError:
-            raise InputError("the sides of an h-set are not independent") from None
-        shift = inverse * fmpq_mat([[-x] for x in centre])
-        rows = zip(inverse.tolist(), shift.tolist(), strict=True)
-        return arb_mat(fmpq_mat([[*row, *last] for row, last in rows]))
-
-
-def piece(h_set: HSet, section: MapSection, box: Box, *, sloped: bool = False) -> AffineSet:
-    """States of a part of an h-set, with the time 0; the part is a box of coordinates, exactly.
-
-    With `sloped` their derivatives by the coordinates of the h-set are followed.
-    """
-    from flint import arb, arb_mat, fmpq, fmpq_mat
-
-    centre, sides = h_set.exactly()
-    low, high = ([fmpq(*float(x[k]).as_integer_ratio()) for x in box] for k in (0, 1))
-    middles = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
-    halves = [(b - a) / 2 for a, b in zip(low, high, strict=True)]
-    rows = []
-    for k, x in enumerate(centre):
-        shares = [side[k] for side in sides]
-        middle = x + sum((m * y for m, y in zip(middles, shares, strict=True)), fmpq(0))
-        rows.append([middle, *(h * y for h, y in zip(halves, shares, strict=True))])
-    rows.append([fmpq(1), *(fmpq(0) for _ in sides)])
-    lift = fmpq_mat([list(row) for row in section.lift])
-    found = [*(lift * fmpq_mat(rows)).tolist(), [fmpq(0)] * len(rows[-1]), rows[-1]]
-    none, tangents = arb_mat(len(found), 1), []
-    for side in sides if sloped else ():
-        along = arb_mat(lift * fmpq_mat([*([x] for x in side), [0]]))
-        tangents.append(affine_set(arb_mat([*along.tolist(), [arb(0)], [arb(0)]]), none))
-    return affine_set(arb_mat(fmpq_mat(found)), none, tuple(tangents))
-
-
-def apart(one: HSet, other: HSet) -> bool:
-    """Whether two h-sets are proved to have no point in common."""
-    return any(
-        bool(x > 1 or x < -1)
-        for first, second in ((one, other), (other, one))
-        for x in first.seen(_coordinates(second))
-    )
-
-
-def _coordinates(h_set: HSet) -> AffineSet:
-    from flint import arb_mat, fmpq_mat
-
-    centre, sides = h_set.exactly()
-    rows = [[x, *column] for x, column in zip(centre, zip(*sides, strict=True), strict=True)]
-    rows.append([1, *(0 for _ in sides)])
-    return affine_set(arb_mat(fmpq_mat(rows)), arb_mat(len(rows), 1))
 
 
 def decimal_set(name: str, centre: Sequence[float], sides: np.ndarray, digits: int = 7) -> HSet:
@@ -158,3 +77,25 @@ def _text(x: float, unit: float, digits: int) -> str:
     """A decimal text that is right to so many digits of a unit."""
     places = digits - 1 - int(np.floor(np.log10(unit)))
     return f"{x:.{max(places, 0)}f}"
+
+
+def outline(image: StateSet) -> tuple[tuple[float, ...], ...]:
+    """Corners of what contains an image, for pictures; none of more than two coordinates."""
+    both = zip(image.centre.tolist(), image.sides.tolist(), strict=True)
+    columns = [[float(x.mid()) for x in (*middle, *own)] for middle, own in both][:-1]
+    spread = [float(abs(x).upper()) for x in image.box.entries()[:-1]]
+    if len(columns) == 1:
+        (own,) = columns
+        reach = sum(map(abs, own[1:])) + spread[0]
+        return ((own[0] - reach,), (own[0] + reach,))
+    if len(columns) > 2:
+        return ()
+    centre, *sides = np.array(columns).T
+    sides.sort(key=lambda side: -float(np.linalg.norm(side)))
+    around = np.abs(sides[2:]).sum(axis=0) + np.array(spread)
+    every = np.array([*sides[:2], [around[0], 0.0], [0.0, around[1]]])
+    every[(every[:, 1] < 0) | ((every[:, 1] == 0) & (every[:, 0] < 0))] *= -1
+    every = every[np.argsort(np.arctan2(every[:, 1], every[:, 0]))]
+    steps = 2 * np.concatenate([np.zeros((1, 2)), every, -every[:-1]])
+    corners = centre - every.sum(axis=0) + np.cumsum(steps, axis=0)
+    return tuple((float(x), float(y)) for x, y in corners)

@@ -15,7 +15,7 @@ from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     forcing_section,
     phases,
-    transition_section,
+    sections_behind,
 )
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -90,21 +90,22 @@ def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
     run = follow(motion.system, start, first, transitions=_TRANSITIONS)
     entries = range(len(run.times) // 2, len(run.times))
     ways = [
-        (int(run.configurations[e - 1]), int(run.sets[e]), int(run.configurations[e]))
+        (
+            int(run.configurations[e - 1]),
+            frozenset(members_of(int(run.sets[e]))),
+            int(run.configurations[e]),
+        )
         for e in entries
     ]
-    found = []
-    for way, count in Counter(ways).items():
-        source, mask, target = way
-        if count < _FEWEST:
-            continue
-        section = transition_section(system, source, frozenset(members_of(mask)), target)
-        if section.free:
-            found.append((len(section.free), -count, way, section))
-    found.sort(key=lambda entry: entry[:3])
-    for _, _, way, section in found[:_TRIED]:
+    counts = {way: count for way, count in Counter(ways).items() if count >= _FEWEST}
+    sections = sections_behind(system, [*counts])
+    found = sorted(
+        sections,
+        key=lambda way: (len(sections[way].free), -counts[way], way[0], way[2], min(way[1])),
+    )
+    for way in found[:_TRIED]:
         places = [e for e, other in zip(entries, ways, strict=True) if other == way]
-        yield _sampled(section, run.states[places], run)
+        yield _sampled(sections[way], run.states[places], run)
 
 
 def _sampled(section: MapSection, states: np.ndarray, run: Run) -> Sampled:

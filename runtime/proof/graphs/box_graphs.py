@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.checker.graph import Edges, edges_of
+from nonsmooth.runtime.checker.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import DividedGrid
-from nonsmooth.runtime.core.float_sets import Floats
-from nonsmooth.runtime.proof.sets.branching import Leaves
 
 __all__ = ["BoxGraph"]
 
 Numbers = NDArray[np.int_]
 Flags = NDArray[np.bool_]
-
-_SPARE = 2.0**-10  # of a side, at each side of an image: who encloses it again rounds otherwise
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,30 +36,19 @@ class BoxGraph:
         none, size = np.zeros(0, dtype=int), len(grid)
         return BoxGraph(grid, none, none, np.zeros(size, dtype=bool), np.ones(size, dtype=bool))
 
-    def seen(self, numbers: Numbers, leaves: Leaves) -> BoxGraph:
-        """The graph with the images of boxes (B,) of which none was known, given as leaves."""
+    @property
+    def found(self) -> Edges:
+        """The edges, as the checker takes them."""
+        return Edges(self.sources, self.targets, self.outside, self.unknown)
+
+    def seen(self, numbers: Numbers, arrivals: Arrivals) -> BoxGraph:
+        """The graph with the images of boxes (B,) of which none was known."""
         outside, unknown = self.outside.copy(), self.unknown.copy()
-        lost = leaves.lost.copy()
-        lost[leaves.origin[~(np.isfinite(leaves.low) & np.isfinite(leaves.high)).all(axis=1)]] = (
-            True
-        )
-        kept = ~lost[leaves.origin]
-        origin, spare = numbers[leaves.origin[kept]], _SPARE * self.grid.finest
-        owner, number, inside = self.grid.numbers_met(
-            _near(self.grid, leaves.low[kept]) - spare, _near(self.grid, leaves.high[kept]) + spare
-        )
-        unknown[numbers] = lost
-        outside[origin[~inside]] = True
-        # every pair once
-        pairs = np.unique(origin[owner] * len(self.grid) + number)
-        sources, targets = np.divmod(pairs, len(self.grid))
-        return replace(
-            self,
-            sources=np.concatenate([self.sources, sources]),
-            targets=np.concatenate([self.targets, targets]),
-            outside=outside,
-            unknown=unknown,
-        )
+        new = edges_of(self.grid, numbers, arrivals)
+        outside[numbers], unknown[numbers] = new.outside, new.unknown
+        sources = np.concatenate([self.sources, new.source])
+        targets = np.concatenate([self.targets, new.target])
+        return BoxGraph(self.grid, sources, targets, outside, unknown)
 
     def halved(self, chosen: Flags) -> tuple[BoxGraph, Numbers]:
         """The graph with the chosen boxes (B,) divided, and the numbers of boxes without images.
@@ -150,6 +137,14 @@ class BoxGraph:
         found = [np.sort(order[first:last]) for first, last in ends]
         return tuple(sorted(found, key=lambda own: (not self.stays(own), -len(own), int(own[0]))))
 
+    @cached_property
+    def labels(self) -> Numbers:
+        """The place among the components of each box's one (B,), -1 for boxes on no cycle."""
+        found = np.full(len(self.grid), -1)
+        for number, own in enumerate(self.components):
+            found[own] = number
+        return found
+
     def stays(self, boxes: Numbers) -> bool:
         """Whether no edge leads from the boxes to others, outside, or to an unknown image."""
         own = np.zeros(len(self.grid), dtype=bool)
@@ -206,10 +201,3 @@ class BoxGraph:
         count = reaches.astype(np.int64)
         direct = reaches & ~((count @ count) > 0)
         yield from ((int(i), int(j)) for i, j in np.argwhere(direct))
-
-
-def _near(grid: DividedGrid, places: Floats) -> Floats:
-    """Places, with those far outside of a grid moved to within four boxes of it."""
-    whole = grid.grid
-    first, counts = np.array(whole.first), np.array(whole.counts)
-    return np.clip(places, (first - 4.0) * whole.sides, (first + counts + 4.0) * whole.sides)

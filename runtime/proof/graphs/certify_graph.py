@@ -6,10 +6,13 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.checker.graph import map_of_boxes, stays
+from nonsmooth.runtime.checker.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
@@ -23,9 +26,11 @@ from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sectio
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
-from nonsmooth.runtime.proof.sets.told_question import ToldQuestion
-from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
+from nonsmooth.runtime.proof.sets.visited_declaration import (
+    listed_declaration,
+    refused_as_input,
+    section_entries,
+)
 from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -173,23 +178,18 @@ def certify_graph(
                 most=max(parts, resume.most),
                 longest=max(transitions, resume.longest),
             )
-        told = replace(known, graph=empty.graph, declaration={})
-        question = ToldQuestion.of(kernels, told)
+    question = section_entries(known, "widest", "most", "longest", "bits")
+    with refused_as_input():
         return _BoxImages(question, known, workers, progress, keep).refined(levels)
 
 
-def _begin_images(question: ToldQuestion[GraphCertificate]) -> Callable[[ManySets], Leaves]:
+def _begin_images(question: Mapping[str, Any]) -> Callable[[ManySets], Arrivals]:
     """A function that encloses the images of sets."""
-    known = question.known
-    system, section = question.taken_up(known.bits)
-    with flint_precision(known.bits):
-        mapped = BranchingMap(
-            system, section, np.array(known.widest), 1.0, most=known.most, longest=known.longest
-        )
+    motions = map_of_boxes(question)
 
-    def images(starts: ManySets) -> Leaves:
-        with flint_precision(known.bits):
-            return mapped.leaves(starts)
+    def images(starts: ManySets) -> Arrivals:
+        with flint_precision(question["bits"]):
+            return motions.arrivals(starts)
 
     return images
 
@@ -198,7 +198,7 @@ def _begin_images(question: ToldQuestion[GraphCertificate]) -> Callable[[ManySet
 class _BoxImages:
     """The certificate as far as it is known, and how further images are enclosed."""
 
-    question: ToldQuestion[GraphCertificate]
+    question: Mapping[str, Any]
     known: GraphCertificate
     workers: int
     progress: Callable[[int, int], object]
@@ -220,6 +220,7 @@ class _BoxImages:
                 graph = self._seen(graph, left)
         except KeyboardInterrupt:
             raise Interrupted(self.known) from None
+        assert self.known.proved == stays(graph.found, graph.trapping, graph.labels, graph.ranks)
         return self.known
 
     def _seen(self, graph: BoxGraph, left: NDArray[np.int_]) -> BoxGraph:

@@ -61,8 +61,7 @@ class GraphCertificate(Kept):
     bits : int
         Precision of the exact part of the proof.
     declaration : dict
-        The system, as functions of its parameters, as in the file; empty where a contact law
-        decides what follows.
+        The system, as functions of its parameters, as in the file.
     """
 
     _kept_by = "save_graph"

@@ -21,7 +21,7 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["MapSection", "forcing_section", "phases", "transition_section"]
+__all__ = ["MapSection", "forcing_section", "phases", "sections_behind", "transition_section"]
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def transition_section(
 ) -> MapSection:
     """Return the section behind a transition by `boundaries` from a configuration to another.
 
-    A transition that does not exist, and a system with a forcing, are refused.
+    A transition that is not listed, and a system with a forcing, are refused.
     """
     structure, exact = system.structure, system.exact
     if structure.forcing:
@@ -98,11 +98,28 @@ def transition_section(
     held = [exact.rows[row] for row in structure.constraints[source]]
     reached = [exact.rows[structure.boundaries[source][b].row] for b in sorted(boundaries)]
     before = Invariants.of([*held, *reached])
-    for transition in structure.transitions_to(source, boundaries, target):
-        facts = before.reset(exact.resets[transition.reset])
-        return MapSection(target, facts, None, source, boundaries)
+    for transition in structure.listed(source, boundaries):
+        if transition.target == target:
+            facts = before.reset(exact.resets[transition.reset])
+            return MapSection(target, facts, None, source, boundaries)
     name = structure.configurations
-    raise InputError(f"no such transition leads from {name[source]} to {name[target]}")
+    raise InputError(f"no listed transition leads from {name[source]} to {name[target]}")
+
+
+def sections_behind(
+    system: EnclosedSystem, ways: Sequence[tuple[int, frozenset[int], int]]
+) -> dict[tuple[int, frozenset[int], int], MapSection]:
+    """Return the sections behind transitions (source, boundaries, target) that have coordinates.
+
+    Transitions that a contact law decides are left out: the checker knows listed ones alone.
+    """
+    listed = [
+        way
+        for way in dict.fromkeys(ways)
+        if any(t.target == way[2] for t in system.structure.listed(*way[:2]))
+    ]
+    found = {way: transition_section(system, *way) for way in listed}
+    return {way: section for way, section in found.items() if section.free}
 
 
 def phases(count: int) -> list[tuple[Any, Any]]:
