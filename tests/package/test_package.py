@@ -91,7 +91,7 @@ def test_wheel_has_one_top_level_name(wheel: Path) -> None:
 
 @pytest.mark.packaging
 def test_wheel_is_complete(source: Path, wheel: Path) -> None:
-    suffixes = {".py", ".h", ".c", ".md", ".json", ".html"}
+    suffixes = {".py", ".h", ".c", ".md", ".json", ".html", ".toml"}
     face = source / "runtime" / "face"
     expected = {f"nonsmooth/{path.name}" for path in (*face.glob("*.py"), face / "py.typed")}
     for folder in FOLDERS:

@@ -454,4 +454,5 @@ def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path: Path) -> None:
             check(content)
         reasons.append(str(refused.value))
         row[0] = kept
-    assert "no translation of the system" in reasons  # of a limit that no condition has
+    # of a limit that no condition has
+    assert any(reason.endswith("no translation of the system") for reason in reasons)
