@@ -180,14 +180,18 @@ def _check_ranks(content: dict[str, Any], grid: BoxGrid, ranks: Any) -> None:
         demand(_in_core(core, *some).all(), "a box of the rank 0 is not in the core")
     for rank in np.unique(ranks[ranks > 0]):  # the file may leave many out
         sums = grid.sums((ranks >= 0) & (ranks < rank))
-
-        def known(origin: Any, low: Any, high: Any, sums: Any = sums) -> Any:
-            return _in_core(core, low, high) | grid.covered(sums, low, high)
-
         left = np.flatnonzero(ranks == rank)
         for begin in range(0, len(left), _BATCH):
-            starts = motions.on_section(grid.sets(left[begin : begin + _BATCH]))
-            demand(motions.lead(*starts, known), f"a box of the rank {rank} may lead elsewhere")
+            numbers = left[begin : begin + _BATCH]
+            seen = np.zeros(len(numbers), dtype=bool)
+
+            def known(origin: Any, low: Any, high: Any, sums: Any = sums, seen: Any = seen) -> Any:
+                seen[origin] = True
+                return _in_core(core, low, high) | grid.covered(sums, low, high)
+
+            led = motions.lead(*motions.on_section(grid.sets(numbers)), known)
+            demand(led, f"a box of the rank {rank} may lead elsewhere")
+            demand(seen.all(), f"a box of the rank {rank} has no image")
 
 
 def _attracted(content: dict[str, Any]) -> Any:

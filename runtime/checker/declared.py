@@ -127,6 +127,7 @@ class StatedSystem:
         for name, entry in declared["configurations"].items():
             self.fields[name] = [*self.rows(entry["field"]), (*zero, fmpq(0))]
             rows = {boundary: self.row(row) for boundary, row in entry["boundaries"].items()}
+            demand(_FORCING_PHASE not in rows, "a boundary with the name of a forcing's phase")
             self.configurations[name] = rows, [*map(self.row, entry["held"])]
         self.transitions = [
             Transition(
@@ -149,6 +150,7 @@ class StatedSystem:
         for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
             number, name = phase["transition"], phase["configuration"]
             if phase["boundaries"] == [_FORCING_PHASE]:
+                demand(len(self.itinerary) == 1, "a forcing's phase beside others")
                 self.steps.append(self._whole_turn(name))
                 continue
             demand(0 <= number < len(self.transitions), "there is no such transition")
@@ -166,6 +168,9 @@ class StatedSystem:
         for direction in self.translations:
             self._close_along(direction)
         self.alone = all(len(phase["boundaries"]) == 1 for phase in self.itinerary)
+        # what vanishes along the orbit alone says nothing of motions beside it
+        beside = self.alone and "vanishing" in self.closing
+        demand(not beside, "functions that vanish though boundaries are reached one by one")
         self.omega: list[Any] = []
         timed = self.closing["kind"] == "period"
         demand(not timed or self.closing["period"] in values, "no period is given")

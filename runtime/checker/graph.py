@@ -141,13 +141,14 @@ def _stated_edges(content: dict[str, Any], grid: DividedGrid) -> Edges:
 
 def _check_images(motions: ManyMotions, grid: DividedGrid, edges: Edges) -> None:
     """Demand that the images of all boxes not stated as unknown lie where the edges lead."""
-    left = np.flatnonzero(~edges.unknown)
+    left, seen = np.flatnonzero(~edges.unknown), np.zeros(len(grid), dtype=bool)
     keys = np.append(edges.source * len(grid) + edges.target, len(grid) ** 2)  # the last of no edge
     for begin in range(0, len(left), _BATCH):
         numbers = left[begin : begin + _BATCH]
 
         def known(origin: Any, low: Floats, high: Floats, numbers: Any = numbers) -> Any:
             box, (place, target, inside) = numbers[origin], _met(grid, low, high)
+            seen[box] = True
             pairs = box[place] * len(grid) + target
             missing = keys[np.searchsorted(keys, pairs)] != pairs
             good = (inside | edges.outside[box]) & ~np.isnan(low + high).any(axis=1)
@@ -156,6 +157,7 @@ def _check_images(motions: ManyMotions, grid: DividedGrid, edges: Edges) -> None
 
         led = motions.lead(*motions.on_section(grid.sets(numbers)), known)
         demand(led, "the image of a box is not shown to lie where its edges lead")
+    demand(seen[edges.source].all(), "an edge leads from a box that has no image")
 
 
 def _met(grid: DividedGrid, low: Floats, high: Floats) -> tuple[Any, Any, Any]:

@@ -74,6 +74,7 @@ class JudgedOrbit:
         self.declared = declared = StatedSystem(proposal, values, stated)
         timed = proposal["closing"]["kind"] == "period"
         demand(bool(self.period) == timed, "no period is given")
+        demand(not timed or proposal["closing"]["period"] in self.period, "another period is given")
         self.kind = declared.stability
         energies = declared.closes()
         independent(declared, self.constants)

@@ -22,7 +22,7 @@ from nonsmooth.runtime.orbits.admissible import (
 from nonsmooth.runtime.orbits.equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
-from nonsmooth.runtime.orbits.orbit_arrays import TOO_SMALL, Orbits, reshaped
+from nonsmooth.runtime.orbits.orbit_arrays import TOO_SMALL, Orbits, reshaped, restricted
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
     equations_at,
@@ -145,7 +145,7 @@ class KernelPoints:
 
         parts = [slice(begin, min(begin + chunk, count)) for begin in range(0, count, chunk)]
         in_parallel(work, parts, threads)
-        return reshaped(found, shape).restricted(opened)
+        return restricted(reshaped(found, shape), opened)
 
     @cached_property
     def usual(self) -> np.ndarray:

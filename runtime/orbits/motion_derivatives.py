@@ -124,8 +124,11 @@ class OrbitMotionDerivatives:
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
         """Return states (m, N) at times of the period, since the start, and derivatives (m, N, q).
 
-        `InputError` is raised for a time outside of the period.
+        `InputError` is raised for a time outside of the period, and for an orbit that is periodic
+        up to a shift, of which phases are known up to it.
         """
+        if len(self.orbit.tables.translations):
+            raise InputError(f"{self.orbit.name} is periodic up to a shift: ask its motion()")
         number = float if self.lib is None else self.lib.mp.mpf
         every = np.array([number(time) for time in times])
         for time in every:
@@ -148,6 +151,8 @@ class OrbitMotionDerivatives:
             return force_rows(self.structure, self.numbers.rows, self._contact(of))
         if kind == "peak_acceleration":
             return acceleration_rows(self.structure, self.numbers.fields, self._place(of))
+        if of in self._shifted:
+            raise InputError(f"{of} is shifted by each period: it has no extremes")
         return observed_rows(self.structure, self.numbers.rows)[:, :, self._place(of)]
 
     def peak(self, row: np.ndarray, name: str) -> Differentiated:
@@ -351,10 +356,17 @@ class OrbitMotionDerivatives:
     def names(self) -> tuple[str, ...]:
         """Names of the quantities that `quantity` knows."""
         states, contacts = self.structure.states, [c.name for c in self.structure.contacts]
-        extremes_of = [f"{kind}:{s}" for kind in ("maximum", "minimum", "peak") for s in states]
+        bounded = [state for state in states if state not in self._shifted]
+        extremes_of = [f"{kind}:{s}" for kind in ("maximum", "minimum", "peak") for s in bounded]
         forces = [f"{kind}:{c}" for kind in ("peak_force", "dissipation") for c in contacts]
         rates = [f"peak_acceleration:{states[x]}" for x, _ in self.structure.coordinates]
         return (*extremes_of, *rates, *forces, "dissipation", "margin", "transversality")
+
+    @property
+    def _shifted(self) -> set[str]:
+        """Return the states along translations of the system, of which the orbit is shifted."""
+        moved = np.asarray(self.orbit.tables.translations, dtype=float)
+        return {name for k, name in enumerate(self.structure.states) if moved[:, k].any()}
 
     def _place(self, name: str) -> int:
         if name not in self.structure.states:

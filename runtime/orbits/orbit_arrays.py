@@ -15,7 +15,7 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.kernel_problem import OrbitProblem
 
-__all__ = ["TOO_SMALL", "Orbits", "changed", "reshaped"]
+__all__ = ["TOO_SMALL", "Orbits", "changed", "reshaped", "restricted"]
 
 TOO_SMALL = "{} is too small"  # a limit of admissibility, of an open parameter
 _BY_POINT = (
@@ -101,27 +101,6 @@ class Orbits(Shown):
         """
         return None if self.limit is None else np.asarray(self.limit == NEITHER)
 
-    def restricted(self, opened: Mapping[str, np.ndarray]) -> Orbits:
-        """Give these orbits where open parameters have values: admissible above their bounds.
-
-        Parameters
-        ----------
-        opened : mapping of str to array
-            Values of open parameters, which broadcast against the points.
-
-        Returns
-        -------
-        Orbits
-        """
-        limit, limits = self.limit, self.limits
-        if limit is None or self.bounds is None:
-            return self
-        for name, values in opened.items():
-            small = (limit == NEITHER) & ~(values > self.bounds[name])
-            limit = np.where(small, len(limits), limit)
-            limits = (*limits, TOO_SMALL.format(name))
-        return replace(self, limit=limit, limits=limits)
-
     @property
     def dwell_times(self) -> np.ndarray:
         """Duration (..., p) of each phase."""
@@ -161,3 +140,15 @@ def reshaped(found: Orbits, shape: tuple[int, ...]) -> Orbits:
     """Return orbits whose arrays by point get a shape (...)."""
     lead = found.status.ndim
     return changed(lambda array: array.reshape((*shape, *array.shape[lead:])), found)
+
+
+def restricted(found: Orbits, opened: Mapping[str, np.ndarray]) -> Orbits:
+    """Return orbits where open parameters have values (...): admissible above their bounds."""
+    limit, limits = found.limit, found.limits
+    if limit is None or found.bounds is None:
+        return found
+    for name, values in opened.items():
+        small = (limit == NEITHER) & ~(values > found.bounds[name])
+        limit = np.where(small, len(limits), limit)
+        limits = (*limits, TOO_SMALL.format(name))
+    return replace(found, limit=limit, limits=limits)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -60,11 +60,13 @@ def orbit_function(
     """
     check_converged(orbit, "made a function of parameters")
     inputs = chosen_names("given parameter", by, orbit.given)
-    outputs = (of,) if isinstance(of, str) else tuple(of)
+    outputs = tuple(of) if isinstance(of, Iterable) and not isinstance(of, str) else (of,)
     if not outputs:
         raise InputError("a function gives at least one number")
     first = orbit.derivatives(inputs)
     for name in outputs:
+        if not isinstance(name, str):
+            raise InputError(f"{name!r} is no name of a quantity")
         first.quantity(name)
     reference = np.array([float(orbit.given[name]) for name in inputs])
     known: OrderedDict[bytes, OrbitDerivatives | None] = OrderedDict()

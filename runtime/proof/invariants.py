@@ -34,8 +34,7 @@ def invariants_of(
     """Return the invariants of a cycle of a system with exact numbers, phase by phase.
 
     The cycle closes up to `translations`, directions along which the system does not change. What
-    `vanishing` adds where the cycle begins, as `vanishing_along` gives it, holds for the orbit
-    alone, not for motions nearby.
+    `vanishing` adds where the cycle begins holds for the orbit alone, not for motions nearby.
     """
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)

@@ -43,6 +43,7 @@ __all__ = [
 ]
 
 _MOST_TURNS = 1000
+_NEARLY = 1 - 1e-9  # of the largest: as large
 
 
 class NotCovered(Exception):
@@ -176,7 +177,9 @@ def closing_of(
         sum(near(energy[i][j]) * centre[j] for j in range(size)) + near(energy[i][size])
         for i in range(size)
     ]
-    largest = max(range(size), key=lambda i: abs(slopes[i]))
+    # the first of those that are as large but for rounding, in whatever arithmetic it is
+    least = _NEARLY * max(abs(slope) for slope in slopes)
+    largest = next(i for i, slope in enumerate(slopes) if abs(slope) >= least)
     return ClosureConditions(
         "period", period=subject.period, dropped=largest, form=form, translations=shifts
     )

@@ -358,6 +358,18 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     closing = {**content["closing"], "period": "m1"}
     parameters = {**content["parameters"], "m1": content["given_period"]}
     refused({**content, "closing": closing, "parameters": parameters, "given_period": "1"})
+    closing = {**content["closing"], "period": "k1"}
+    refused({**content, "closing": closing}, "another period is given")
+    closing = {**content["closing"], "vanishing": [["1", "0", "0", "0", "0"]]}
+    refused({**content, "closing": closing}, "functions that vanish though")
+
+
+@of("soft", "twice")
+def test_a_phase_of_the_forcing_is_the_only_one(content: dict[str, Any]) -> None:
+    changed = copy.deepcopy(content)
+    changed["declaration"]["phases"][0]["boundaries"] = ["forcing-phase"]
+    changed["itinerary"][0][1] = "forcing-phase"
+    refused(changed, "a forcing's phase beside others")
 
 
 @of("rigid")

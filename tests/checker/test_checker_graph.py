@@ -5,8 +5,11 @@ from io import BytesIO
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.runtime.checker import Failure, check_graph
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.model.kernels import load_system
 from tests.certified import accepted, signed
@@ -136,6 +139,43 @@ def test_edges_are_stated_once_and_in_order(content, tmp_path):
     edges = content["edges"]
     refused({**content, "edges": [*edges, edges[-1]]}, tmp_path, "edges are not in order")
     refused({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
+
+
+X, Z = sp.symbols("x z", real=True)
+RATE = Parameter("k", "rate")
+RELAY = System(
+    "relay",
+    "x turns at 0 and 1; going back, it falls off beyond x = 1 - z",
+    (X, Z),
+    (RATE,),
+    (
+        Configuration("up", FirstOrder([[0, 0], [0, -RATE.symbol]], [1, 0]),
+                      (Boundary("top", X - 1),)),
+        Configuration("down", FirstOrder([[0, 0], [0, -RATE.symbol]], [-1, 0]),
+                      (Boundary("bottom", -X), Boundary("beyond", X - 1 + Z))),
+        Configuration("off", FirstOrder([[1, 0], [0, -RATE.symbol]], [1, 0]), ()),
+    ),
+    (
+        Transition("up", {"top"}, "down"),
+        Transition("down", {"bottom"}, "up"),
+        Transition("down", {"beyond"}, "off"),
+    ),
+)  # fmt: skip
+
+
+def test_boxes_that_hold_no_state_are_no_component(tmp_path):
+    start, region = {"x": 0.5, "z": -0.5}, {"z": (-0.9, -0.1)}
+    found = ns.certify_graph(RELAY, {"k": 1}, start, "up", region=region, boxes=2)
+    found.save(tmp_path / "graph.json")
+    content = json.loads((tmp_path / "graph.json").read_text())
+    # behind the top with z > 0 a state is beyond already: nothing leads from there
+    content |= {"source": "up", "boundary": "top", "configuration": "down"}
+    content |= {"grid": {"exponents": [-2], "first": [2], "counts": [2]}, "divided": [[[0, 2]]]}
+    none = {"outside": [[0, 2]], "unknown": [[0, 2]], "components": [[0, 2]], "ranks": [[0, 2]]}
+    content |= {**none, "trapping": [[1, 2]], "claim": "proved"}
+    empty = signed({**content, "edges": [[0, 0, 2], [1, 0, 2]]})
+    with pytest.raises(Failure, match="from a box that has no image"):
+        check_graph(empty)
 
 
 @pytest.mark.slow

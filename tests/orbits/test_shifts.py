@@ -14,7 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
-from nonsmooth import simulate_many
+from nonsmooth import InputError, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
@@ -149,6 +149,21 @@ def test_a_pulled_sled_is_den_hartogs_mass_on_a_belt():
     assert (orbit.stability.verdict, orbit.admissibility.verdict) == ("stable", True)
     precise = ns.refine(orbit, 40)
     assert abs(precise.shift["x"] - precise.period / 2) < 1e-38
+
+
+def test_what_a_period_shifts_has_no_extremes():
+    derivatives = gear().derivatives("J")
+    names = derivatives.along.names
+    for name in ("maximum:x1", "minimum:x2", "peak:x1"):
+        assert name not in names
+        with pytest.raises(InputError, match="is shifted by each period"):
+            derivatives.quantity(name)
+    with pytest.raises(InputError, match="periodic up to a shift"):
+        derivatives.along.states([1.0])
+    value, _ = derivatives.quantity("maximum:v1")
+    sampled = gear().motion().sample(4001).states[:, 2].max()
+    assert value == pytest.approx(sampled, abs=1e-5)
+    assert value >= sampled
 
 
 def test_where_the_guess_lies_along_the_direction_does_not_matter():

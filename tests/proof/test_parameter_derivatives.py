@@ -298,3 +298,28 @@ def test_sums_move_what_was_left_open() -> None:
     assert ns.certify(ns.solve(STICK), derivatives="e1").directions == {"e1": {"ur1": 1}}
     given = ns.solve(STICK, {"us1": "1", "ur1": "4"})
     assert ns.certify(given, derivatives="e1").directions == {"e1": {"ur1": 1}}
+
+
+def test_slopes_of_energy_that_are_equal_are_told_alike_in_every_arithmetic():
+    # x'' = -q sign(x), of the period T: v0 = q T/4, where both slopes of the energy are q
+    x, v, load = *sp.symbols("x v", real=True), Parameter("q", "load")
+    right = SecondOrder([[1]], [[0]], load=[-load.symbol])
+    left = SecondOrder([[1]], [[0]], load=[load.symbol])
+    system = System(
+        "vee",
+        "",
+        (x, v),
+        (load,),
+        (
+            Configuration("right", right, (Boundary("falls", -x),)),
+            Configuration("left", left, (Boundary("rises", x),)),
+        ),
+        (Transition("right", {"falls"}, "left"), Transition("left", {"rises"}, "right")),
+    )
+    guess, phases = [2, 2, 0, 1.4142], [("right", "falls"), ("left", "rises")]
+    given = {"period": "4"}
+    orbit = ns.solve(system, {"q": "sqrt(2)"}, guess, itinerary=phases, given=given)
+    found = ns.certify(orbit, 64, derivatives=True)
+    assert not found.no_derivatives
+    assert found.derivatives["v0"]["q"].contains("1")
+    assert found.derivatives["v0"]["period"].contains("0.35355339059327376220")

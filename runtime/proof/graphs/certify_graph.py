@@ -142,7 +142,7 @@ def certify_graph(
     ...     "dry-friction", data, [5, 4, 0.5, 0.25], region={"x2": (2, 13)}, boxes=64
     ... )
     >>> found.proved, [own.attracting for own in found.components]
-    (True, [True])
+    (True, [True, False, False])
     """
     for name, number, least, most in (
         ("boxes", 1 if boxes is None else boxes, 1, 1_000_000),
