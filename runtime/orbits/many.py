@@ -415,7 +415,7 @@ def solve_many(
         known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
         points, values = _named_points(known, values)
         found = points.solve(values, chunk=chunk, **options)
-    if not len(derivatives):
+    if not np.size(derivatives):
         return found
     return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
 
