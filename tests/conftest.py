@@ -45,6 +45,15 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     return LoadFileScheduling(config, log)
 
 
+@pytest.fixture(autouse=True, scope="session")
+def hypothesis_begun() -> None:
+    """Hypothesis makes its random numbers at its first use, and looks at who holds them."""
+    if "hypothesis" in sys.modules:
+        from hypothesis import find, settings, strategies
+
+        find(strategies.just(True), bool, settings=settings(database=None))
+
+
 @pytest.fixture(autouse=True, scope="module")
 def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
     """What a file keeps for its tests is given back to the machine behind its last test."""
