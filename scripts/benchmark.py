@@ -194,11 +194,10 @@ def casadi_newton(eta: np.ndarray) -> Callable[[], object] | None:
 
     kernels = load_orbit(NAME)
     unknowns, inputs = casadi.SX.sym("x", 6), casadi.SX.sym("p", 12)
-    residual = kernels.source("residual")(
-        [inputs[i] for i in range(5)],
-        [inputs[i] for i in range(5, 12)],
-        [unknowns[i] for i in range(6)],
-        lib=casadi,
+    point = [inputs[i] for i in range(5)]
+    spectrum = [inputs[i] for i in range(5, 12)]
+    residual = kernels.evaluate(
+        "residual", at=(point, spectrum, [unknowns[i] for i in range(6)]), lib=casadi
     )
     problem = {"x": unknowns, "p": inputs, "g": casadi.vertcat(*residual)}
     solver = casadi.rootfinder("solve", "fast_newton", problem)
@@ -326,8 +325,10 @@ def refine(quick: bool) -> Iterator[Row]:
         def peer(lib: Mpmath = lib) -> object:
             parameters = [lib.number(v) for v in orbit.given.values()]
             spectrum, _ = kernels.spectrum(parameters, lib)
-            residual = kernels.source("residual")
-            return lib.mp.findroot(lambda *x: residual(parameters, spectrum, x, lib=lib), GUESS)
+            return lib.mp.findroot(
+                lambda *x: kernels.evaluate("residual", at=(parameters, spectrum, x), lib=lib),
+                GUESS,
+            )
 
         yield Row(f"mpmath findroot, {digits} digits", timed(peer, 1, runs), against=ours)
 

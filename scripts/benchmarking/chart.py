@@ -73,7 +73,7 @@ def _found(count: int, points: str) -> Iterator[Row]:
     """Rows on the orbits that a chart finds from anchors, and those found point by point."""
     import nonsmooth as ns
 
-    planes = {
+    planes: dict[str, dict[str, tuple[float, float]]] = {
         "near": {"V": (0.8, 1.3), "eta": (0.8, 1.3)},
         "wide": {"V": (0.3, 2), "eta": (0.3, 3)},
     }

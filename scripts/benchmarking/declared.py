@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 from benchmarking.batches import batches
@@ -71,7 +72,7 @@ def declared(quick: bool) -> Iterator[Row]:
     for label, system in systems.items():
         start = configuration_of(system, START)
 
-        def work(system: PiecewiseLinear = system, start: int = start) -> object:
+        def work(system: PiecewiseLinear = system, start: int = start) -> Any:
             return follow(system, START, start, transitions=count)
 
         works[label] = work, float(len(work().times) - 1)

@@ -126,7 +126,8 @@ def _batches() -> Iterator[tuple[str, tuple[Any, dict[str, float], Any]]]:
     for name in (names[1], names[3]):
         orbit = ns.solve(name)
         tables = orbit.problem.by_tables(orbit)
-        given = {"period": float(tables.period)} if tables.evaluation.family else None
+        evaluation: Any = tables.evaluation
+        given = {"period": float(tables.period)} if evaluation.family else None
         data = {key: float(value) for key, value in tables.parameters.items()}
         yield f"{name} by tables", (orbit.system.name, data, _along(tables, given))
     for masses in (1, 2, 3):

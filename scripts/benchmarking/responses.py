@@ -153,18 +153,20 @@ def _top(omega: np.ndarray, motions: np.ndarray) -> float:
 
 
 @cache
-def _known(branch: Any) -> np.ndarray:
-    places = range(len(branch))
-    return np.array([our_motion(branch.orbit_at(place), PHASES)[:2] for place in places])
+def _known(branch: Any) -> tuple[list[ns.Orbit], np.ndarray]:
+    """The orbits of a branch and their motions, without its ends, where the contact vanishes."""
+    orbits = [branch.orbit_at(place) for place in range(len(branch))]
+    orbits = [orbit for orbit in orbits if orbit.converged]
+    return orbits, np.array([our_motion(orbit, PHASES)[:2] for orbit in orbits])
 
 
 def _missed(branch: Any, omega: float, motion: np.ndarray) -> float:
     """Largest difference from our nearest motion at this Omega, in units of the motion's size."""
-    known = _known(branch)
+    orbits, known = _known(branch)
     nearest = np.abs(known - motion).max(axis=(1, 2)).argsort()[:2]
     errors = []
     for place in nearest.tolist():
-        near = branch.orbit_at(place)
+        near = orbits[place]
         guess = [*near.dwell_times, *near.states[0]]  # two orbits have like dwell times
         orbit = ns.solve(
             two_masses(), {"Omega": omega}, guess, itinerary=near.itinerary, throw=False

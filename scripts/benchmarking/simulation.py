@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import time
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 from benchmarking.measuring import Row, interleaved
@@ -191,10 +192,10 @@ def dop853(
         for boundary in system.structure.boundaries[c]:
             row = system.rows[boundary.row]
 
-            def event(_: float, y: np.ndarray, row: np.ndarray = row) -> float:
+            def height(_: float, y: np.ndarray, row: np.ndarray = row) -> float:
                 return float(row[:-1] @ y + row[-1])
 
-            # what solve_ivp reads; functions have attributes of any name
+            event: Any = height  # solve_ivp reads attributes of the function
             event.terminal, event.direction = True, 1.0
             events.append(event)
         solution = solve_ivp(

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from stressing_steps import broken_step
@@ -303,10 +304,10 @@ def _integrated(
         for boundary in boundaries:
             row = system.rows[boundary.row]
 
-            def event(_: float, y: np.ndarray, row: np.ndarray = row) -> float:
+            def height(_: float, y: np.ndarray, row: np.ndarray = row) -> float:
                 return float(row[:-1] @ y + row[-1])
 
-            # what solve_ivp reads; functions have attributes of any name
+            event: Any = height  # solve_ivp reads attributes of the function
             event.terminal, event.direction = True, 1.0
             events.append(event)
         solution = solve_ivp(
