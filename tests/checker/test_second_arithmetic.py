@@ -1,0 +1,234 @@
+"""What a certificate says, shown again in mpmath's intervals: nothing of it by FLINT's balls."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mpmath import iv, mp, workdps
+
+import nonsmooth as ns
+from tests.certified import loop
+
+DIGITS = 50
+ORBITS: dict[str, Callable[[], ns.Orbit]] = {
+    "global-stick": lambda: ns.solve("dry-friction/global-stick"),
+    "symmetric": lambda: ns.solve("dry-friction/symmetric", {"V": "1.1"}),
+    "kicked": loop,
+}
+
+
+@pytest.fixture(scope="module", params=[*ORBITS])
+def file(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("certificates") / "certificate.json"
+    ns.certify(ORBITS[request.param]()).save(path)
+    return path
+
+
+@pytest.fixture
+def content(file: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(file.read_text("utf-8"))
+    return found
+
+
+@pytest.fixture(autouse=True)
+def digits() -> Any:
+    before, iv.dps = iv.dps, DIGITS
+    with workdps(DIGITS):
+        yield
+    iv.dps = before
+
+
+def interval(value: Fraction | str) -> Any:
+    exact = Fraction(value)
+    return iv.mpf(exact.numerator) / exact.denominator
+
+
+def around(ball: dict[str, str]) -> Any:
+    middle, radius = Fraction(ball["mid"]), Fraction(ball["rad"])
+    return iv.mpf([interval(middle - radius).a, interval(middle + radius).b])
+
+
+def middle_of(x: Any) -> Any:
+    return mp.mpf(x.mid.a)
+
+
+def inside(inner: Any, outer: Any) -> bool:
+    return bool(outer.a < inner.a and inner.b < outer.b)
+
+
+def meet(one: Any, other: Any) -> bool:
+    return bool(one.a <= other.b and other.a <= one.b)
+
+
+class StatedOrbit:
+    """A cycle as a file states it, in intervals: its equations, their Jacobian, its return map."""
+
+    def __init__(self, content: dict[str, Any]) -> None:
+        declared = content["declaration"]
+        given = [Fraction(content["parameters"][name]) for name in declared["parameters"]]
+
+        def number(entry: str | dict[str, Any]) -> Any:
+            if isinstance(entry, str):
+                return interval(entry)
+            above, below = Fraction(0), Fraction(0)
+            for coefficient, powers in entry["above"]:
+                above += _term(coefficient, powers, given)
+            for coefficient, powers in entry["below"]:
+                below += _term(coefficient, powers, given)
+            return interval(above / below)
+
+        self.size = len(declared["states"])
+        self.phases = []
+        for phase in declared["phases"]:
+            configuration = declared["configurations"][phase["configuration"]]
+            field = iv.matrix(self.size + 1)
+            for i, row in enumerate(configuration["field"]):
+                for j, entry in enumerate(row):
+                    field[i, j] = number(entry)
+            (name,) = phase["boundaries"]
+            exit_row = [number(e) for e in configuration["boundaries"][name]]
+            transition = declared["transitions"][phase["transition"]]
+            reset = iv.matrix(self.size + 1)
+            reset[self.size, self.size] = 1
+            for i, row in enumerate(transition["reset"]):
+                for j, entry in enumerate(row):
+                    reset[i, j] = number(entry)
+            rows = {n: [number(e) for e in r] for n, r in configuration["boundaries"].items()}
+            self.phases.append((field, exit_row, reset, rows))
+
+    def passed(self, unknowns: Sequence[Any]) -> list[tuple[Any, Any, Any]]:
+        """Of each phase: its flow, the state where it ends, and the velocity there."""
+        state = iv.matrix([*unknowns[: self.size], 1])
+        found = []
+        for (field, _, reset, _), time in zip(self.phases, unknowns[self.size :], strict=True):
+            flow = exponential(field * time)
+            end = flow * state
+            found.append((flow, end, field * end))
+            state = reset * end
+        return found
+
+    def residual(self, unknowns: Sequence[Any]) -> list[Any]:
+        passed = self.passed(unknowns)
+        last = self.phases[-1][2] * passed[-1][1]
+        returned = [last[i] - unknowns[i] for i in range(self.size)]
+        exits = zip(self.phases, passed, strict=True)
+        return returned + [_along(row, end) for (_, row, _, _), (_, end, _) in exits]
+
+    def jacobian(self, unknowns: Sequence[Any]) -> Any:
+        """The residual's derivatives: by the start through all flows, by each time from its end."""
+        count, size = len(unknowns), self.size
+        moved = iv.matrix(size + 1, count)
+        for i in range(size):
+            moved[i, i] = 1
+        found = iv.matrix(count)
+        phases = zip(self.phases, self.passed(unknowns), strict=True)
+        for place, ((_, row, reset, _), (flow, _, velocity)) in enumerate(phases):
+            moved = flow * moved
+            for i in range(size):
+                moved[i, size + place] += velocity[i]
+            for j in range(count):
+                found[size + place, j] = _along([*row[:-1], 0], moved[:, j])
+            moved = reset * moved
+        for i in range(size):
+            for j in range(count):
+                found[i, j] = moved[i, j] - int(i == j)
+        return found
+
+    def trace(self, unknowns: Sequence[Any]) -> Any:
+        """Trace of the return map: each phase ends where its boundary is reached, not at a time."""
+        moved = iv.eye(self.size + 1)
+        phases = zip(self.phases, self.passed(unknowns), strict=True)
+        for (_, row, reset, _), (flow, _, velocity) in phases:
+            normal = iv.matrix([[*row[:-1], 0]])
+            speed = (normal * velocity)[0]
+            moved = reset * (flow * moved - velocity * (normal * flow * moved) / speed)
+        return sum(moved[i, i] for i in range(self.size))
+
+
+def _term(coefficient: str, powers: Sequence[int], given: Sequence[Fraction]) -> Fraction:
+    found = Fraction(coefficient)
+    for value, power in zip(given, powers, strict=True):
+        found *= value**power
+    return found
+
+
+def _along(row: Sequence[Any], state: Any) -> Any:
+    return sum(a * state[i] for i, a in enumerate(row))
+
+
+def exponential(matrix: Any) -> Any:
+    """Taylor's sum of the exponential; the rest is below a geometric series of its next term."""
+    size, order = matrix.rows, 200
+    total, term = iv.eye(size), iv.eye(size)
+    for k in range(1, order):
+        term = term * matrix / k
+        total = total + term
+    norm = max(sum(abs(matrix[i, j]) for j in range(size)).b for i in range(size))
+    assert 2 * norm < order
+    rest = 2 * iv.mpf(norm) ** order / iv.factorial(order)
+    return total + iv.matrix([[iv.mpf([-rest.b, rest.b])] * size] * size)
+
+
+def has_one_root(orbit: StatedOrbit, box: Sequence[Any]) -> bool:
+    """Krawczyk's test of a box, as in R. Krawczyk, Computing 4 (1969)."""
+    count = len(box)
+    middle = [iv.mpf(middle_of(x)) for x in box]
+    jacobian = orbit.jacobian(middle)
+    near = mp.matrix(count)
+    for i in range(count):
+        for j in range(count):
+            near[i, j] = middle_of(jacobian[i, j])
+    inverse = iv.matrix(near**-1)
+    step = inverse * iv.matrix(orbit.residual(middle))
+    spread = iv.eye(count) - inverse * orbit.jacobian(box)
+    away = iv.matrix([x - m for x, m in zip(box, middle, strict=True)])
+    moved = spread * away
+    return all(inside(middle[i] - step[i] + moved[i], x) for i, x in enumerate(box))
+
+
+def test_its_box_has_one_orbit(content: dict[str, Any]) -> None:
+    assert has_one_root(StatedOrbit(content), [around(x) for x in content["box"]])
+
+
+def test_a_box_beside_it_has_none_by_the_same_test(content: dict[str, Any]) -> None:
+    content["box"][0]["mid"] = str(float(content["box"][0]["mid"]) + 1e-12)
+    assert not has_one_root(StatedOrbit(content), [around(x) for x in content["box"]])
+
+
+def test_its_enclosures_hold_what_intervals_give(content: dict[str, Any]) -> None:
+    orbit, box = StatedOrbit(content), [around(x) for x in content["box"]]
+    enclosures = {name: around(ball) for name, ball in content["enclosures"].items()}
+    names = [x["name"] for x in content["box"]]
+    assert all(meet(enclosures[name], x) for name, x in zip(names, box, strict=True))
+    # the narrow enclosures are of the orbit itself: its equations vanish there
+    narrow = [enclosures[name] for name in names]
+    assert all(meet(x, iv.mpf(0)) and x.delta < 1e-30 for x in orbit.residual(narrow))
+    trace = orbit.trace(narrow)
+    assert trace.delta < 1e-30
+    assert meet(trace, enclosures["trace"])
+    assert meet(sum(narrow[orbit.size :]), enclosures["period"])
+
+
+def test_its_margins_are_kept_at_all_times_that_are_tried(content: dict[str, Any]) -> None:
+    orbit = StatedOrbit(content)
+    unknowns = [around(content["enclosures"][x["name"]]) for x in content["box"]]
+    state = iv.matrix([*unknowns[: orbit.size], 1])
+    distances = [m for m in content["margins"] if m["quantity"] == "distance"]
+    assert distances
+    times = unknowns[orbit.size :]
+    for place, ((field, _, reset, rows), time) in enumerate(zip(orbit.phases, times, strict=True)):
+        flow = exponential(field * (time / 16))
+        along = [state]
+        for _ in range(16):
+            along.append(flow * along[-1])
+        for margin in distances:
+            if margin["phase"] == place + 1:
+                least = Fraction(margin["least"])
+                values = [_along(rows[margin["boundary"]], y) for y in along]
+                assert all((-value).a >= interval(least).a for value in values)
+        state = reset * along[-1]
