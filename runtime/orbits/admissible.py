@@ -133,7 +133,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
             )
     if violations:
         return Admissibility(False, tuple(violations), ())
-    least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
+    least = dict.fromkeys(orbit.problem.left_open(orbit), 0.0)
     curves = list(boundary_curves(kernels, orbit))
     measures = [float(orbit.values[n]) for n in kernels.table["measures"]]
     for number, time, excess in _crossings(

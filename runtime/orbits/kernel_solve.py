@@ -14,7 +14,7 @@ from nonsmooth.runtime.model.completion import Point, complete, complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
-from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
 from nonsmooth.runtime.orbits.table_solve import (
     CONTINUATION_STEPS,
@@ -182,7 +182,7 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
         digits = sure_digits(error)
         status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
     return Orbit(
-        KernelProblem(kernels),
+        kernel_problem(kernels),
         point.values,
         unknowns,
         point.opened,
@@ -229,7 +229,7 @@ def _exchanged(
         found = found._replace(status=OUTSIDE)
     unknowns = {name: found.values[name] for name in solved_for}
     orbit = Orbit(
-        KernelProblem(kernels),
+        kernel_problem(kernels),
         {**point.values, **fixed},
         unknowns,
         point.opened,

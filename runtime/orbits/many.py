@@ -36,7 +36,6 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along
 from nonsmooth.runtime.orbits.table_many import TableBatch, solve_itineraries
-from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared, unknowns_of
 from nonsmooth.runtime.shooting.table_newton import sizes
 
@@ -182,7 +181,6 @@ class DeclaredPoints:
         """The itinerary with the section at the reference, wherever a point is computed."""
         known = self.reference
         point = np.array([[float(value) for value in known.parameters.values()]])
-        assert isinstance(known.problem, TableProblem)
         return TableBatch.at(known.problem, point, known.dwell_times[None], known.states[:1])
 
     @cached_property

@@ -30,8 +30,7 @@ if TYPE_CHECKING:
     import os
 
     from nonsmooth.runtime.orbits.admissible import Admissibility
-    from nonsmooth.runtime.orbits.kernel_problem import Evaluation, OrbitProblem
-    from nonsmooth.runtime.orbits.table_problem import TableEvaluation
+    from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
 
 __all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged", "sure_digits"]
 
@@ -181,7 +180,7 @@ class Orbit(Shown):
         return self.problem.evaluation(self)
 
     @property
-    def tables(self) -> TableEvaluation:
+    def tables(self) -> Evaluation:
         """What the tables of the system tell at this orbit: passage, cycle, translations, ....
 
         Raises

@@ -22,9 +22,9 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise, piecewise_at, tables_at
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.problem import labelled_as, motion_along
 from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
-from nonsmooth.runtime.orbits.table_problem import labelled_as, motion_along
 from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.derivatives import (

@@ -18,10 +18,10 @@ from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
+from nonsmooth.runtime.orbits.problem import OrbitProblem
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
 from nonsmooth.runtime.orbits.table_digits import without_digits
-from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import margins as margins_of
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
@@ -91,7 +91,7 @@ def solve_itineraries(
     lengths = np.full(len(guess), np.nan)
     if period is not None:
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
-    batch = TableBatch.at(TableProblem(kernels, cycle.itinerary), points, guess, begin_at)
+    batch = TableBatch.at(OrbitProblem(kernels, cycle.itinerary), points, guess, begin_at)
     options: Any = {"limits": admissibility, "multipliers": multipliers, "margins": multipliers}
     found = batch.solve(points, guess, begin_at, lengths, threads=threads, **options)
     arrays = {name: parameter_array(name, value) for name, value in parameters.items()}
@@ -184,14 +184,14 @@ class Composed(NamedTuple):
 class TableBatch:
     """An itinerary of a system, to be solved at many points."""
 
-    problem: TableProblem
+    problem: OrbitProblem
     cycle: ItineraryShape
     section: tuple[int, int, int]  # as `section_of` finds it
     translates: bool  # whether orbits close up to translations of the system
 
     @classmethod
     def at(
-        cls, problem: TableProblem, points: np.ndarray, dwell: np.ndarray, start: np.ndarray | None
+        cls, problem: OrbitProblem, points: np.ndarray, dwell: np.ndarray, start: np.ndarray | None
     ) -> TableBatch:
         """Return an itinerary, whose section the first of some points and guesses tells."""
         system = problem.system

@@ -19,9 +19,9 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.problem import OrbitProblem, labelled, orbit_of
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_digits import digits_of
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, orbit_of
 from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -161,7 +161,7 @@ def _orbit(
     times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
     kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     return orbit_of(
-        TableProblem(kernels, cycle.itinerary, mirror),
+        OrbitProblem(kernels, cycle.itinerary, mirror),
         point.parameters,
         wanted,
         times,
