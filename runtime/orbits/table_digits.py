@@ -17,7 +17,7 @@ from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes
 from nonsmooth.runtime.shooting.translations import up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
 
-__all__ = ["digits_of", "without_digits"]
+__all__ = ["digits_of"]
 
 _EPSILON = float(np.finfo(float).eps)
 _TERM = 8.0  # roundings of one term of a flow
@@ -33,6 +33,8 @@ def digits_of(
     found: TableSolution,
     period: np.ndarray,
     directions: np.ndarray,
+    *,
+    every: bool = True,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the decimal digits (n,) of orbits in double precision, and their status (n,).
 
@@ -41,57 +43,25 @@ def digits_of(
     its error. The cycle closes up to translations or by a symmetry; `flat` (n, size) are
     its numbers as `numbers_at` gives them; `period` (n,) is the sum of the dwell times in
     the unit of time, NaN where free; `directions` (n, m, N) are those of translations.
+
+    Unless `every` orbit is looked at, those are that have rates far apart, turn many times in a
+    phase, or have a short phase; of these four digits have to be sure.
     """
     digits, status = np.zeros(len(flat), dtype=int), found.status.copy()
-    places = np.flatnonzero(status == CONVERGED)
-    if len(places):
-        asked = cycle, flat, found, period, directions
-        errors, status[places] = _judged(*asked, places, _NO_DIGIT)
-        with np.errstate(all="ignore"):  # of what is not finite there are no digits
+    looked = status == CONVERGED
+    with np.errstate(all="ignore"):  # of what is not finite there are no digits
+        if not every:
+            short = found.dwell.min(axis=-1) < SHORTEST * found.dwell.sum(axis=-1)
+            looked &= short | _far_apart(cycle, flat, found.dwell)
+        places = np.flatnonzero(looked)
+        if len(places):
+            dwell, start = found.dwell[places], found.starts[places, 0]
+            at = flat[places], dwell, start, period[places], directions[places]
+            errors, of_dwell = _errors(cycle, *at)
+            status[places] = judged(dwell, of_dwell, errors, _NO_DIGIT if every else _MOST_ERROR)
             known = np.floor(-np.log10(np.maximum(errors, 1e-300)))
-        digits[places] = np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0)
+            digits[places] = np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0)
     return digits, status
-
-
-def without_digits(
-    cycle: ItineraryShape,
-    flat: np.ndarray,
-    found: TableSolution,
-    period: np.ndarray,
-    directions: np.ndarray,
-) -> np.ndarray:
-    """Return the status (n,) of orbits, `UNSURE` where fewer than four digits are sure.
-
-    Arguments and other changes of the status are those of `digits_of`. Only those orbits
-    are looked at that have rates far apart, turn many times in a phase, or have a short
-    phase.
-    """
-    status = found.status.copy()
-    with np.errstate(all="ignore"):
-        short = found.dwell.min(axis=-1) < SHORTEST * found.dwell.sum(axis=-1)
-        looked = short | _far_apart(cycle, flat, found.dwell)
-    places = np.flatnonzero((status == CONVERGED) & looked)
-    if len(places):
-        asked = cycle, flat, found, period, directions
-        _, status[places] = _judged(*asked, places, _MOST_ERROR)
-    return status
-
-
-def _judged(
-    cycle: ItineraryShape,
-    flat: np.ndarray,
-    found: TableSolution,
-    period: np.ndarray,
-    directions: np.ndarray,
-    places: np.ndarray,
-    most: float,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return errors (k,) and status of converged orbits at these places."""
-    dwell, start = found.dwell[places], found.starts[places, 0]
-    with np.errstate(all="ignore"):
-        along, total = directions[places], period[places]
-        errors, of_dwell = _errors(cycle, flat[places], dwell, start, total, along)
-    return errors, judged(dwell, of_dwell, errors, most)
 
 
 def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:

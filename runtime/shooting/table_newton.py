@@ -41,6 +41,7 @@ __all__ = [
     "sizes",
     "solve_in_python",
     "solve_shape",
+    "unsolved",
 ]
 
 # the compiled solver's numbers
@@ -76,6 +77,19 @@ class TableSolution(NamedTuple):
     status: np.ndarray  # (n,) of int32
 
 
+def unsolved(dwell: np.ndarray, size: int, width: int) -> TableSolution:
+    """Nothing found at n points, with dwell times (n, p), N = `size` and maps of a `width`."""
+    count, phases = dwell.shape
+    return TableSolution(
+        dwell,
+        np.full((count, phases, size), np.nan),
+        np.full((count, width, width), np.nan),
+        np.full(count, np.nan),
+        np.zeros(count, dtype=np.int32),
+        np.full(count, INVALID, dtype=np.int32),
+    )
+
+
 def solve_shape(
     cycle: ItineraryShape,
     flat: np.ndarray,
@@ -95,15 +109,8 @@ def solve_shape(
     if start is None and cycle.structure.forcing:
         with np.errstate(all="ignore"):
             start = fitting_start(cycle, flat, dwell)
-    count, size = len(flat), len(cycle.structure.states)
-    found = TableSolution(
-        np.array(dwell, dtype=float, order="C"),
-        np.full((count, len(cycle), size), np.nan),
-        np.full((count, size, size), np.nan),
-        np.full(count, np.nan),
-        np.zeros(count, dtype=np.int32),
-        np.full(count, INVALID, dtype=np.int32),
-    )
+    size = len(cycle.structure.states)
+    found = unsolved(np.array(dwell, dtype=float, order="C"), size, size)
     if start is not None:
         found.starts[:, 0] = start
     flat = np.ascontiguousarray(flat, dtype=float)
