@@ -44,6 +44,7 @@ __all__ = [
     "assess_admissibility",
     "boundary_curves",
     "kernel_limits",
+    "trigonometric_rows",
 ]
 
 
@@ -253,28 +254,27 @@ def _curves(
 def _sums(
     kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Yield the boundaries and their sums at one point.
+    """Yield the boundaries and their sums at one point."""
+    for boundary, row, angular in trigonometric_rows(kernels, coefficients, frequencies):
+        constant, slope, *waves = row.tolist()
+        parts = waves[: len(angular)], waves[len(angular) :], angular.tolist()
+        yield boundary, TrigonometricSum(constant, slope, *map(tuple, parts))
 
-    Frequencies are those of phase after phase.
+
+def trigonometric_rows(
+    kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray
+) -> Iterator[tuple[Boundary, np.ndarray, np.ndarray]]:
+    """Yield each boundary with its coefficients (..., 2 + 2 w) and frequencies (..., w).
+
+    The coefficients are constant, slope, cosines and sines. All of them are given one boundary
+    after the other, the frequencies phase after phase.
     """
-    terms = kernels.table["terms"]
-    first_frequency = np.concatenate([[0], np.cumsum(terms)])
-    place = 0
+    terms, place = kernels.table["terms"], 0
     for boundary in kernels.boundaries:
-        count = terms[boundary.phase]
-        begin = first_frequency[boundary.phase]
-        row = [float(c) for c in coefficients[place : place + 2 + 2 * count]]
-        place += 2 + 2 * count
-        yield (
-            boundary,
-            TrigonometricSum(
-                row[0],
-                row[1],
-                tuple(row[2 : 2 + count]),
-                tuple(row[2 + count :]),
-                tuple(float(w) for w in frequencies[begin : begin + count]),
-            ),
-        )
+        count, first = terms[boundary.phase], sum(terms[: boundary.phase])
+        end = place + 2 + 2 * count
+        yield boundary, coefficients[..., place:end], frequencies[..., first : first + count]
+        place = end
 
 
 def _along_motions(

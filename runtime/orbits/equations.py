@@ -10,10 +10,10 @@ import numpy as np
 from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits, trigonometric_rows
+from nonsmooth.runtime.orbits.kernel_problem import has_reciprocal_pair
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
-from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
     DETERMINED,
@@ -107,35 +107,30 @@ class KernelEquations:
         """
         return [(np.arange(len(x)), list(self._waves(x)))]
 
-    def _watched(self, phase: int) -> list[tuple[int, str, float]]:
-        """Return a phase's boundaries: rows, names, and what open parameters add to them."""
-        found = []
-        for row, boundary in enumerate(self._kernels.boundaries):
-            opened = boundary.open_parameter
-            if boundary.phase != phase or (opened and opened not in self.orbit.opened):
-                continue  # one that is open is as large as it has to be
-            added = boundary.open_coefficient * float(self.orbit.opened[opened]) if opened else 0.0
-            found.append((row, boundary.name, added))
-        return found
-
     def _waves(self, x: np.ndarray) -> Iterator[PhaseWaves]:
         """Yield the boundary functions of each phase, which are trigonometric sums."""
-        kernels, table = self._kernels, self._kernels.table
-        rows, frequencies = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
-        dwell, ends = self.dwell(x), np.cumsum([0, *table["terms"]])
-        widths = [2 + 2 * table["terms"][boundary.phase] for boundary in kernels.boundaries]
-        begins = np.cumsum([0, *widths])
+        kernels, opened, dwell = self._kernels, self.orbit.opened, self.dwell(x)
+        found = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
+        every = [
+            (boundary, row, frequencies)
+            for boundary, row, frequencies in trigonometric_rows(kernels, *found)
+            # what is open is as large as it has to be
+            if boundary.open_parameter is None or boundary.open_parameter in opened
+        ]
+        for boundary, row, _ in every:
+            if boundary.open_parameter is not None:
+                row[:, 0] += boundary.open_coefficient * float(opened[boundary.open_parameter])
         for position, phase in enumerate(self._timed):
-            watched = self._watched(phase)
-            coefficients = np.stack([rows[:, begins[k] : begins[k + 1]] for k, *_ in watched], 1)
-            coefficients[..., 0] += [added for *_, added in watched]
-            names = tuple(name for _, name, _ in watched)
+            boundaries, rows, frequencies = zip(
+                *(each for each in every if each[0].phase == phase), strict=True
+            )
+            names = tuple(boundary.name for boundary in boundaries)
             yield _phase_waves(
                 position,
                 names,
-                names.index(table["phases"][phase][1]),
-                coefficients,
-                frequencies[:, ends[phase] : ends[phase + 1]],
+                names.index(kernels.table["phases"][phase][1]),
+                np.stack(rows, 1),
+                frequencies[0],
                 dwell[:, position],
             )
 
