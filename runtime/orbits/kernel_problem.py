@@ -18,7 +18,6 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import SystemPoint, Terms, complete_system, followers
-from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -36,7 +35,7 @@ from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
 from nonsmooth.runtime.orbits.refine import refine_kernels
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import fitted_start, solve_itinerary
 from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
 from nonsmooth.runtime.shooting.multipliers import (
     Multiplier,
@@ -57,8 +56,6 @@ from nonsmooth.runtime.shooting.newton import (
     UNSURE,
 )
 from nonsmooth.runtime.shooting.section_map import reciprocal
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
-from nonsmooth.runtime.shooting.table_newton import fitting_start
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -178,12 +175,8 @@ class KernelProblem(OrbitProblem):
         """See `OrbitProblem`."""
         if self._in_system_states:
             return list(orbit.states[0].tolist())
-        point = piecewise(self.system, values)
-        cycle = itinerary_shape(point.structure, self.itinerary)
-        numbers = numbers_of(point)[None]
-        with np.errstate(all="ignore"):
-            found = fitting_start(cycle, numbers, orbit.dwell_times.astype(float)[None])
-        return list(found[0].tolist())
+        point, dwell = piecewise(self.system, values), orbit.dwell_times.astype(float)
+        return [*fitted_start(point, self.itinerary, dwell.tolist())]
 
     def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
         """See `OrbitProblem`."""

@@ -41,6 +41,7 @@ from nonsmooth.runtime.shooting.translations import up_to_shift
 __all__ = [
     "CONTINUATION_STEPS",
     "Symmetries",
+    "fitted_start",
     "guess_by_name",
     "period_in",
     "solve_declared",
@@ -319,8 +320,15 @@ def _start(
         return given
     if not given or symmetry:
         return None
-    cycle = itinerary_shape(point.structure, phases)
-    flat = numbers_of(point)[None]
-    with np.errstate(all="ignore"):
-        start = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
+    start = fitted_start(point, phases, dwell)
     return [fitted if value is None else value for fitted, value in zip(start, known, strict=True)]
+
+
+def fitted_start(
+    point: PiecewiseLinear, itinerary: Sequence[tuple[str, str]], dwell: Sequence[float]
+) -> list[float]:
+    """Return the start (N) of an itinerary that fits given dwell times best."""
+    cycle, flat = itinerary_shape(point.structure, itinerary), numbers_of(point)[None]
+    with np.errstate(all="ignore"):
+        found: list[float] = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
+    return found
