@@ -16,13 +16,11 @@ from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
-    DETERMINED,
     equations_at,
-    error_bounds,
+    judged_at,
     natural_scales,
 )
 from nonsmooth.runtime.shooting.multipliers import nontrivial
-from nonsmooth.runtime.shooting.newton import judged
 
 __all__ = ["KernelEquations", "OrbitEquations", "equations_of"]
 
@@ -183,15 +181,14 @@ class KernelEquations:
 
         `given` has the parameters, and the period where it is given.
         """
-        equations = equations_at(self._kernels, x)
-        errors = error_bounds(self._kernels, x, self._places, equations)
+        residual, error, status = judged_at(self._kernels, x, self._places)
         return replace(
             self.orbit,
             given=given,
             unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
-            residual=float(abs(equations.residual).max()),
-            digits=sure_digits(errors.largest),
-            status=int(judged(errors.dwell, errors.of_dwell, errors.largest, DETERMINED)),
+            residual=residual,
+            digits=sure_digits(error),
+            status=status,
         )
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any
 
@@ -24,15 +24,12 @@ from nonsmooth.runtime.orbits.table_solve import (
     value_of,
 )
 from nonsmooth.runtime.shooting.kernel_newton import (
-    DETERMINED,
     Full,
-    equations_at,
-    error_bounds,
-    frequency_spread,
+    judged_at,
     solve_full,
     solve_reduced,
 )
-from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, judged
+from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE
 
 __all__ = ["search", "solve_kernels"]
 
@@ -116,41 +113,42 @@ def _grid(kernels: OrbitKernels) -> np.ndarray:
 def _ordinary(
     kernels: OrbitKernels, point: Point, start: dict[str, float], *, searching: bool
 ) -> tuple[Orbit, list[str]]:
-    """Solve the reduced equations for all unknowns."""
+    """Solve the reduced equations for all unknowns, and tell from where that was tried.
+
+    Where it is searched for, a motion of the real system comes before what converges first.
+    """
     parameters = np.array([float(v) for v in point.values.values()])
-    names = list(kernels.reduced)
-    guess = np.array([start[name] for name in names])
-    tried = ["the reference point's guess" if searching else "the guess"]
-    first = _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, guess))
-    if not names:
-        return first, ["the explicit solution"]
-    if not searching or _good(first, parameters):
-        return first, tried
-    tried.append(f"continuation in {CONTINUATION_STEPS} steps")
-    followed = _followed(kernels, point, parameters, guess)
-    if _good(followed, parameters):
-        return followed, tried
-    tried.append(f"{len(_grid(kernels)) ** len(names)} starts")
-    candidates = search(kernels, parameters)
-    if len(candidates):
-        places = [kernels.unknowns.index(name) for name in names]
-        solved = solve_reduced(kernels, parameters, candidates[0][places])
-        best = _orbit(kernels, point, parameters, solved)
-        if _good(best, parameters) or not (first.converged or followed.converged):
-            return best, tried
-    return (first if first.converged else followed), tried
+    guess = np.array([start[name] for name in kernels.reduced])
+    first, tried = None, []
+    for words, begin in _starts(kernels, parameters, guess, searching):
+        tried.append(words)
+        if begin is None:
+            continue
+        found = _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, begin))
+        if not searching or not kernels.reduced or _good(found, parameters):
+            return found, tried
+        if first is None or not first.converged:
+            first = found
+    assert first is not None
+    return first, tried
 
 
-def _followed(
-    kernels: OrbitKernels, point: Point, parameters: np.ndarray, guess: np.ndarray
-) -> Orbit:
-    """Return the reference orbit carried to the parameters."""
+def _starts(
+    kernels: OrbitKernels, parameters: np.ndarray, guess: np.ndarray, searching: bool
+) -> Iterator[tuple[str, np.ndarray | None]]:
+    """Yield starts (m,) of the reduced unknowns, and where they come from; None for none."""
+    if not kernels.reduced:
+        yield "the explicit solution", guess
+    yield "the reference point's guess" if searching else "the guess", guess
+    places = [kernels.unknowns.index(name) for name in kernels.reduced]
     defaults = kernels.table["reference"]["parameters"]
     begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
-    places = [kernels.unknowns.index(name) for name in kernels.reduced]
     for here in steps_between(begin, parameters):
         guess = solve_reduced(kernels, here, guess).unknowns[places]
-    return _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, guess))
+    yield f"continuation in {CONTINUATION_STEPS} steps", guess
+    candidates = search(kernels, parameters)
+    nearest = candidates[0][places] if len(candidates) else None
+    yield f"{len(_grid(kernels)) ** len(places)} starts", nearest
 
 
 def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
@@ -174,13 +172,8 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
         status = OUTSIDE
     if status == CONVERGED:
         x = np.concatenate([solved.unknowns, parameters])
-        equations = equations_at(kernels, x)
-        residual = float(np.abs(equations.residual).max())
-        errors = error_bounds(kernels, x, slice(len(kernels.unknowns)), equations)
-        spread = float(frequency_spread(kernels, equations.spectrum))
-        error = max(errors.largest, 4 * float(np.finfo(float).eps) * spread)
+        residual, error, status = judged_at(kernels, x, slice(len(kernels.unknowns)))
         digits = sure_digits(error)
-        status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
     return Orbit(
         kernel_problem(kernels),
         point.values,

@@ -32,7 +32,15 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.admissible import Admissibility
     from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
 
-__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged", "sure_digits"]
+__all__ = [
+    "DOUBLE",
+    "GUARD",
+    "PERIOD",
+    "Orbit",
+    "check_converged",
+    "kernel_arguments",
+    "sure_digits",
+]
 
 DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
@@ -312,11 +320,7 @@ class Orbit(Shown):
                     f" {', '.join(kernels.of_equations)}"
                 )
         lib = self.arithmetic if self.precise else None
-        parameters = [values[name] for name in kernels.parameter_names]
-        unknowns = [values[name] for name in kernels.unknowns]
-        spectrum, derivatives = kernels.spectrum(parameters, lib)
-        at = (parameters, spectrum, unknowns, derivatives)
-        return kernels.evaluate(*quantities, at=at, lib=lib)
+        return kernels.evaluate(*quantities, at=kernel_arguments(kernels, values, lib), lib=lib)
 
     def derivatives(
         self, by: Sequence[str] | str | None = None, *, one_sided: bool | None = None
@@ -434,6 +438,13 @@ class Orbit(Shown):
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text
+
+
+def kernel_arguments(kernels: OrbitKernels, values: Mapping[str, Any], lib: Any) -> Any:
+    """Return what kernels of equations take, at values of all parameters and unknowns."""
+    parameters = [values[name] for name in kernels.parameter_names]
+    spectrum, derivatives = kernels.spectrum(parameters, lib)
+    return parameters, spectrum, [values[name] for name in kernels.unknowns], derivatives
 
 
 def sure_digits(error: float) -> int:

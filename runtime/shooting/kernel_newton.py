@@ -37,6 +37,7 @@ __all__ = [
     "equations_at",
     "error_bounds",
     "frequency_spread",
+    "judged_at",
     "natural_scales",
     "solve_full",
     "solve_reduced",
@@ -181,18 +182,15 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
         (iterations,), (status,) = (ended.tolist() for ended in iterate(1, advance))
     if status != INVALID and (condition := _condition_number(jacobian)) > MOST_CONDITION:
         raise _undetermined(solved_for, condition)
-    error = np.inf
+    missed, error = float(np.abs(residual).max()), np.inf
     if status == CONVERGED:
-        equations = equations_at(kernels, x)
-        residual, jacobian = equations.residual, equations.jacobian
-        errors = error_bounds(kernels, x, places, equations)
-        error = errors.largest
+        missed, error, status = judged_at(kernels, x, places)
         if not error < DETERMINED:
+            jacobian = equations_at(kernels, x).jacobian[:, places]
             size = np.maximum(np.abs(x[places]), 1)
-            raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
-        status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
+            raise _undetermined(solved_for, float(np.linalg.cond(jacobian * size)))
     found = {name: float(value) for name, value in zip(names, x, strict=True)}
-    return Full(found, float(np.abs(residual).max()), iterations, status, error)
+    return Full(found, missed, iterations, status, error)
 
 
 def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
@@ -262,6 +260,20 @@ def error_bounds(
         largest = (errors[..., places, 0] / sizes[..., places, 0]).max(axis=-1)
         waits = _waits(kernels, x, errors[..., 1])
     return Errors(largest, *waits)
+
+
+def judged_at(
+    kernels: OrbitKernels, x: np.ndarray, places: Sequence[int] | slice
+) -> tuple[float, float, int]:
+    """Largest residual, error and status of a solution x (n + p,), solved for at some places.
+
+    The error is that of all numbers in units of max(1, |x|), and of frequencies far apart.
+    """
+    equations = equations_at(kernels, x)
+    errors = error_bounds(kernels, x, places, equations)
+    error = max(errors.largest, 4 * _EPSILON * float(frequency_spread(kernels, equations.spectrum)))
+    status = judged(errors.dwell, errors.of_dwell, error, DETERMINED)
+    return float(np.abs(equations.residual).max()), error, int(status)
 
 
 def _waits(
