@@ -13,7 +13,7 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits, trigonometric_rows
 from nonsmooth.runtime.orbits.kernel_problem import has_reciprocal_pair
 from nonsmooth.runtime.orbits.motion import Motion
-from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
     equations_at,
@@ -21,6 +21,7 @@ from nonsmooth.runtime.shooting.kernel_newton import (
     natural_scales,
 )
 from nonsmooth.runtime.shooting.multipliers import nontrivial
+from nonsmooth.runtime.shooting.newton import sure_digits
 
 __all__ = ["KernelEquations", "OrbitEquations", "equations_of"]
 
@@ -187,7 +188,7 @@ class KernelEquations:
             given=given,
             unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
             residual=residual,
-            digits=sure_digits(error),
+            digits=int(sure_digits(error)),
             status=status,
         )
 

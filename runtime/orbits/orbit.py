@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -21,7 +20,7 @@ from nonsmooth.runtime.orbits.derivatives import (
 )
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
 from nonsmooth.runtime.shooting.multipliers import Stability
-from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.newton import CONVERGED, DOUBLE
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.simulation.simulate import checked_count
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -39,10 +38,8 @@ __all__ = [
     "Orbit",
     "check_converged",
     "kernel_arguments",
-    "sure_digits",
 ]
 
-DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
 PERIOD = "period"  # under which name it is given
 
@@ -445,13 +442,6 @@ def kernel_arguments(kernels: OrbitKernels, values: Mapping[str, Any], lib: Any)
     parameters = [values[name] for name in kernels.parameter_names]
     spectrum, derivatives = kernels.spectrum(parameters, lib)
     return parameters, spectrum, [values[name] for name in kernels.unknowns], derivatives
-
-
-def sure_digits(error: float) -> int:
-    """Return the decimal digits, `DOUBLE` at most, of numbers in units of max(1, |x|)."""
-    if not math.isfinite(error):
-        return 0
-    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
 
 
 def check_converged(orbit: object, doing: str) -> None:

@@ -21,7 +21,6 @@ from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
 from nonsmooth.runtime.orbits.problem import OrbitProblem
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
-from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import margins as margins_of
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -40,7 +39,13 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes, solve_shape, unsolved
+from nonsmooth.runtime.shooting.table_newton import (
+    TableSolution,
+    digits_of,
+    sizes,
+    solve_shape,
+    unsolved,
+)
 from nonsmooth.runtime.shooting.translations import (
     gauges_of,
     projection_along,

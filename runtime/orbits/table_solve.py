@@ -21,7 +21,6 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, labelled, orbit_of
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
-from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -35,7 +34,7 @@ from nonsmooth.runtime.shooting.symmetry import (
     whole_orbit,
     whole_shape,
 )
-from nonsmooth.runtime.shooting.table_newton import fitting_start, solve_shape, unsolved
+from nonsmooth.runtime.shooting.table_newton import digits_of, fitting_start, solve_shape, unsolved
 from nonsmooth.runtime.shooting.translations import up_to_shift
 
 __all__ = [

@@ -17,6 +17,7 @@ from nonsmooth.runtime.core.matrices import inverses
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,
+    DETERMINED,
     GOING,
     INVALID,
     NEGATIVE,
@@ -29,7 +30,6 @@ from nonsmooth.runtime.shooting.newton import (
 )
 
 __all__ = [
-    "DETERMINED",
     "Errors",
     "Full",
     "LinearisedEquations",
@@ -43,7 +43,6 @@ __all__ = [
     "solve_reduced",
 ]
 
-DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
 MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
 LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
 _EPSILON = float(np.finfo(float).eps)

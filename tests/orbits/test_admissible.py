@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
-from nonsmooth.runtime.orbits.kernel_solve import search
+from nonsmooth.runtime.orbits.solve import search
 from nonsmooth.runtime.present.report import orbit_json
 
 ORBIT = "dry-friction/global-stick"

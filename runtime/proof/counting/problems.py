@@ -19,9 +19,9 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import Point
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
+from nonsmooth.runtime.orbits.solve import solve_kernels
 from nonsmooth.runtime.proof.counting.branch_and_prune import Problem, Root, inside, touching
 from nonsmooth.runtime.proof.counting.dwell_box import Side
 from nonsmooth.runtime.proof.counting.dwell_equations import (
