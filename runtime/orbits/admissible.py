@@ -31,6 +31,7 @@ from nonsmooth.runtime.events.guaranteed_maxima import (
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.kernel_newton import dwell_times, lasting_phases
 from nonsmooth.runtime.shooting.newton import NEGATIVE
 
 __all__ = [
@@ -321,20 +322,17 @@ def _admissible_numpy(
     crossed = np.full(len(points), UNTOLD)
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))
-    values = dict(zip(kernels.parameter_names, points.T, strict=True))
-    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
-    dwell = np.stack([np.broadcast_to(d, len(points)) for d in durations.values()], axis=-1)
-    timed = [name not in kernels.table["vanishing"] for name in durations]
+    x, timed = np.concatenate([unknowns, points], axis=-1), lasting_phases(kernels)
+    dwell = dwell_times(kernels, x)
     crossed[(dwell[:, timed] <= 0).any(axis=-1)] = NO_ORBIT
     sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
-    names = [*kernels.parameter_names, *kernels.unknowns]
+    names = [*kernels.unknowns, *kernels.parameter_names]
     places = [names.index(name) for name in kernels.table["measures"]]
     found = _curves(kernels, points[sound], unknowns[sound], dwell[sound])
     for point, curves_of in zip(sound.tolist(), found, strict=True):
         try:
             curves, least = list(curves_of()), dict.fromkeys(opened, 0.0)
-            measures = np.concatenate([points[point], unknowns[point]])[places].tolist()
-            times = dwell[point].tolist()
+            measures, times = x[point, places].tolist(), dwell[point].tolist()
             crossings = _crossings(kernels, kernels.name, curves, measures, times, least, {})
             crossed[point], _, _ = next(crossings, (NEITHER, 0.0, 0.0))
             bounds[point] = [*least.values()]

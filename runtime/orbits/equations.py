@@ -16,8 +16,10 @@ from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
+    dwell_times,
     equations_at,
     judged_at,
+    lasting_phases,
     natural_scales,
 )
 from nonsmooth.runtime.shooting.multipliers import nontrivial
@@ -52,14 +54,8 @@ class KernelEquations:
         self.values = np.array([float(orbit.values[name]) for name in self.names])
         self._count = len(kernels.unknowns)
         self._places = [self.names.index(name) for name in self.unknowns]
-        self._timed = [
-            k for k, name in enumerate(kernels.dwell_times) if name not in table["vanishing"]
-        ]
+        self._timed = lasting_phases(kernels)
         self.dwell_names = tuple(kernels.dwell_times[k] for k in self._timed)
-        self._sums = [
-            [(self.names.index(name), factor) for name, factor in table["durations"][k].items()]
-            for k in self._timed
-        ]
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
         self._pair = has_reciprocal_pair(orbit)
@@ -84,11 +80,7 @@ class KernelEquations:
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
         """Return the dwell times (k, p) at points (k, v): affine in them, in the unit of time."""
-        found = np.zeros((len(x), len(self._sums)))
-        for phase, terms in enumerate(self._sums):
-            for place, factor in terms:
-                found[:, phase] += factor * x[:, place]
-        return found
+        return dwell_times(self._kernels, x)[:, self._timed]
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
         """Return how far the state behind a part differs from the start (N,), at a point.

@@ -34,10 +34,12 @@ __all__ = [
     "Full",
     "LinearisedEquations",
     "Solved",
+    "dwell_times",
     "equations_at",
     "error_bounds",
     "frequency_spread",
     "judged_at",
+    "lasting_phases",
     "natural_scales",
     "solve_full",
     "solve_reduced",
@@ -117,11 +119,9 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
         residual = kernels.evaluate("reduced_residual", at=(parameters, spectrum, x))
     unknowns, determinants = kernels.expand(parameters, spectrum, x)
     trace = kernels.evaluate("trace", at=(parameters, spectrum, unknowns))
-    values = dict(zip(kernels.parameter_names, parameters.T, strict=True))
-    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
-    for name, duration in durations.items():
-        if name not in kernels.table["vanishing"]:
-            status[(duration <= 0) & (status == CONVERGED)] = NEGATIVE
+    dwell = dwell_times(kernels, np.concatenate([unknowns, parameters], axis=-1))
+    negative = (dwell[:, lasting_phases(kernels)] <= 0).any(axis=-1)
+    status[negative & (status == CONVERGED)] = NEGATIVE
     status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
     status[(np.abs(determinants) <= LEAST_DETERMINANT).any(axis=-1)] = SINGULAR
     return Solved(unknowns, trace, np.abs(residual).max(axis=-1), taken, status)
@@ -279,15 +279,24 @@ def _waits(
     kernels: OrbitKernels, x: np.ndarray, errors: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Dwell times (p,) or (k, p) of the phases that take time, and their errors."""
-    names = (*kernels.unknowns, *kernels.parameter_names)
-    durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
+    names, places = (*kernels.unknowns, *kernels.parameter_names), lasting_phases(kernels)
     own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
-    dwell, of_dwell = [], []
-    for name, terms in zip(kernels.dwell_times, kernels.table["durations"], strict=True):
-        if name not in kernels.table["vanishing"]:
-            dwell.append(durations[name])
-            of_dwell.append(sum(abs(factor) * own[term] for term, factor in terms.items()))
-    return np.array(dwell).T, np.array(of_dwell).T
+    sums = [kernels.table["durations"][place].items() for place in places]
+    of_dwell = [sum(abs(factor) * own[term] for term, factor in terms) for terms in sums]
+    return dwell_times(kernels, x)[..., places], np.array(of_dwell).T
+
+
+def dwell_times(kernels: OrbitKernels, x: np.ndarray) -> np.ndarray:
+    """Dwell times (..., p) of all phases at points x (..., n + p) of unknowns, then parameters."""
+    names = (*kernels.unknowns, *kernels.parameter_names)
+    found = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
+    return np.stack([*found.values()], axis=-1)
+
+
+def lasting_phases(kernels: OrbitKernels) -> list[int]:
+    """Places of the phases that take time."""
+    vanishing = kernels.table["vanishing"]
+    return [k for k, name in enumerate(kernels.dwell_times) if name not in vanishing]
 
 
 def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:
