@@ -51,9 +51,9 @@ def show_report(
     the trace the criterion of stability comes before the orbit.
     """
     console = console_as_wide()
-    kernels, rank = orbit.problem.kernels, orbit.stability.rank
+    derived, rank = orbit.problem.derived, orbit.stability.rank
     trivial = any(m["trivial"] for m in found["multipliers"])
-    rank_one = kernels is not None and rank == 1 and not trivial
+    rank_one = derived and rank == 1 and not trivial
     console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
     console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
     parameters = _table()
@@ -65,7 +65,7 @@ def show_report(
     for label, text in shown.items():
         unknowns.add_row(label, _digits(text))
     excess = decimal_string(-orbit.stability.margin, found["digits"])
-    zero = "0 exactly" if kernels is not None else "0 to these digits"
+    zero = "0 exactly" if derived else "0 to these digits"
     zero = f"{zero}: the Poincare map has rank {_RANKS.get(rank, rank)}"
     criterion = _criterion(found, excess, (rank, zero), rank_one=rank_one)
     tables = [("Given", parameters), ("Orbit", unknowns)]

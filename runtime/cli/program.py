@@ -438,7 +438,7 @@ def _report(
         given=assignments("unknown", split(given)),
     )
     working = max(digits, _WORKING_DIGITS)
-    by_kernels = found.problem.kernels is not None
+    by_kernels = found.problem.derived
     arithmetic = (verified_by or RefiningArithmetic.FLINT).value
     if verified_by is RefiningArithmetic.BOTH:
         refined = refine_both(found, working)

@@ -31,6 +31,7 @@ from nonsmooth.runtime.events.guaranteed_maxima import (
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.kernel_newton import dwell_times, lasting_phases
 from nonsmooth.runtime.shooting.newton import NEGATIVE
 
 __all__ = [
@@ -44,6 +45,7 @@ __all__ = [
     "assess_admissibility",
     "boundary_curves",
     "kernel_limits",
+    "trigonometric_rows",
 ]
 
 
@@ -133,7 +135,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
             )
     if violations:
         return Admissibility(False, tuple(violations), ())
-    least = {p.name: 0.0 for p in kernels.open_parameters if p.name not in orbit.opened}
+    least = dict.fromkeys(orbit.problem.left_open(orbit), 0.0)
     curves = list(boundary_curves(kernels, orbit))
     measures = [float(orbit.values[n]) for n in kernels.table["measures"]]
     for number, time, excess in _crossings(
@@ -253,28 +255,27 @@ def _curves(
 def _sums(
     kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Yield the boundaries and their sums at one point.
+    """Yield the boundaries and their sums at one point."""
+    for boundary, row, angular in trigonometric_rows(kernels, coefficients, frequencies):
+        constant, slope, *waves = row.tolist()
+        parts = waves[: len(angular)], waves[len(angular) :], angular.tolist()
+        yield boundary, TrigonometricSum(constant, slope, *map(tuple, parts))
 
-    Frequencies are those of phase after phase.
+
+def trigonometric_rows(
+    kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray
+) -> Iterator[tuple[Boundary, np.ndarray, np.ndarray]]:
+    """Yield each boundary with its coefficients (..., 2 + 2 w) and frequencies (..., w).
+
+    The coefficients are constant, slope, cosines and sines. All of them are given one boundary
+    after the other, the frequencies phase after phase.
     """
-    terms = kernels.table["terms"]
-    first_frequency = np.concatenate([[0], np.cumsum(terms)])
-    place = 0
+    terms, place = kernels.table["terms"], 0
     for boundary in kernels.boundaries:
-        count = terms[boundary.phase]
-        begin = first_frequency[boundary.phase]
-        row = [float(c) for c in coefficients[place : place + 2 + 2 * count]]
-        place += 2 + 2 * count
-        yield (
-            boundary,
-            TrigonometricSum(
-                row[0],
-                row[1],
-                tuple(row[2 : 2 + count]),
-                tuple(row[2 + count :]),
-                tuple(float(w) for w in frequencies[begin : begin + count]),
-            ),
-        )
+        count, first = terms[boundary.phase], sum(terms[: boundary.phase])
+        end = place + 2 + 2 * count
+        yield boundary, coefficients[..., place:end], frequencies[..., first : first + count]
+        place = end
 
 
 def _along_motions(
@@ -321,20 +322,17 @@ def _admissible_numpy(
     crossed = np.full(len(points), UNTOLD)
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))
-    values = dict(zip(kernels.parameter_names, points.T, strict=True))
-    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
-    dwell = np.stack([np.broadcast_to(d, len(points)) for d in durations.values()], axis=-1)
-    timed = [name not in kernels.table["vanishing"] for name in durations]
+    x, timed = np.concatenate([unknowns, points], axis=-1), lasting_phases(kernels)
+    dwell = dwell_times(kernels, x)
     crossed[(dwell[:, timed] <= 0).any(axis=-1)] = NO_ORBIT
     sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
-    names = [*kernels.parameter_names, *kernels.unknowns]
+    names = [*kernels.unknowns, *kernels.parameter_names]
     places = [names.index(name) for name in kernels.table["measures"]]
     found = _curves(kernels, points[sound], unknowns[sound], dwell[sound])
     for point, curves_of in zip(sound.tolist(), found, strict=True):
         try:
             curves, least = list(curves_of()), dict.fromkeys(opened, 0.0)
-            measures = np.concatenate([points[point], unknowns[point]])[places].tolist()
-            times = dwell[point].tolist()
+            measures, times = x[point, places].tolist(), dwell[point].tolist()
             crossings = _crossings(kernels, kernels.name, curves, measures, times, least, {})
             crossed[point], _, _ = next(crossings, (NEITHER, 0.0, 0.0))
             bounds[point] = [*least.values()]

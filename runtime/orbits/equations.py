@@ -10,19 +10,20 @@ import numpy as np
 from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits, trigonometric_rows
+from nonsmooth.runtime.orbits.kernel_problem import has_reciprocal_pair
 from nonsmooth.runtime.orbits.motion import Motion
-from nonsmooth.runtime.orbits.orbit import Orbit, sure_digits
-from nonsmooth.runtime.orbits.stability import has_reciprocal_pair
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
-    DETERMINED,
+    dwell_times,
     equations_at,
-    error_bounds,
+    judged_at,
+    lasting_phases,
     natural_scales,
 )
 from nonsmooth.runtime.shooting.multipliers import nontrivial
-from nonsmooth.runtime.shooting.newton import judged
+from nonsmooth.runtime.shooting.newton import sure_digits
 
 __all__ = ["KernelEquations", "OrbitEquations", "equations_of"]
 
@@ -53,14 +54,8 @@ class KernelEquations:
         self.values = np.array([float(orbit.values[name]) for name in self.names])
         self._count = len(kernels.unknowns)
         self._places = [self.names.index(name) for name in self.unknowns]
-        self._timed = [
-            k for k, name in enumerate(kernels.dwell_times) if name not in table["vanishing"]
-        ]
+        self._timed = lasting_phases(kernels)
         self.dwell_names = tuple(kernels.dwell_times[k] for k in self._timed)
-        self._sums = [
-            [(self.names.index(name), factor) for name, factor in table["durations"][k].items()]
-            for k in self._timed
-        ]
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
         self._pair = has_reciprocal_pair(orbit)
@@ -85,11 +80,7 @@ class KernelEquations:
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
         """Return the dwell times (k, p) at points (k, v): affine in them, in the unit of time."""
-        found = np.zeros((len(x), len(self._sums)))
-        for phase, terms in enumerate(self._sums):
-            for place, factor in terms:
-                found[:, phase] += factor * x[:, place]
-        return found
+        return dwell_times(self._kernels, x)[:, self._timed]
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
         """Return how far the state behind a part differs from the start (N,), at a point.
@@ -107,35 +98,30 @@ class KernelEquations:
         """
         return [(np.arange(len(x)), list(self._waves(x)))]
 
-    def _watched(self, phase: int) -> list[tuple[int, str, float]]:
-        """Return a phase's boundaries: rows, names, and what open parameters add to them."""
-        found = []
-        for row, boundary in enumerate(self._kernels.boundaries):
-            opened = boundary.open_parameter
-            if boundary.phase != phase or (opened and opened not in self.orbit.opened):
-                continue  # one that is open is as large as it has to be
-            added = boundary.open_coefficient * float(self.orbit.opened[opened]) if opened else 0.0
-            found.append((row, boundary.name, added))
-        return found
-
     def _waves(self, x: np.ndarray) -> Iterator[PhaseWaves]:
         """Yield the boundary functions of each phase, which are trigonometric sums."""
-        kernels, table = self._kernels, self._kernels.table
-        rows, frequencies = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
-        dwell, ends = self.dwell(x), np.cumsum([0, *table["terms"]])
-        widths = [2 + 2 * table["terms"][boundary.phase] for boundary in kernels.boundaries]
-        begins = np.cumsum([0, *widths])
+        kernels, opened, dwell = self._kernels, self.orbit.opened, self.dwell(x)
+        found = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
+        every = [
+            (boundary, row, frequencies)
+            for boundary, row, frequencies in trigonometric_rows(kernels, *found)
+            # what is open is as large as it has to be
+            if boundary.open_parameter is None or boundary.open_parameter in opened
+        ]
+        for boundary, row, _ in every:
+            if boundary.open_parameter is not None:
+                row[:, 0] += boundary.open_coefficient * float(opened[boundary.open_parameter])
         for position, phase in enumerate(self._timed):
-            watched = self._watched(phase)
-            coefficients = np.stack([rows[:, begins[k] : begins[k + 1]] for k, *_ in watched], 1)
-            coefficients[..., 0] += [added for *_, added in watched]
-            names = tuple(name for _, name, _ in watched)
+            boundaries, rows, frequencies = zip(
+                *(each for each in every if each[0].phase == phase), strict=True
+            )
+            names = tuple(boundary.name for boundary in boundaries)
             yield _phase_waves(
                 position,
                 names,
-                names.index(table["phases"][phase][1]),
-                coefficients,
-                frequencies[:, ends[phase] : ends[phase + 1]],
+                names.index(kernels.table["phases"][phase][1]),
+                np.stack(rows, 1),
+                frequencies[0],
                 dwell[:, position],
             )
 
@@ -188,15 +174,14 @@ class KernelEquations:
 
         `given` has the parameters, and the period where it is given.
         """
-        equations = equations_at(self._kernels, x)
-        errors = error_bounds(self._kernels, x, self._places, equations)
+        residual, error, status = judged_at(self._kernels, x, self._places)
         return replace(
             self.orbit,
             given=given,
             unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
-            residual=float(abs(equations.residual).max()),
-            digits=sure_digits(errors.largest),
-            status=int(judged(errors.dwell, errors.of_dwell, errors.largest, DETERMINED)),
+            residual=residual,
+            digits=int(sure_digits(error)),
+            status=status,
         )
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion:

@@ -20,9 +20,9 @@ from nonsmooth.runtime.orbits.admissible import (
     kernel_limits,
 )
 from nonsmooth.runtime.orbits.equations import KernelEquations
-from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
-from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
+from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.orbit_arrays import TOO_SMALL, Orbits, reshaped, restricted
+from nonsmooth.runtime.orbits.solve import solve_kernels
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
     equations_at,
@@ -121,7 +121,7 @@ class KernelPoints:
             kernels = compiled_for(kernels, count * seconds)
         unknowns = np.empty((len(kernels.unknowns), count))
         found = Orbits(
-            KernelProblem(kernels),
+            kernel_problem(kernels),
             full,
             dict(zip(kernels.unknowns, unknowns, strict=True)),
             trace=np.empty(count),

@@ -1,19 +1,24 @@
-"""Periodic orbits whose equations have emitted kernels."""
+"""Periodic orbits whose equations have emitted kernels: what these answer in place of tables.
+
+The multipliers are those that `shooting.section_map` gives without kernels (Secs. 4, 5). Both stay:
+the trace of the kernels keeps the digits of a reciprocal pair, in any precision, without an
+eigenvalue.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.completion import SystemPoint, complete_system, followers
-from nonsmooth.runtime.model.engine_layout import numbers_of
-from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
+from nonsmooth.runtime.model.completion import SystemPoint, Terms, complete_system, followers
+from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
@@ -22,35 +27,49 @@ from nonsmooth.runtime.orbits.admissible import (
     Admissibility,
     assess_admissibility,
     kernel_limits,
+    trigonometric_rows,
 )
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions, kernel_directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
-from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, PERIOD, Orbit
+from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
 from nonsmooth.runtime.orbits.refine import refine_kernels
-from nonsmooth.runtime.orbits.stability import assess_stability
-from nonsmooth.runtime.orbits.table_problem import TableEvaluation, TableProblem
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.shooting.multipliers import Stability
+from nonsmooth.runtime.orbits.table_solve import fitted_start, solve_itinerary
+from nonsmooth.runtime.shooting.kernel_newton import frequency_spread
+from nonsmooth.runtime.shooting.multipliers import (
+    Multiplier,
+    Stability,
+    eigenvalues_of,
+    modulus,
+    stability_of,
+)
 from nonsmooth.runtime.shooting.newton import (
     BEYOND,
     CONVERGED,
     INVALID,
+    LEAST,
     NEGATIVE,
     OUTSIDE,
     SINGULAR,
     STALLED,
     UNSURE,
 )
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
-from nonsmooth.runtime.shooting.table_newton import fitting_start
+from nonsmooth.runtime.shooting.section_map import reciprocal
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.shooting.symmetry import Symmetry
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["STATUS", "Evaluation", "KernelProblem", "OrbitProblem", "chosen_parameters"]
+__all__ = [
+    "STATUS",
+    "KernelProblem",
+    "assess_stability",
+    "chosen_parameters",
+    "has_reciprocal_pair",
+    "kernel_problem",
+]
 
+_WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
 STATUS = {
     CONVERGED: "converged",
     STALLED: "not converged: give a guess nearer to the orbit, or none and let it be searched",
@@ -65,113 +84,80 @@ STATUS = {
 }
 
 
+def kernel_problem(kernels: OrbitKernels) -> KernelProblem:
+    """Return the periodic orbits of kernels."""
+    phases = tuple(
+        (configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]
+    )
+    return KernelProblem(
+        kernels.system, phases, label=kernels.name, names=kernels.unknowns, kernels=kernels
+    )
+
+
 @dataclass(frozen=True)
-class KernelProblem:
-    """The periodic orbits of one itinerary of a system, by the kernels of its own equations.
+class KernelProblem(OrbitProblem):
+    """The periodic orbits of one itinerary of a system, by the kernels of its own equations."""
 
-    It holds the kernels it was made with: nothing is loaded again, whatever becomes of the
-    file that declared them.
-    """
-
-    kernels: OrbitKernels
-    symmetry: Symmetry | None = None
-
-    # whether an orbit determines all parameters of its system, and so a trajectory
-    has_trajectory: ClassVar[bool] = False
-    # places of cosine and sine of each forcing among the states that are shown
-    forcing: ClassVar[tuple[tuple[int, int], ...]] = ()
+    kernels: OrbitKernels = field(kw_only=True)
 
     @property
-    def name(self) -> str:
-        """``system/orbit``, or ``FILE.py:orbit`` and the like."""
-        return self.kernels.name
+    def all_parameters(self) -> Mapping[str, ParameterTable]:
+        """See `OrbitProblem`."""
+        return self.kernels.tables
 
     @property
-    def system(self) -> SystemKernels:
-        """Tables and kernels of the system."""
-        return self.kernels.system
-
-    @property
-    def itinerary(self) -> tuple[tuple[str, str], ...]:
-        """Configuration and boundary of each phase of a period."""
-        return tuple((configuration, boundary) for configuration, boundary, _ in self._phases)
-
-    @property
-    def state_names(self) -> tuple[str, ...]:
-        """Names of the states, in the coordinates of the equations."""
-        return tuple(self.kernels.table["states"])
+    def required(self) -> Mapping[str, str]:
+        """See `OrbitProblem`."""
+        return self.kernels.required
 
     @property
     def dwell_time_names(self) -> tuple[str, ...]:
-        """Name of each phase's dwell time."""
+        """See `OrbitProblem`."""
         return self.kernels.dwell_times
 
     @property
-    def unknown_names(self) -> tuple[str, ...]:
-        """Names of the unknowns; one may be given, and a parameter solved for in its place."""
-        return self.kernels.unknowns
-
-    @property
     def start_names(self) -> tuple[str, ...]:
-        """Name of each of the system's states at the start."""
+        """See `OrbitProblem`."""
         taken = {*self.dwell_time_names, *(table.name for table in self.system.parameters)}
         return start_names(structure_of(self.system).states, taken)
 
     @property
     def period_name(self) -> str | None:
-        """Name of the period where it may be given; None where the equations determine it."""
+        """See `OrbitProblem`."""
         return self.kernels.period_name
 
     @property
-    def parameters(self) -> tuple[ParameterTable, ...]:
-        """The parameters of the equations, with names, meanings and domains."""
-        return self.kernels.parameters
-
-    @property
-    def all_parameters(self) -> Mapping[str, ParameterTable]:
-        """All that may be given, by name: the equations' parameters and what they follow from."""
-        return self.kernels.tables
-
-    @property
-    def required(self) -> Mapping[str, str]:
-        """Values that parameters must have for such an orbit to exist, as text."""
-        return self.kernels.required
+    def forcing(self) -> tuple[tuple[int, int], ...]:
+        """See `OrbitProblem`: none is shown."""
+        return ()
 
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
-        """Return the dwell time of each phase, from parameters and unknowns in any arithmetic.
-
-        They are in the unit of time.
-        """
+        """See `OrbitProblem`."""
         return list(self.kernels.durations(values).values())
 
-    def followers(self, names: Iterable[str]) -> Collection[str]:
-        """Return the parameters that follow from these: e1 = ur1 - us1 from ur1 and us1."""
+    def followers(self, names: Iterable[str]) -> Mapping[str, Terms]:
+        """See `OrbitProblem`."""
         return followers(self.kernels, names)
 
+    def left_open(self, orbit: Orbit) -> Sequence[str]:
+        """See `OrbitProblem`."""
+        return [p.name for p in self.kernels.open_parameters if p.name not in orbit.opened]
+
     def period(self, orbit: Orbit) -> Value | None:
-        """Return what the dwell times have to sum up to; None where the equations determine it."""
+        """See `OrbitProblem`."""
         given = orbit.given.get(self.period_name or "")
         if given is None and self.kernels.table["conservative"]:
             return as_value(float(orbit.period))
         return given
 
     def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
-        """Return all parameters of the system, from the equations' and what these leave open.
-
-        `InputError` is raised if they are not values that the system takes.
-        """
+        """See `OrbitProblem`."""
         return complete_system(self.kernels, values).values
 
     def physical(
         self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
     ) -> SystemPoint:
-        """Return all parameters of the system at an orbit, with names of those that were chosen.
-
-        Parameters that the orbit leaves open are chosen, unless they are given in `beside`;
-        what is chosen suits all orbits that are near, too, as far as they are admissible.
-        `model.completion` says how. `InputError` is raised for a name that is no parameter, or
-        values that the system does not take.
-        """
+        """See `OrbitProblem`."""
         kernels = self.kernels
         known = {
             name: as_value(number)
@@ -186,22 +172,14 @@ class KernelProblem:
         return complete_system(kernels, known, _open_bounds([orbit, *near]))
 
     def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
-        """Return the start (N): the orbit's, or the best fit of dwell times in other states."""
+        """See `OrbitProblem`."""
         if self._in_system_states:
             return list(orbit.states[0].tolist())
-        point = piecewise(self.system, values)
-        cycle = itinerary_shape(point.structure, self.itinerary)
-        numbers = numbers_of(point)[None]
-        with np.errstate(all="ignore"):
-            found = fitting_start(cycle, numbers, orbit.dwell_times.astype(float)[None])
-        return list(found[0].tolist())
+        point, dwell = piecewise(self.system, values), orbit.dwell_times.astype(float)
+        return [*fitted_start(point, self.itinerary, dwell.tolist())]
 
     def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
-        """Return the same orbit by the tables of its system, at all parameters of `physical`.
-
-        Phases that take no time are left out. `InputError` is raised if Newton's method finds
-        no orbit by the tables.
-        """
+        """See `OrbitProblem`."""
         values, dwell = self.physical(orbit, beside).values, orbit.dwell_times.astype(float)
         every = not orbit.evaluation.border[0]
         lasting = [place for place, wait in enumerate(dwell.tolist()) if every or wait > 0]
@@ -220,28 +198,21 @@ class KernelProblem:
         return found
 
     def message(self, status: int, *, timed: bool) -> str:
-        """Return what a status means and suggests, where the period was given (`timed`) or not."""
+        """See `OrbitProblem`."""
         return STATUS[status]
 
     def evaluation(self, orbit: Orbit) -> KernelEvaluation:
-        """Return what the equations tell at an orbit of this problem."""
+        """See `OrbitProblem`."""
         return KernelEvaluation(orbit)
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
-        """Return states (..., N) at times (...) since a phase's start, from the state (N,) there.
-
-        `parameters` (q,) are in their order; times are in the unit of time.
-        """
+        """See `OrbitProblem`."""
         spectrum, _ = self.kernels.spectrum(parameters)
         arrays = (parameters, spectrum, since, start)
-        return np.asarray(self.kernels.flow(self._phases[phase][0], *arrays))
+        return np.asarray(self.kernels.flow(self.itinerary[phase][0], *arrays))
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-        """Return a converged orbit to so many true decimal digits.
-
-        The arithmetic is ``flint`` or ``mpmath``. `NoConvergence` is raised if Newton's
-        method leaves the orbit.
-        """
+        """See `OrbitProblem`."""
         return refine_kernels(orbit, digits, arithmetic)
 
     @property
@@ -249,11 +220,6 @@ class KernelProblem:
         """Whether the kernels' coordinates are the system's states, not those of a presentation."""
         own: bool = self.kernels.table["states"] == self.system.table["states"]
         return own
-
-    @property
-    def _phases(self) -> list[tuple[str, str, str]]:
-        phases: list[tuple[str, str, str]] = self.kernels.table["phases"]
-        return phases
 
 
 def _joined(
@@ -274,73 +240,66 @@ def _joined(
 
 
 @dataclass(frozen=True, eq=False)
-class KernelEvaluation:
+class KernelEvaluation(Evaluation):
     """The quantities that the kernels give at one orbit, in its arithmetic."""
 
-    orbit: Orbit
-
     @property
-    def tables(self) -> TableEvaluation:
+    def tables(self) -> Evaluation:
         """Nothing: `InputError` is always raised, as kernels answer."""
         raise InputError(f"{self.orbit.name} was solved with kernels, not with its system's tables")
 
     @cached_property
     def states(self) -> np.ndarray:
-        """State (p, N) at the start of each phase, behind the transition before it."""
+        """See `Evaluation`."""
         return self._array("states")[:-1]
 
     @cached_property
     def stability(self) -> Stability:
-        """Multipliers, trace and verdict."""
+        """See `Evaluation`."""
         return assess_stability(self.orbit)
-
-    @property
-    def part_stability(self) -> Stability:
-        """Nothing: `InputError` is always raised, as there is no part."""
-        raise InputError("the orbit was not composed from a part and a symmetry")
 
     @cached_property
     def admissibility(self) -> Admissibility:
-        """Whether the orbit is a motion of the real system."""
+        """See `Evaluation`."""
         return assess_admissibility(self.orbit)
 
     @cached_property
     def saltations(self) -> np.ndarray:
-        """Saltation matrix (p, N, N) of each transition."""
+        """See `Evaluation`."""
         size = len(self.orbit.state_names)
         return self._array("saltations").reshape(-1, size, size)
 
     @cached_property
     def monodromy(self) -> np.ndarray:
-        """Product (N, N) of flows and saltation matrices over a period."""
+        """See `Evaluation`."""
         return self._array("monodromy")
 
     @cached_property
     def poincare_jacobian(self) -> np.ndarray:
-        """Derivative of the Poincare map, in coordinates of the section or in all."""
+        """See `Evaluation`."""
         return self._array("poincare_jacobian")
 
     @property
     def shift(self) -> dict[str, Any]:
-        """Zero: an orbit with kernels comes back to where it was."""
+        """See `Evaluation`."""
         zero = self.orbit.arithmetic.mp.zero if self.orbit.precise else 0.0
         return dict.fromkeys(self.orbit.state_names, zero)
 
     @property
     def free_states(self) -> tuple[str, ...]:
-        """States that a translation of the system moves."""
+        """See `Evaluation`."""
         return ()
 
     @property
     def border(self) -> tuple[str, str]:
-        """The side on which the orbit has derivatives, and why; both are mostly empty."""
+        """See `Evaluation`."""
         side = self.stability.one_sided
         return side, "a border collision, a phase takes no time" if side else ""
 
     def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray]:
-        """Return the orbit by tables as it moves with parameters, and their rates (parameters, q).
+        """See `Evaluation`.
 
-        The rates are by what was given. A sum such as e1 = ur1 - us1 is changed by the one of
+        A sum such as e1 = ur1 - us1 is changed by the one of
         its parameters that is not open. Of a border collision, phases that take no time are
         left out: what is given and solved for keeps the collision, so that both boundaries go
         on to be reached together. `InputError` is raised where the equations leave open how the
@@ -376,17 +335,11 @@ class KernelEvaluation:
         return OrbitMotionDerivatives(tables, by, directions), rates
 
     def directions(self, by: Sequence[str]) -> Directions:
-        """Return how the orbit moves with each of some numbers that were given.
-
-        `InputError` says why where there is no derivative.
-        """
+        """See `Evaluation`."""
         return kernel_directions(self.orbit, by)
 
     def trajectory(self, periods: int) -> Trajectory:
-        """Return the motion along the orbit over some periods, by the system's tables.
-
-        `InputError` is raised where the equations leave physical parameters open.
-        """
+        """See `Evaluation`."""
         problem = self.orbit.problem
         if problem.physical(self.orbit).chosen:
             raise InputError(
@@ -399,15 +352,10 @@ class KernelEvaluation:
         return np.array(found, dtype=object) if self.orbit.precise else np.asarray(found)
 
 
-# what is asked of a periodic orbit, whoever answers: emitted kernels, or its system's tables
-OrbitProblem = KernelProblem | TableProblem
-Evaluation = KernelEvaluation | TableEvaluation
-
-
 def chosen_parameters(
     orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
 ) -> dict[str, Value]:
-    """Return the values of the parameters that are chosen; see `KernelProblem.physical`.
+    """Return the values of the parameters that are chosen; see `OrbitProblem.physical`.
 
     The dict is empty where nothing is left open.
     """
@@ -433,3 +381,109 @@ def _open_bounds(orbits: Iterable[Orbit]) -> dict[str, float]:
             if limit[0] == NEITHER:
                 found[table.name] = max(bound, found.get(table.name, 0.0))
     return found
+
+
+def assess_stability(orbit: Orbit) -> Stability:
+    """Return the multipliers of an orbit with kernels and the verdict, to the orbit's digits.
+
+    Where frequencies are so far apart that the map in doubles has fewer digits than the
+    orbit, both are computed with more. The verdict is "undecided" where more digits
+    cannot be had.
+    """
+    if orbit.precise or not frequency_spread(orbit.kernels, _spectrum(orbit)) > _WIDE:
+        return _assessed(orbit)
+    try:
+        found = _assessed(refine_kernels(orbit, DOUBLE, "flint"))
+    except NoConvergence:
+        return replace(_assessed(orbit), verdict="undecided")
+    multipliers = tuple(
+        Multiplier(float(m.real), float(m.imaginary), m.trivial) for m in found.multipliers
+    )
+    trace, margin = float(found.trace), float(found.margin)
+    return replace(found, multipliers=multipliers, trace=trace, margin=margin)
+
+
+def _spectrum(orbit: Orbit) -> np.ndarray:
+    values = [float(orbit.values[name]) for name in orbit.kernels.parameter_names]
+    return np.asarray(orbit.kernels.spectrum(values)[0])
+
+
+def _assessed(orbit: Orbit) -> Stability:
+    table, precise = orbit.kernels.table, orbit.precise
+    lib: Any = orbit.arithmetic.mp if precise else np
+    trace = orbit.evaluate("trace") if precise else float(orbit.evaluate("trace"))
+    rank, family = table["rank"], bool(table["conservative"])
+
+    def eigenvalues() -> list[Multiplier]:
+        if rank == 1:
+            return [Multiplier(trace, lib.zero if precise else 0.0, trivial=family)]
+        found = eigenvalues_of(_map(orbit), lib) if rank else []
+        return sorted(found, key=lambda m: -float(modulus(m, lib)))[:rank]
+
+    # what is carried beyond the digits asked for decides too
+    ten = lib.mpf(10) if precise else 10.0
+    error = ten ** -(orbit.digits + (GUARD - 5 if precise else -2))
+    return stability_of(
+        trace,
+        rank,
+        len(table["section"]),
+        eigenvalues,
+        family=family,
+        pair=rank != 1 and has_reciprocal_pair(orbit),
+        errors=(error, error),
+        defective=lib.sqrt(error) if precise else math.sqrt(LEAST),
+        grazes=_grazes(orbit, error),
+        lib=lib,
+        one_sided=" and ".join(f"{name} > 0" for name in table["vanishing"]),
+    )
+
+
+def _grazes(orbit: Orbit, error: Any) -> bool:
+    """Return whether a phase may reach its exit boundary tangentially, where no map has a slope."""
+    rates = _exit_rates if orbit.kernels.trigonometric else _exit_rates_of_fields
+    return any(abs(rate) <= error * size for rate, size in rates(orbit))
+
+
+def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
+    """Yield the rate of the boundary that ends each phase, there, and the size of its terms."""
+    kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
+    found = (np.array(a, dtype=object) for a in orbit.evaluate("coefficients", "frequencies"))
+    for boundary, row, frequencies in trigonometric_rows(kernels, *found):
+        if boundary.name != orbit.itinerary[boundary.phase][1]:
+            continue
+        dwell, (_, rate, *waves), size = orbit.dwell_times[boundary.phase], row, abs(row[1])
+        cosines, sines = waves[: len(frequencies)], waves[len(frequencies) :]
+        for cosine, sine, w in zip(cosines, sines, frequencies, strict=True):
+            rate += w * (sine * lib.cos(w * dwell) - cosine * lib.sin(w * dwell))
+            size += w * (abs(sine) + abs(cosine))
+        yield rate, size
+
+
+def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
+    """Yield these rates along damped and forced motions: n (A y + b) at the end y of a phase."""
+    kernels = orbit.kernels
+    found = orbit.evaluate("fields", "ends", "boundaries")
+    fields, ends, rows = (np.array(a, dtype=object) for a in found)
+    fields = fields.reshape(len(ends), -1, fields.shape[-1])
+    for boundary, row in zip(kernels.boundaries, rows, strict=True):
+        phase = boundary.phase
+        if boundary.name == orbit.itinerary[phase][1]:
+            terms = row[:-1, None] * fields[phase] * np.append(ends[phase], 1)
+            yield terms.sum(), abs(terms).sum()
+
+
+def has_reciprocal_pair(orbit: Orbit) -> bool:
+    """Return whether an orbit with kernels has multipliers 1, mu and 1/mu.
+
+    The derivation tells it of transitions that keep volume. Others keep it along orbits that are
+    their own time reversal, which the determinant of the map tells.
+    """
+    table = orbit.kernels.table
+    if table["reciprocal_pair"] or not table["conservative"] or len(table["section"]) != 3:
+        return bool(table["reciprocal_pair"])
+    return reciprocal(_map(orbit), table["rank"], orbit.arithmetic.mp if orbit.precise else np)
+
+
+def _map(orbit: Orbit) -> np.ndarray:
+    matrix = orbit.evaluate("poincare_jacobian")
+    return np.array(matrix, dtype=object if orbit.precise else float)

@@ -30,13 +30,11 @@ from nonsmooth.runtime.model.parameter_batches import (
     parameter_points,
 )
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
-from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, changed, reshaped
-from nonsmooth.runtime.orbits.solve import Itinerary, guess_along
+from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, solve_kernels
 from nonsmooth.runtime.orbits.table_many import TableBatch, solve_itineraries
-from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared, unknowns_of
 from nonsmooth.runtime.shooting.table_newton import sizes
 
@@ -182,7 +180,6 @@ class DeclaredPoints:
         """The itinerary with the section at the reference, wherever a point is computed."""
         known = self.reference
         point = np.array([[float(value) for value in known.parameters.values()]])
-        assert isinstance(known.problem, TableProblem)
         return TableBatch.at(known.problem, point, known.dwell_times[None], known.states[:1])
 
     @cached_property
@@ -211,50 +208,41 @@ class DeclaredPoints:
         shape, flat = found.status.shape, reshaped(found, (-1,))
         given = {n: np.broadcast_to(found.parameters[n], shape).ravel()
                  for n in kernels.parameter_names}  # fmt: skip
-        named = self._named(given, flat.unknowns)
+        unknowns, starts = self._composed(given, flat.unknowns)
         orbits = replace(
             flat,
             problem=self.reference.problem,
             parameters={name: parameter_array(name, value) for name, value in values.items()},
-            unknowns=named,
+            unknowns=unknowns,
             bounds=None if flat.bounds is None else {},
-            starts=self._starts(given, flat.unknowns, named),
+            starts=starts,
         )
         return reshaped(orbits, shape)
 
-    def _named(self, parameters: _Arrays, unknowns: _Arrays) -> dict[str, np.ndarray]:
-        """Return dwell times and start (n,) of orbits, by the names and in the order of `unknowns`.
+    def _composed(
+        self, parameters: _Arrays, unknowns: _Arrays
+    ) -> tuple[dict[str, np.ndarray], np.ndarray]:
+        """Return the unknowns (n,) of composed orbits, and where their phases start (n, p, N).
 
         Parameters and unknowns (n,) are, beside others, those of the kernels' equations,
         NaN where there is no orbit.
         """
         kernels, names = self._points.kernels, self.unknowns
-        unknowns = {name: unknowns[name] for name in kernels.unknowns}
-        times = kernels.durations({**parameters, **unknowns})
-        start = names[len(times) :]
-        known = {**unknowns, **times}
-        if not known.keys() >= {*start}:
-            states = self._states(parameters, unknowns)[:, 0]
-            known = {**dict(zip(start, states.T, strict=True)), **known}
-        return {name: known[name] for name in names}
-
-    def _starts(self, parameters: _Arrays, unknowns: _Arrays, named: _Arrays) -> np.ndarray:
-        """Return the state (n, p, N) at the start of each phase."""
-        count = len(self._points.kernels.dwell_times)
-        if count > 1:
-            return self._states(parameters, unknowns)[:, :count]
-        return np.stack([*named.values()][count:], axis=-1)[:, None]
-
-    def _states(self, parameters: _Arrays, unknowns: _Arrays) -> np.ndarray:
-        """Return the states (n, p + 1, N) where phases begin; NaN where there is no orbit."""
-        kernels = self._points.kernels
-        points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
-        solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
-        spectrum, _ = kernels.spectrum(points)
-        with np.errstate(all="ignore"):  # of points without an orbit
-            found = np.asarray(kernels.evaluate("states", at=(points, spectrum, solved)))
-        found[np.isnan(solved).any(axis=-1)] = np.nan
-        return found
+        solved = {name: unknowns[name] for name in kernels.unknowns}
+        times = kernels.durations({**parameters, **solved})
+        known, start = {**solved, **times}, names[len(times) :]
+        if len(times) == 1 and known.keys() >= {*start}:
+            starts = np.stack([known[name] for name in start], axis=-1)[:, None]
+        else:
+            x = np.stack([*solved.values()], axis=-1)
+            points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
+            spectrum, _ = kernels.spectrum(points)
+            with np.errstate(all="ignore"):  # of points without an orbit
+                states = np.asarray(kernels.evaluate("states", at=(points, spectrum, x)))
+            states[np.isnan(x).any(axis=-1)] = np.nan
+            starts = states[:, : len(times)]
+            known = {**dict(zip(start, starts[:, 0].T, strict=True)), **known}
+        return {name: known[name] for name in names}, starts
 
 
 def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredPoints | None:

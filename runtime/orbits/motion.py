@@ -11,8 +11,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import Shown
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.kernel_problem import OrbitProblem
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.problem import OrbitProblem
 
 __all__ = ["Motion", "Samples", "orbit_motion"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -21,7 +20,7 @@ from nonsmooth.runtime.orbits.derivatives import (
 )
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
 from nonsmooth.runtime.shooting.multipliers import Stability
-from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.newton import CONVERGED, DOUBLE
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.simulation.simulate import checked_count
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -30,12 +29,17 @@ if TYPE_CHECKING:
     import os
 
     from nonsmooth.runtime.orbits.admissible import Admissibility
-    from nonsmooth.runtime.orbits.kernel_problem import Evaluation, OrbitProblem
-    from nonsmooth.runtime.orbits.table_problem import TableEvaluation
+    from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
 
-__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged", "sure_digits"]
+__all__ = [
+    "DOUBLE",
+    "GUARD",
+    "PERIOD",
+    "Orbit",
+    "check_converged",
+    "kernel_arguments",
+]
 
-DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
 PERIOD = "period"  # under which name it is given
 
@@ -181,7 +185,7 @@ class Orbit(Shown):
         return self.problem.evaluation(self)
 
     @property
-    def tables(self) -> TableEvaluation:
+    def tables(self) -> Evaluation:
         """What the tables of the system tell at this orbit: passage, cycle, translations, ....
 
         Raises
@@ -313,11 +317,7 @@ class Orbit(Shown):
                     f" {', '.join(kernels.of_equations)}"
                 )
         lib = self.arithmetic if self.precise else None
-        parameters = [values[name] for name in kernels.parameter_names]
-        unknowns = [values[name] for name in kernels.unknowns]
-        spectrum, derivatives = kernels.spectrum(parameters, lib)
-        at = (parameters, spectrum, unknowns, derivatives)
-        return kernels.evaluate(*quantities, at=at, lib=lib)
+        return kernels.evaluate(*quantities, at=kernel_arguments(kernels, values, lib), lib=lib)
 
     def derivatives(
         self, by: Sequence[str] | str | None = None, *, one_sided: bool | None = None
@@ -437,11 +437,11 @@ class Orbit(Shown):
         return text
 
 
-def sure_digits(error: float) -> int:
-    """Return the decimal digits, `DOUBLE` at most, of numbers in units of max(1, |x|)."""
-    if not math.isfinite(error):
-        return 0
-    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
+def kernel_arguments(kernels: OrbitKernels, values: Mapping[str, Any], lib: Any) -> Any:
+    """Return what kernels of equations take, at values of all parameters and unknowns."""
+    parameters = [values[name] for name in kernels.parameter_names]
+    spectrum, derivatives = kernels.spectrum(parameters, lib)
+    return parameters, spectrum, [values[name] for name in kernels.unknowns], derivatives
 
 
 def check_converged(orbit: object, doing: str) -> None:

@@ -13,7 +13,7 @@ from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.kernel_problem import OrbitProblem
+    from nonsmooth.runtime.orbits.problem import OrbitProblem
 
 __all__ = ["TOO_SMALL", "Orbits", "changed", "reshaped", "restricted"]
 

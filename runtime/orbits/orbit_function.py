@@ -12,9 +12,9 @@ from nonsmooth.runtime.core.differentiable import DifferentiableFunction
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, chosen_names
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
-from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit, check_converged
-from nonsmooth.runtime.orbits.table_problem import labelled_as
+from nonsmooth.runtime.orbits.problem import labelled_as
+from nonsmooth.runtime.orbits.solve import solve_kernels
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
 __all__ = ["followed", "orbit_function"]

@@ -18,7 +18,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.piecewise import piecewise_in
-from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
+from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged, kernel_arguments
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
 from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
@@ -164,16 +164,11 @@ def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
     return replace(orbit, unknowns=named, residual=residual, digits=digits, iterations=iterations)
 
 
-def _arguments(
-    orbit: Orbit, x: Sequence[Any] | np.ndarray, lib: Any
-) -> tuple[list[Any], Any, list[Any], Any]:
+def _arguments(orbit: Orbit, x: Sequence[Any] | np.ndarray, lib: Any) -> Any:
     """Return what the kernels of an orbit take, in any arithmetic, where its unknowns are x."""
     values = {name: lib.number(value) for name, value in orbit.given.items()}
     values |= dict(zip(orbit.unknowns, x, strict=True))
-    kernels = orbit.kernels
-    parameters = [values[name] for name in kernels.parameter_names]
-    spectrum, derivatives = kernels.spectrum(parameters, lib)
-    return parameters, spectrum, [values[name] for name in kernels.unknowns], derivatives
+    return kernel_arguments(orbit.kernels, values, lib)
 
 
 def _equations(

@@ -29,7 +29,7 @@ from nonsmooth.runtime.shooting.translations import projection_along
 from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.table_problem import TableEvaluation
+    from nonsmooth.runtime.orbits.problem import Evaluation
 
 __all__ = [
     "moved_cycles",
@@ -155,7 +155,7 @@ def moved_cycles(
     return MovedCycles(cycle, closed, directions, waits, start, reasons, lib)
 
 
-def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directions:
+def table_directions(evaluation: Evaluation, by: Sequence[str]) -> Directions:
     """Return how dwell times and states move with each of some given numbers.
 
     The equations of the whole orbit are linearised, not those of the part that a symmetry
@@ -227,7 +227,7 @@ def section_along(moved: MovedCycles) -> np.ndarray:
     return np.array([p @ m for p, m in zip(along, maps, strict=True)])
 
 
-def _section(evaluation: TableEvaluation, moved: MovedCycles) -> MapDerivatives:
+def _section(evaluation: Evaluation, moved: MovedCycles) -> MapDerivatives:
     """Return the section map, or the stroboscopic one of forced motions, with its derivatives."""
     rank = evaluation.stability.rank - len(evaluation.translations)
     maps, lib = section_along(moved), moved.lib

@@ -22,10 +22,10 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise, piecewise_at, tables_at
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.problem import labelled_as, motion_along
 from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
-from nonsmooth.runtime.orbits.table_problem import labelled_as, motion_along
-from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.derivatives import (
     ShootingDerivatives,
@@ -213,7 +213,8 @@ class TableEquations:
             dwell = np.maximum(dwell, 0.0)
             now = self._shot(np.concatenate([dwell, x[len(dwell) :]])[None])
             left = max(np.abs(now.residual).max(), np.abs(now.starts[0, -1] - start).max())
-            found = known_orbit(*asked, dwell, now.starts[0, :-1], float(left), **options)
+            known = now.starts[0, :-1], float(left)
+            found = solve_itinerary(*asked, dwell, known=known, **options)
         if found is None or found.status != NEGATIVE:
             found = solve_itinerary(*asked, dwell.tolist(), start.tolist(), **options)
         return labelled_as(found, orbit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -18,13 +18,12 @@ from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
+from nonsmooth.runtime.orbits.problem import OrbitProblem
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
-from nonsmooth.runtime.orbits.table_digits import without_digits
-from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import margins as margins_of
-from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
+from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
     mechanical_states,
@@ -40,7 +39,13 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
 )
-from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
+from nonsmooth.runtime.shooting.table_newton import (
+    TableSolution,
+    digits_of,
+    sizes,
+    solve_shape,
+    unsolved,
+)
 from nonsmooth.runtime.shooting.translations import (
     gauges_of,
     projection_along,
@@ -91,7 +96,7 @@ def solve_itineraries(
     lengths = np.full(len(guess), np.nan)
     if period is not None:
         lengths = _spread("period", np.asarray(period)[..., None], 1, shape, positive=True)[:, 0]
-    batch = TableBatch.at(TableProblem(kernels, cycle.itinerary), points, guess, begin_at)
+    batch = TableBatch.at(OrbitProblem(kernels, cycle.itinerary), points, guess, begin_at)
     options: Any = {"limits": admissibility, "multipliers": multipliers, "margins": multipliers}
     found = batch.solve(points, guess, begin_at, lengths, threads=threads, **options)
     arrays = {name: parameter_array(name, value) for name, value in parameters.items()}
@@ -168,30 +173,18 @@ def section_of(
     return 0, size - 1, size - 1
 
 
-class Composed(NamedTuple):
-    """Orbits at n points; NaN where there is none."""
-
-    dwell: np.ndarray  # (n, p)
-    starts: np.ndarray  # (n, p, N), state at the start of each phase
-    maps: np.ndarray  # (n, m, m), of the section at the first phase, or stroboscopic
-    margin: np.ndarray  # (n,), of the multipliers; NaN where not asked for
-    residual: np.ndarray  # (n,)
-    iterations: np.ndarray  # (n,) of int32
-    status: np.ndarray  # (n,) of int32
-
-
 @dataclass(frozen=True, eq=False)
 class TableBatch:
     """An itinerary of a system, to be solved at many points."""
 
-    problem: TableProblem
+    problem: OrbitProblem
     cycle: ItineraryShape
     section: tuple[int, int, int]  # as `section_of` finds it
     translates: bool  # whether orbits close up to translations of the system
 
     @classmethod
     def at(
-        cls, problem: TableProblem, points: np.ndarray, dwell: np.ndarray, start: np.ndarray | None
+        cls, problem: OrbitProblem, points: np.ndarray, dwell: np.ndarray, start: np.ndarray | None
     ) -> TableBatch:
         """Return an itinerary, whose section the first of some points and guesses tells."""
         system = problem.system
@@ -232,16 +225,8 @@ class TableBatch:
         cycle, system, (count, phases) = self.cycle, self.problem.system, dwell.shape
         size, driven = len(cycle.structure.states), mechanical_states(cycle)
         width = size if driven is None else len(driven)
-        found = Composed(
-            np.full((count, phases), np.nan),
-            np.full((count, phases, size), np.nan),
-            np.full((count, width, width), np.nan),
-            np.full(count, np.nan),
-            np.full(count, np.nan),
-            np.zeros(count, dtype=np.int32),
-            np.full(count, INVALID, dtype=np.int32),
-        )
-        limit = np.full(count, NO_ORBIT)
+        found = unsolved(np.full((count, phases), np.nan), size, width)
+        margin, limit = np.full(count, np.nan), np.full(count, NO_ORBIT)
         sound = np.isfinite(np.concatenate([points, dwell], axis=1)).all(axis=1)
         if start is not None:
             sound &= np.isfinite(start).all(axis=1)
@@ -256,7 +241,8 @@ class TableBatch:
                 if not len(rows):
                     continue
                 here, guess = cycle.at(group.structure), None if start is None else start[rows]
-                solved = self._solved(here, flat, dwell[rows], guess, period[rows], margins)
+                solved, own = self._solved(here, flat, dwell[rows], guess, period[rows], margins)
+                margin[rows] = own
                 for array, values in zip(found, solved, strict=True):
                     array[rows] = values
                 if limits:
@@ -265,7 +251,7 @@ class TableBatch:
                     limit[rows[there]] = first_limits(system, here, *at)
 
         in_parallel(work, range(0, count, step), threads)
-        for array in found[:5]:
+        for array in (*found[:4], margin):
             array[found.status != CONVERGED] = np.nan
         _, rank, dimension = self.section
         values = None
@@ -287,7 +273,7 @@ class TableBatch:
             limits=self.limits if limits else (),
             bounds={} if limits else None,
             multipliers=values,
-            margin=found.margin if margins else None,
+            margin=margin if margins else None,
             starts=found.starts,
             timed=not np.isnan(period).all(),
         )
@@ -300,8 +286,12 @@ class TableBatch:
         start: np.ndarray | None,
         period: np.ndarray,
         margins: bool,
-    ) -> Composed:
-        """Return the orbits at points whose numbers `flat` have the same modes."""
+    ) -> tuple[TableSolution, np.ndarray]:
+        """Return the orbits at points whose numbers `flat` have the same modes, and their margins.
+
+        Maps are those of the section at the first phase, or stroboscopic; margins are NaN where
+        they are not asked for.
+        """
         closed, directions = cycle, np.empty((len(flat), 0, len(cycle.structure.states)))
         if self.translates:
             numbers = numbers_in(cycle.structure, flat)
@@ -315,7 +305,7 @@ class TableBatch:
                 numbers = numbers_in(closed.structure, flat)
                 start = shoot(closed, numbers, dwell, start, np).starts[first]
         solved = solve_shape(turned, flat, np.roll(dwell, -first, axis=1), start, period)
-        status = without_digits(turned, flat, solved, period, directions)
+        _, status = digits_of(turned, flat, solved, period, directions, every=False)
         maps, driven = solved.maps, mechanical_states(cycle)
         if driven is not None:
             field = numbers_in(closed.structure, flat).fields[:, cycle.configurations[0]]
@@ -326,15 +316,13 @@ class TableBatch:
             family = driven is None and not np.isnan(period).all()
             trace = np.trace(maps, axis1=-2, axis2=-1)
             margin = margins_of(maps, trace, self.section[1], family=family)
-        return Composed(
-            np.roll(solved.dwell, first, axis=1),
-            np.roll(solved.starts, first, axis=1),
-            _with_translations(maps, directions) if self.translates else maps,
-            margin,
-            solved.residual,
-            solved.iterations,
-            status,
+        orbits = solved._replace(
+            dwell=np.roll(solved.dwell, first, axis=1),
+            starts=np.roll(solved.starts, first, axis=1),
+            maps=_with_translations(maps, directions) if self.translates else maps,
+            status=status,
         )
+        return orbits, margin
 
 
 def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,13 +19,11 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
+from nonsmooth.runtime.orbits.problem import OrbitProblem, labelled, orbit_of
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
-from nonsmooth.runtime.orbits.table_digits import digits_of
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled, orbit_of
 from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
-    ItineraryShape,
     guesses,
     itinerary_shape,
 )
@@ -36,14 +34,14 @@ from nonsmooth.runtime.shooting.symmetry import (
     whole_orbit,
     whole_shape,
 )
-from nonsmooth.runtime.shooting.table_newton import TableSolution, fitting_start, solve_shape
+from nonsmooth.runtime.shooting.table_newton import digits_of, fitting_start, solve_shape, unsolved
 from nonsmooth.runtime.shooting.translations import up_to_shift
 
 __all__ = [
     "CONTINUATION_STEPS",
     "Symmetries",
+    "fitted_start",
     "guess_by_name",
-    "known_orbit",
     "period_in",
     "solve_declared",
     "solve_itinerary",
@@ -62,79 +60,25 @@ def solve_itinerary(
     system: SystemKernels,
     parameters: Mapping[str, object],
     itinerary: Sequence[tuple[str, str]],
-    dwell_times: Sequence[float],
+    dwell_times: Sequence[float] | np.ndarray,
     start: Sequence[float] | None = None,
     *,
     period: object = None,
     symmetry: Symmetries = None,
+    known: tuple[np.ndarray, float] | None = None,
 ) -> Orbit:
     """Find the periodic orbit of an itinerary near a guess, in double precision.
 
     All physical parameters are given. There are guesses of the dwell times (p,) and of
     the state at the start (N,); without that the one is taken that fits the dwell times
     best. The period, if given, is what the dwell times have to sum up to; the symmetry is
-    as for `nonsmooth.solve`. The result's `status` says whether it is an orbit.
+    as for `nonsmooth.solve`. The result's `status` says whether it is an orbit: of numbers
+    that were solved for before, of which the states (p, N) where phases begin and the residual
+    are `known`, the digits alone are counted anew.
+
     `InputError` is raised for wrong names, values or numbers of guesses, an itinerary
     that the system does not allow, or what is no symmetry of the system at these
     parameters.
-    """
-
-    def solved(
-        part: ItineraryShape, flat: np.ndarray, directions: np.ndarray, length: np.ndarray
-    ) -> TableSolution:
-        dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
-        begin = None
-        if start is not None:
-            size = len(part.structure.states)
-            begin = guesses("the guess of the start", start, size).reshape(1, -1)
-            begin = up_to_shift(begin, directions)
-        found = solve_shape(part, flat, dwell.reshape(1, -1), begin, length)
-        found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
-        return found
-
-    return _orbit(system, parameters, itinerary, period, symmetry, solved)
-
-
-def known_orbit(
-    system: SystemKernels,
-    parameters: Mapping[str, object],
-    itinerary: Sequence[tuple[str, str]],
-    dwell_times: np.ndarray,
-    states: np.ndarray,
-    residual: float,
-    *,
-    period: object = None,
-    symmetry: Symmetries = None,
-) -> Orbit:
-    """Return the orbit of numbers that were solved for before; its digits are counted anew.
-
-    The dwell times (p,), the states (p, N) where phases begin and the residual stay as
-    they are. Other arguments, and `InputError`, are as for `solve_itinerary`. The
-    result's `status` says whether a dwell time, or all of it, is lost in rounding.
-    """
-    found = TableSolution(
-        dwell_times[None],
-        states[None],
-        np.full((1, *2 * states.shape[1:]), np.nan),
-        np.array([residual]),
-        np.zeros(1, dtype=np.int32),
-        np.full(1, CONVERGED, dtype=np.int32),
-    )
-    return _orbit(system, parameters, itinerary, period, symmetry, lambda *_: found)
-
-
-def _orbit(
-    system: SystemKernels,
-    parameters: Mapping[str, object],
-    itinerary: Sequence[tuple[str, str]],
-    period: object,
-    symmetry: Symmetries,
-    solved: Callable[[ItineraryShape, np.ndarray, np.ndarray, np.ndarray], TableSolution],
-) -> Orbit:
-    """Return the record of a solution, with its digits and the routes that it takes.
-
-    `solved` gives it, from the part that a symmetry or translations close, the numbers (1, size)
-    of that part, the translations (m, N), and the sum (1,) of its dwell times, NaN where free.
     """
     mirror, phases = None, itinerary
     if symmetry is not None:
@@ -154,14 +98,24 @@ def _orbit(
         raise InputError(f"period = {wanted} is not positive and finite")
     if wanted is not None and mirror is not None:
         length = float(part_of(wanted, mirror.order))
-    asked = part, numbers_of(closed)[None]
+    asked, size = (part, numbers_of(closed)[None]), len(part.structure.states)
     period_of_part = np.array([length])
-    found = solved(*asked, directions, period_of_part)
+    if known is None:
+        dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
+        begin = None
+        if start is not None:
+            begin = guesses("the guess of the start", start, size).reshape(1, -1)
+            begin = up_to_shift(begin, directions)
+        found = solve_shape(*asked, dwell.reshape(1, -1), begin, period_of_part)
+        found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
+    else:
+        found = unsolved(np.asarray(dwell_times)[None], size, size)
+        found.starts[0], found.residual[0], found.status[0] = *known, CONVERGED
     digits, status = digits_of(*asked, found, period_of_part, directions[None])
     times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
     kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
     return orbit_of(
-        TableProblem(kernels, cycle.itinerary, mirror),
+        OrbitProblem(kernels, cycle.itinerary, mirror),
         point.parameters,
         wanted,
         times,
@@ -365,8 +319,15 @@ def _start(
         return given
     if not given or symmetry:
         return None
-    cycle = itinerary_shape(point.structure, phases)
-    flat = numbers_of(point)[None]
-    with np.errstate(all="ignore"):
-        start = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
+    start = fitted_start(point, phases, dwell)
     return [fitted if value is None else value for fitted, value in zip(start, known, strict=True)]
+
+
+def fitted_start(
+    point: PiecewiseLinear, itinerary: Sequence[tuple[str, str]], dwell: Sequence[float]
+) -> list[float]:
+    """Return the start (N) of an itinerary that fits given dwell times best."""
+    cycle, flat = itinerary_shape(point.structure, itinerary), numbers_of(point)[None]
+    with np.errstate(all="ignore"):
+        found: list[float] = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
+    return found

@@ -123,9 +123,7 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
     from nonsmooth.runtime.proof.certify_orbit import MOST_BITS
 
     bits = min(math.ceil(orbit.digits * math.log2(10)) + 16, MOST_BITS)
-    if orbit.problem.kernels is None:
-        return _proof_by_certificate(orbit, bits)
-    return _proof_by_kernels(orbit, bits)
+    return (_proof_by_kernels if orbit.problem.derived else _proof_by_certificate)(orbit, bits)
 
 
 def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:

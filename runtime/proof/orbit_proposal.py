@@ -10,7 +10,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import chosen_names
 from nonsmooth.runtime.core.values import Value, flint_precision
-from nonsmooth.runtime.model.completion import followers
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.certificate import Unknown
@@ -60,7 +59,7 @@ def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[s
     """
     problem = orbit.problem
     known = {*orbit.given, *orbit.opened, *chosen, *problem.required}
-    sums = {} if problem.kernels is None else followers(problem.kernels, known)
+    sums = problem.followers(known)
     found: dict[str, Direction] = {}
     for name in by:
         if name == problem.period_name:

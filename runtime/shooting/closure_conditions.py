@@ -69,14 +69,8 @@ def _closed_shape(cycle: ItineraryShape, count: int) -> ItineraryShape:
     structure = _with_one_reset_more(cycle.structure)
     last = cycle.transitions[count - 1]
     turned = replace(last, reset=structure.resets - 1, target=cycle.configurations[0])
-    return replace(
-        cycle,
-        structure=structure,
-        itinerary=cycle.itinerary[:count],
-        configurations=cycle.configurations[:count],
-        boundaries=cycle.boundaries[:count],
-        transitions=(*cycle.transitions[: count - 1], turned),
-    )
+    transitions = (*cycle.transitions[: count - 1], turned)
+    return replace(cycle.phases(range(count)), structure=structure, transitions=transitions)
 
 
 @lru_cache(maxsize=1024)  # what is kept for a structure serves again

@@ -17,6 +17,7 @@ from nonsmooth.runtime.core.matrices import inverses
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,
+    DETERMINED,
     GOING,
     INVALID,
     NEGATIVE,
@@ -29,20 +30,21 @@ from nonsmooth.runtime.shooting.newton import (
 )
 
 __all__ = [
-    "DETERMINED",
     "Errors",
     "Full",
     "LinearisedEquations",
     "Solved",
+    "dwell_times",
     "equations_at",
     "error_bounds",
     "frequency_spread",
+    "judged_at",
+    "lasting_phases",
     "natural_scales",
     "solve_full",
     "solve_reduced",
 ]
 
-DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
 MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
 LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
 _EPSILON = float(np.finfo(float).eps)
@@ -117,11 +119,9 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
         residual = kernels.evaluate("reduced_residual", at=(parameters, spectrum, x))
     unknowns, determinants = kernels.expand(parameters, spectrum, x)
     trace = kernels.evaluate("trace", at=(parameters, spectrum, unknowns))
-    values = dict(zip(kernels.parameter_names, parameters.T, strict=True))
-    durations = kernels.durations(values | dict(zip(kernels.unknowns, unknowns.T, strict=True)))
-    for name, duration in durations.items():
-        if name not in kernels.table["vanishing"]:
-            status[(duration <= 0) & (status == CONVERGED)] = NEGATIVE
+    dwell = dwell_times(kernels, np.concatenate([unknowns, parameters], axis=-1))
+    negative = (dwell[:, lasting_phases(kernels)] <= 0).any(axis=-1)
+    status[negative & (status == CONVERGED)] = NEGATIVE
     status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
     status[(np.abs(determinants) <= LEAST_DETERMINANT).any(axis=-1)] = SINGULAR
     return Solved(unknowns, trace, np.abs(residual).max(axis=-1), taken, status)
@@ -181,18 +181,15 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
         (iterations,), (status,) = (ended.tolist() for ended in iterate(1, advance))
     if status != INVALID and (condition := _condition_number(jacobian)) > MOST_CONDITION:
         raise _undetermined(solved_for, condition)
-    error = np.inf
+    missed, error = float(np.abs(residual).max()), np.inf
     if status == CONVERGED:
-        equations = equations_at(kernels, x)
-        residual, jacobian = equations.residual, equations.jacobian
-        errors = error_bounds(kernels, x, places, equations)
-        error = errors.largest
+        missed, error, status = judged_at(kernels, x, places)
         if not error < DETERMINED:
+            jacobian = equations_at(kernels, x).jacobian[:, places]
             size = np.maximum(np.abs(x[places]), 1)
-            raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
-        status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
+            raise _undetermined(solved_for, float(np.linalg.cond(jacobian * size)))
     found = {name: float(value) for name, value in zip(names, x, strict=True)}
-    return Full(found, float(np.abs(residual).max()), iterations, status, error)
+    return Full(found, missed, iterations, status, error)
 
 
 def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
@@ -264,19 +261,42 @@ def error_bounds(
     return Errors(largest, *waits)
 
 
+def judged_at(
+    kernels: OrbitKernels, x: np.ndarray, places: Sequence[int] | slice
+) -> tuple[float, float, int]:
+    """Largest residual, error and status of a solution x (n + p,), solved for at some places.
+
+    The error is that of all numbers in units of max(1, |x|), and of frequencies far apart.
+    """
+    equations = equations_at(kernels, x)
+    errors = error_bounds(kernels, x, places, equations)
+    error = max(errors.largest, 4 * _EPSILON * float(frequency_spread(kernels, equations.spectrum)))
+    status = judged(errors.dwell, errors.of_dwell, error, DETERMINED)
+    return float(np.abs(equations.residual).max()), error, int(status)
+
+
 def _waits(
     kernels: OrbitKernels, x: np.ndarray, errors: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Dwell times (p,) or (k, p) of the phases that take time, and their errors."""
-    names = (*kernels.unknowns, *kernels.parameter_names)
-    durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
+    names, places = (*kernels.unknowns, *kernels.parameter_names), lasting_phases(kernels)
     own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
-    dwell, of_dwell = [], []
-    for name, terms in zip(kernels.dwell_times, kernels.table["durations"], strict=True):
-        if name not in kernels.table["vanishing"]:
-            dwell.append(durations[name])
-            of_dwell.append(sum(abs(factor) * own[term] for term, factor in terms.items()))
-    return np.array(dwell).T, np.array(of_dwell).T
+    sums = [kernels.table["durations"][place].items() for place in places]
+    of_dwell = [sum(abs(factor) * own[term] for term, factor in terms) for terms in sums]
+    return dwell_times(kernels, x)[..., places], np.array(of_dwell).T
+
+
+def dwell_times(kernels: OrbitKernels, x: np.ndarray) -> np.ndarray:
+    """Dwell times (..., p) of all phases at points x (..., n + p) of unknowns, then parameters."""
+    names = (*kernels.unknowns, *kernels.parameter_names)
+    found = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
+    return np.stack([*found.values()], axis=-1)
+
+
+def lasting_phases(kernels: OrbitKernels) -> list[int]:
+    """Places of the phases that take time."""
+    vanishing = kernels.table["vanishing"]
+    return [k for k, name in enumerate(kernels.dwell_times) if name not in vanishing]
 
 
 def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:

@@ -18,6 +18,8 @@ from nonsmooth.runtime.core.errors import NoConvergence
 __all__ = [
     "BEYOND",
     "CONVERGED",
+    "DETERMINED",
+    "DOUBLE",
     "GOING",
     "INVALID",
     "LEAST",
@@ -35,6 +37,7 @@ __all__ = [
     "judged",
     "lost",
     "precisions",
+    "sure_digits",
 ]
 
 # the compiled solvers' numbers
@@ -47,6 +50,8 @@ BEYOND = (
     "beyond double precision: the parameters are so far apart that rounding leaves no"
     " sure digits; change their ratios"
 )
+DOUBLE = 15  # decimal digits up to which doubles serve
+DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
 SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 LEAST = 1e-10  # relative singular value below which equations are dependent
@@ -99,6 +104,13 @@ def judged(dwell: np.ndarray, of_dwell: np.ndarray, errors: Any, most: float) ->
     vanishes = lost & (dwell <= SHORTEST * dwell.sum(axis=-1, keepdims=True))
     status = np.where(errors < most, np.where(lost.any(axis=-1), NEGATIVE, CONVERGED), UNSURE)
     return np.where(vanishes.any(axis=-1), NEGATIVE, status)
+
+
+def sure_digits(errors: Any) -> np.ndarray:
+    """Decimal digits (...), `DOUBLE` at most, of numbers with errors in units of max(1, |x|)."""
+    with np.errstate(all="ignore"):  # of what is not finite there are none
+        known = np.floor(-np.log10(np.maximum(errors, 1e-300)))
+    return np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0).astype(int)
 
 
 def precisions(digits: int, start: int) -> list[int]:

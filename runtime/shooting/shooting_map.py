@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import accumulate, pairwise
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -44,8 +44,6 @@ __all__ = [
     "shoot",
     "shoot_along",
 ]
-
-_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,17 +94,13 @@ class ItineraryShape:
 
     def rotated(self, first: int) -> ItineraryShape:
         """The same cycle, beginning with the phase at place `first`."""
+        return self.phases([*range(first, len(self)), *range(first)])
 
-        def turned(part: tuple[_T, ...]) -> tuple[_T, ...]:
-            return part[first:] + part[:first]
-
-        return replace(
-            self,
-            itinerary=turned(self.itinerary),
-            configurations=turned(self.configurations),
-            boundaries=turned(self.boundaries),
-            transitions=turned(self.transitions),
-        )
+    def phases(self, places: Sequence[int]) -> ItineraryShape:
+        """The phases at some places, one after the other."""
+        parts = (self.itinerary, self.configurations, self.boundaries, self.transitions)
+        chosen: Any = (tuple(part[place] for place in places) for part in parts)
+        return ItineraryShape(self.structure, *chosen)
 
     def __len__(self) -> int:
         return len(self.itinerary)

@@ -6,8 +6,8 @@ its phases lead from a start to the start's image, and the symmetry leads back.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -152,6 +152,17 @@ def _same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> b
     return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
 
 
+def _matched(
+    own: Sequence[Any], others: Sequence[Any], fits: Callable[[Any, Any], bool]
+) -> tuple[int, ...] | None:
+    """Place among others of the first that fits, for each in turn; None unless all are paired."""
+    found: list[int] = []
+    for each in own:
+        left = (k for k, other in enumerate(others) if k not in found and fits(each, other))
+        found.append(next(left, -1))
+    return tuple(found) if len(own) == len(others) and -1 not in found else None
+
+
 class _Images:
     """Candidates for the image of each configuration, with the images of their boundaries."""
 
@@ -189,29 +200,14 @@ class _Images:
         structure, system, matrix = self.structure, self.system, self.matrix
         own, other = structure.boundaries[c], structure.boundaries[image]
         field = _seen_in_images(matrix, system.fields[c])
-        if len(own) != len(other) or not self._equal(field, system.fields[image]):
+        if not self._equal(field, system.fields[image]):
             return None
-        constraints = list(structure.constraints[image])
-        if len(constraints) != len(structure.constraints[c]):
+        constraints = structure.constraints[c], structure.constraints[image]
+        if _matched(*constraints, lambda row, r: self._row_maps(row, r, signed=False)) is None:
             return None
-        for row in structure.constraints[c]:
-            fitting = [r for r in constraints if self._row_maps(row, r, signed=False)]
-            if not fitting:
-                return None
-            constraints.remove(fitting[0])
-        found: list[int] = []
-        for boundary in own:
-            fitting = [
-                place
-                for place, candidate in enumerate(other)
-                if place not in found
-                and candidate.reached == boundary.reached
-                and self._row_maps(boundary.row, candidate.row)
-            ]
-            if not fitting:
-                return None
-            found.append(fitting[0])
-        return tuple(found)
+        return _matched(
+            own, other, lambda b, r: r.reached == b.reached and self._row_maps(b.row, r.row)
+        )
 
     def _row_maps(self, row: int, other: int, *, signed: bool = True) -> bool:
         """Whether the image of a row is a multiple of another row, a positive one if `signed`."""
@@ -360,14 +356,7 @@ def whole_orbit(
     directions = translations_of(system)
     shift = np.zeros_like(states[0])
     if len(directions):  # by how much the image of the part's end is moved from its start
-        first = len(states) - 1
-        last = replace(
-            cycle,
-            itinerary=cycle.itinerary[first : first + 1],
-            configurations=cycle.configurations[first : first + 1],
-            boundaries=cycle.boundaries[first : first + 1],
-            transitions=cycle.transitions[first : first + 1],
-        )
+        last = cycle.phases([len(states) - 1])
         end = shoot(last, numbers_in(system), dwell[-1:], states[-1], lib).starts[-1]
         image = symmetry.matrix @ end
         shift = image[gauges_of(directions)] @ directions

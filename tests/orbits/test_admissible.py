@@ -12,8 +12,8 @@ from nonsmooth import InputError, Orbit, refine, solve, solve_many
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
-from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
-from nonsmooth.runtime.orbits.kernel_solve import search
+from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
+from nonsmooth.runtime.orbits.solve import search
 from nonsmooth.runtime.present.report import orbit_json
 
 ORBIT = "dry-friction/global-stick"
@@ -103,7 +103,7 @@ def record(point, unknowns):
     """An orbit of given numbers, without solving."""
     given = {n: as_value(float(v)) for n, v in zip(PARAMETERS, point, strict=True)}
     numbers = dict(zip(UNKNOWNS, map(float, unknowns), strict=True))
-    return Orbit(KernelProblem(load_orbit(ORBIT)), given, numbers, {}, 0.0, 15, 0, 0)
+    return Orbit(kernel_problem(load_orbit(ORBIT)), given, numbers, {}, 0.0, 15, 0, 0)
 
 
 def random_points(seed, count):

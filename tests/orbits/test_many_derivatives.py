@@ -19,7 +19,7 @@ from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import stepped_tables, table_rates
 from nonsmooth.runtime.orbits import many_derivatives as many
-from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
 from tests.places import GALLERY
@@ -170,7 +170,7 @@ def test_kernels_in_c_and_on_numpy_agree(name: str) -> None:
     found = ns.solve_many(name, scattered(data, 37, 1e-2), admissibility=False)
     kernels = found.problem.kernels
     assert kernels.directions is not None
-    other = replace(found, problem=KernelProblem(uncompiled(kernels)))
+    other = replace(found, problem=kernel_problem(uncompiled(kernels)))
     mine, plain = (derivatives_of_many(each, list(data)) for each in (found, other))
     for quantity, rates in plain.items():
         for key, rate in rates.items():

@@ -24,7 +24,7 @@ from nonsmooth.derive.systems import elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import load_orbit
-from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from tests.declared import Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
@@ -466,7 +466,7 @@ def test_the_printed_stiffness_matrix_has_no_contact_orbit(printed: bool) -> Non
         vector = [root[n] for n in ("y", "u", "w", "tau")]
         verdicts.append(is_contact_orbit(DATA, corner, DATA["k3"], vector))
         given = {n: as_value(v) for n, v in DATA.items()}
-        record = Orbit(KernelProblem(load_orbit(ELASTIC)), given, root, {}, 0.0, 15, 0, 0)
+        record = Orbit(kernel_problem(load_orbit(ELASTIC)), given, root, {}, 0.0, 15, 0, 0)
         declared = Declared(record, itinerary=itinerary)
         assert abs((declared.steps[0][0].normal @ declared.steps[0][2]).item()) < 1e-9
     assert verdicts == ([False, False] if printed else [True])

@@ -42,6 +42,7 @@ class Line:
     solver = None
     unknowns = reduced = dwell_times = ("tau",)
     parameter_names = ("root",)
+    frequency_places = ()
 
     def __init__(self, slope: float = 1.0, ahead: float = 0.0, size: float = 1.0) -> None:
         self.slope, self.ahead, self.size = slope, ahead, size

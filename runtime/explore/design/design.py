@@ -223,10 +223,7 @@ def _worst_at(
 
 def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:
     """Boundaries that must not be crossed; none if parameters that are left open decide on them."""
-    kernels = first.orbit.problem.kernels
-    if kernels is not None and any(
-        p.name not in first.orbit.opened for p in kernels.open_parameters
-    ):
+    if first.orbit.problem.left_open(first.orbit):
         return {}
     return watched_margins(first.quantities, lengths)
 

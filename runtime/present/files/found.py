@@ -23,7 +23,7 @@ from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.table_solve import known_orbit
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.present.files.table_orbits import check_solves
 
 __all__ = [
@@ -364,7 +364,8 @@ def _orbit(
         if not itinerary or any(tuple(phase.start) != names for phase in entry.itinerary):
             raise InputError(f"none of the states of {kernels.name}")
         states = np.array([list(phase.start.values()) for phase in entry.itinerary])
-        orbit = known_orbit(kernels, parameters, itinerary, dwell, states, entry.residual)
+        known = states, entry.residual
+        orbit = solve_itinerary(kernels, parameters, itinerary, dwell, known=known)
         check_solves(orbit)
         if not orbit.converged:
             raise InputError(orbit.message)

@@ -19,7 +19,7 @@ from nonsmooth.runtime.model.completion import check_relations, follow
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, orbit_in
-from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.orbit_numbers import (
     bits_of,
@@ -91,7 +91,7 @@ def kernel_orbit(entries: KernelOrbitEntries) -> Orbit:
     check_counts(entries)
     bits = None if entries.arithmetic == "double" else entries.bits
     orbit = Orbit(
-        KernelProblem(kernels),
+        kernel_problem(kernels),
         entries.given,
         {name: read_number(name, text, bits) for name, text in entries.unknowns.items()},
         entries.opened,

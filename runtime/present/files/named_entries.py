@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import format_in
 from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable, SystemKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
+from nonsmooth.runtime.orbits.problem import labelled
 from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.loading import load
 from nonsmooth.runtime.present.files.orbits import load_orbit_file, orbit_content, orbit_in
@@ -66,7 +66,7 @@ def orbit_to_hold(name: str) -> dict[str, Any]:
     It is ready for JSON. An orbit without a name takes that of its kernels in this file.
     """
     orbit, kernels = _known(*_place(name))
-    if isinstance(orbit.problem, TableProblem):
+    if not orbit.problem.derived:
         orbit = labelled(orbit, kernels.name, orbit.problem.names)
     return orbit_content(orbit)
 
@@ -154,7 +154,7 @@ def _read(path: Path, number: int | None, stamp: tuple[int, ...]) -> tuple[Orbit
 
 
 def _kernels(orbit: Orbit, address: str) -> OrbitKernels:
-    if isinstance(orbit.problem, TableProblem):
+    if not orbit.problem.derived:
         saved = SavedTable(orbit.problem.label or address, address, declared_table(orbit))
         return OrbitKernels(orbit.system, "", saved)
     kernels = orbit.kernels

@@ -45,9 +45,9 @@ def _entries(orbit: Orbit) -> tuple[FileFormat[Any], Any]:
     """Format and entries of an orbit's file."""
     if not orbit.converged:
         raise InputError(f"{orbit.name} is not saved: {orbit.message}")
-    if orbit.problem.kernels is None:
-        return TABLE_ORBIT, table_entries(orbit)
-    return KERNEL_ORBIT, kernel_entries(orbit)
+    if orbit.problem.derived:
+        return KERNEL_ORBIT, kernel_entries(orbit)
+    return TABLE_ORBIT, table_entries(orbit)
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:

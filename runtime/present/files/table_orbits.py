@@ -21,8 +21,8 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
 from nonsmooth.runtime.orbits.routes import with_routes_at
-from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
 from nonsmooth.runtime.present.files.orbit_numbers import (
     bits_of,
     check_counts,
@@ -81,7 +81,6 @@ _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
 def table_entries(orbit: Orbit) -> TableOrbitEntries:
     """Entries of the file of a converged orbit that was solved with its system's tables."""
     problem = orbit.problem
-    assert isinstance(problem, TableProblem)
     dwell, states = orbit.dwell_times.tolist(), orbit.states.tolist()
     bits = max(map(bits_of, (*dwell, *(x for row in states for x in row), orbit.residual)))
     system, label, saved = named(orbit.system, problem.label or "")
@@ -140,7 +139,7 @@ def table_orbit(entries: TableOrbitEntries) -> Orbit:
     point = piecewise(kernels, parameters)
     kernels = with_routes_at(kernels, point, itinerary, np.array(dwell), np.array(states))
     orbit = orbit_of(
-        TableProblem(kernels, itinerary, symmetry, entries.label, names),
+        OrbitProblem(kernels, itinerary, symmetry, entries.label, names),
         parameters,
         entries.period,
         np.array(dwell, dtype=kind),

@@ -211,7 +211,7 @@ def _scene(
 ) -> Scene | View:
     """The orbit as it is drawn, after all checks that need no drawing."""
     check_picture(kind, tuple(KINDS))
-    if orbit.problem.has_trajectory:
+    if not orbit.problem.derived:
         return orbit_view(orbit, periods, points_per_period, masses)
     motion = orbit_motion(orbit)
     drawn = chosen_masses(masses, len(motion.names) // 2, orbit.name)

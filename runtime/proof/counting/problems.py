@@ -19,9 +19,9 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.completion import Point
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
+from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
+from nonsmooth.runtime.orbits.solve import solve_kernels
 from nonsmooth.runtime.proof.counting.branch_and_prune import Problem, Root, inside, touching
 from nonsmooth.runtime.proof.counting.dwell_box import Side
 from nonsmooth.runtime.proof.counting.dwell_equations import (
@@ -235,7 +235,7 @@ class DwellQuestion:
     def orbit(self, problem: DwellProblem, root: Root) -> Orbit:
         """An approximation in floating point of the orbit that the root is."""
         starts = problem.starts(root.sides, root.coordinates)
-        named = TableProblem(
+        named = OrbitProblem(
             self.kernels, self.cycle.itinerary, label=self.label, names=(*self.names, *self.start)
         )
         return orbit_of(

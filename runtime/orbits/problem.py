@@ -1,12 +1,15 @@
-"""Periodic orbits by the tables of their system: any itinerary, composed at run time."""
+"""What is asked of a periodic orbit, and how the tables of its system answer.
+
+Any itinerary is composed from tables at run time. Where an orbit has kernels of its own equations,
+`kernel_problem` answers in their place; who asks does not know which of the two it is.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -14,10 +17,10 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
-from nonsmooth.runtime.model.completion import SystemPoint, system_parameters
+from nonsmooth.runtime.model.completion import SystemPoint, Terms, system_parameters
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.flows import flow_states
-from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
@@ -55,12 +58,16 @@ from nonsmooth.runtime.shooting.translations import (
 from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["TableEvaluation", "TableProblem", "labelled", "labelled_as", "motion_along", "orbit_of"]
+__all__ = ["Evaluation", "OrbitProblem", "labelled", "labelled_as", "motion_along", "orbit_of"]
 
 
 @dataclass(frozen=True)
-class TableProblem:
-    """Orbits of an itinerary by the tables of its system; see `KernelProblem`."""
+class OrbitProblem:
+    """The periodic orbits of one itinerary of a system.
+
+    It holds the tables and kernels that it was made with: nothing is loaded again, whatever
+    becomes of the file that declared them.
+    """
 
     system: SystemKernels
     # of the whole period; boundaries that are reached together are joined, "a+b"
@@ -70,36 +77,47 @@ class TableProblem:
     label: str | None = None  # "FILE.py:ORBIT" and the like, where the orbit is a declared one
     # of the unknowns: dwell times, then start; empty for the usual ones
     names: tuple[str, ...] = ()
+    # of equations of its own; None where they are composed from the tables
+    kernels: OrbitKernels | None = None
 
-    kernels: ClassVar[None] = None  # the equations are composed from the tables
-    has_trajectory: ClassVar[bool] = True
-    period_name: ClassVar[str] = PERIOD
-    required: ClassVar[Mapping[str, str]] = MappingProxyType({})  # all parameters are given
+    @property
+    def derived(self) -> bool:
+        """Whether kernels of its own equations answer."""
+        return self.kernels is not None
 
     @property
     def name(self) -> str:
-        """Label of the orbit, or its system and how many phases it has."""
+        """``system/orbit``, ``FILE.py:orbit`` and the like, or the system and how many phases."""
         return self.label or cycle_label(self.system.name, len(self.itinerary))
 
     @property
     def state_names(self) -> tuple[str, ...]:
-        """See `KernelProblem`."""
-        return tuple(self.system.table["states"])
+        """Names of the states, in the coordinates of the equations."""
+        return tuple((self.kernels or self.system).table["states"])
 
     @property
     def parameters(self) -> tuple[ParameterTable, ...]:
-        """See `KernelProblem`."""
-        return self.system.parameters
+        """The parameters of the equations, with names, meanings and domains."""
+        return (self.kernels or self.system).parameters
 
     @property
     def all_parameters(self) -> Mapping[str, ParameterTable]:
-        """See `KernelProblem`."""
+        """All that may be given, by name: the equations' parameters and what they follow from."""
         return {table.name: table for table in self.parameters}
+
+    @property
+    def required(self) -> Mapping[str, str]:
+        """Values that parameters must have for such an orbit to exist, as text."""
+        return {}
 
     @cached_property
     def unknown_names(self) -> tuple[str, ...]:
-        """Names of the dwell times, then of the start's coordinates: x10 for the state x1."""
-        if self.names:
+        """Names of the unknowns.
+
+        Composed orbits have dwell times, then the start's coordinates: x10 for the state x1. Of
+        others one may be given, and a parameter solved for in its place.
+        """
+        if self.names or self.derived:
             return self.names
         states, parameters = self.state_names, [p.name for p in self.parameters]
         dwell = dwell_names(len(self.itinerary), {*states, *parameters})
@@ -107,59 +125,90 @@ class TableProblem:
 
     @property
     def dwell_time_names(self) -> tuple[str, ...]:
-        """Names of the dwell times: tau1, tau2, ... where none were declared."""
+        """Name of each phase's dwell time: tau1, tau2, ... where none were declared."""
         return self.unknown_names[: len(self.itinerary)]
 
     @property
     def start_names(self) -> tuple[str, ...]:
-        """See `KernelProblem`."""
+        """Name of each of the system's states at the start."""
         return self.unknown_names[len(self.itinerary) :]
 
     @property
+    def period_name(self) -> str | None:
+        """Name of the period where it may be given; None where the equations determine it."""
+        return PERIOD
+
+    @property
     def forcing(self) -> tuple[tuple[int, int], ...]:
-        """See `KernelProblem`."""
+        """Places of cosine and sine of each forcing among the states that are shown."""
         return structure_of(self.system).forcing
 
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
-        """See `KernelProblem`."""
+        """Return the dwell time of each phase, from parameters and unknowns in any arithmetic.
+
+        They are in the unit of time.
+        """
         return [values[name] for name in self.dwell_time_names]
 
-    def followers(self, names: Iterable[str]) -> Collection[str]:
-        """See `KernelProblem`: all parameters are given."""
+    def followers(self, names: Iterable[str]) -> Mapping[str, Terms]:
+        """Return the parameters that follow from these: e1 = ur1 - us1 from ur1 and us1.
+
+        Each has the factors of the parameters that it is the sum of.
+        """
+        return {}
+
+    def left_open(self, orbit: Orbit) -> Sequence[str]:
+        """Return the parameters on which admissibility depends and that have no value."""
         return ()
 
     def period(self, orbit: Orbit) -> Value | None:
-        """See `KernelProblem`."""
+        """Return what the dwell times have to sum up to; None where the equations determine it."""
         return orbit.given_period
 
     def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
-        """See `KernelProblem`: nothing is left open."""
+        """Return all parameters of the system, from the equations' and what these leave open.
+
+        `InputError` is raised if they are not values that the system takes.
+        """
         return system_parameters(self.system, {p.name: values[p.name] for p in self.parameters})
 
     def physical(
         self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
     ) -> SystemPoint:
-        """See `KernelProblem`: nothing is left open."""
+        """Return all parameters of the system at an orbit, with names of those that were chosen.
+
+        Parameters that the orbit leaves open are chosen, unless they are given in `beside`;
+        what is chosen suits all orbits that are near, too, as far as they are admissible.
+        `model.completion` says how. `InputError` is raised for a name that is no parameter, or
+        values that the system does not take.
+        """
         return SystemPoint(orbit.parameters, ())
 
     def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
-        """See `KernelProblem`."""
+        """Return the start (N): the orbit's, or the best fit of dwell times in other states."""
         return list(orbit.states[0].tolist())
 
     def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
-        """See `KernelProblem`: the orbit itself."""
+        """Return the same orbit by the tables of its system, at all parameters of `physical`.
+
+        Phases that take no time are left out. `InputError` is raised if Newton's method finds
+        no orbit by the tables.
+        """
         return orbit
 
     def message(self, status: int, *, timed: bool) -> str:
-        """See `KernelProblem`."""
+        """Return what a status means and suggests, where the period was given (`timed`) or not."""
         return message_of(status, timed=timed)
 
-    def evaluation(self, orbit: Orbit) -> TableEvaluation:
-        """See `KernelProblem`."""
-        return TableEvaluation(self, orbit)
+    def evaluation(self, orbit: Orbit) -> Evaluation:
+        """Return what the equations tell at an orbit of this problem."""
+        return Evaluation(orbit)
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
-        """See `KernelProblem`."""
+        """Return states (..., N) at times (...) since a phase's start, from the state (N,) there.
+
+        `parameters` (q,) are in their order; times are in the unit of time.
+        """
         point = piecewise_at(self.system, parameters)
         configuration = point.structure.configuration(self.itinerary[phase][0])
         times = np.asarray(since, dtype=float)
@@ -168,12 +217,16 @@ class TableProblem:
         return states.reshape(*times.shape, len(start))
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-        """See `KernelProblem`: with mpmath, in whichever arithmetic is asked for."""
+        """Return a converged orbit to so many true decimal digits.
+
+        The arithmetic is ``flint`` or ``mpmath``; tables take mpmath, whichever is asked for.
+        `NoConvergence` is raised if Newton's method leaves the orbit.
+        """
         return refine_tables(orbit, digits)
 
 
 def orbit_of(
-    problem: TableProblem,
+    problem: OrbitProblem,
     parameters: Mapping[str, Value],
     period: Value | None,
     dwell_times: np.ndarray,
@@ -206,7 +259,6 @@ def orbit_of(
 
 def labelled_as(orbit: Orbit, known: Orbit) -> Orbit:
     """Return an orbit with the label and the names of unknowns of another one by tables."""
-    assert isinstance(known.problem, TableProblem)
     return labelled(orbit, known.problem.label, known.problem.names)
 
 
@@ -215,39 +267,37 @@ def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
 
     The names are those of the dwell times, then of the start's coordinates.
     """
-    assert isinstance(orbit.problem, TableProblem)
     problem = replace(orbit.problem, label=label, names=tuple(names))
     unknowns = dict(zip(problem.unknown_names, orbit.unknowns.values(), strict=True))
     return replace(orbit, problem=problem, unknowns=unknowns)
 
 
 @dataclass(frozen=True, eq=False)
-class TableEvaluation:
-    """The quantities that the tables give at an orbit; see `KernelEvaluation`."""
+class Evaluation:
+    """The quantities that the tables give at an orbit, in its arithmetic."""
 
-    problem: TableProblem
     orbit: Orbit
 
     @property
-    def tables(self) -> TableEvaluation:
-        """Itself: it is by the tables of the system."""
+    def tables(self) -> Evaluation:
+        """What the tables tell, which is this; `InputError` if kernels answer."""
         return self
 
     @property
     def states(self) -> np.ndarray:
-        """See `KernelEvaluation`."""
+        """State (p, N) at the start of each phase, behind the transition before it."""
         assert self.orbit.starts is not None
         return self.orbit.starts
 
     @cached_property
     def cycle(self) -> ItineraryShape:
         """The itinerary looked up in the system."""
-        return itinerary_shape(self.piecewise.structure, self.problem.itinerary)
+        return itinerary_shape(self.piecewise.structure, self.orbit.itinerary)
 
     @cached_property
     def piecewise(self) -> PiecewiseLinear:
         """The system at these parameters, in the orbit's arithmetic."""
-        system, parameters = self.problem.system, self.orbit.parameters
+        system, parameters = self.orbit.system, self.orbit.parameters
         if self.orbit.precise:
             return piecewise_in(system, parameters, self.orbit.arithmetic)
         return piecewise(system, parameters)
@@ -259,30 +309,36 @@ class TableEvaluation:
 
     @property
     def shift(self) -> dict[str, Any]:
-        """See `KernelEvaluation`."""
-        return dict(zip(self.problem.state_names, self.moved.tolist(), strict=True))
+        """By how much a period moves each state: zero but along translations."""
+        return dict(zip(self.orbit.state_names, self.moved.tolist(), strict=True))
 
     @property
     def free_states(self) -> tuple[str, ...]:
-        """See `KernelEvaluation`."""
-        names = self.problem.state_names
+        """States that a translation of the system moves."""
+        names = self.orbit.state_names
         return tuple(names[k] for k in np.flatnonzero(self.translations.any(axis=0)))
 
     @property
     def border(self) -> tuple[str, str]:
-        """See `KernelEvaluation`."""
+        """The side on which the orbit has derivatives, and why; both are mostly empty."""
         for place, transition in enumerate(self.cycle.transitions):
             if len(transition.boundaries) > 1:
-                names = self.problem.itinerary[place][1].replace("+", " and ")
+                names = self.orbit.itinerary[place][1].replace("+", " and ")
                 return "that of this itinerary", f"{names} are reached together"
         return "", ""
 
     def directions(self, by: Sequence[str]) -> Directions:
-        """See `KernelEvaluation`."""
+        """Return how the orbit moves with each of some numbers that were given.
+
+        `InputError` says why where there is no derivative.
+        """
         return table_directions(self, by)
 
-    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, None]:
-        """See `KernelEvaluation`."""
+    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
+        """Return the orbit by tables as it moves with parameters, and their rates (parameters, q).
+
+        The rates are by what was given; None stands for the unit matrix.
+        """
         return OrbitMotionDerivatives(self.orbit, found.by, found.directions), None
 
     @property
@@ -318,7 +374,7 @@ class TableEvaluation:
 
     @cached_property
     def stability(self) -> Stability:
-        """See `KernelEvaluation`."""
+        """Multipliers, trace and verdict; `InputError` if there is no orbit."""
         self._check_found()
         found = self._assessed(self._closed(None))
         return replace(found, verdict="undecided") if self.cycle.one_sided else found
@@ -327,23 +383,23 @@ class TableEvaluation:
     def part_stability(self) -> Stability:
         """Multipliers over the part that the symmetry closes; `InputError` if there is none."""
         self._check_found()
-        if self.problem.symmetry is None:
+        if self.orbit.symmetry is None:
             raise InputError("the orbit was not composed from a part and a symmetry")
         return self._assessed(self._part)
 
     @property
     def poincare_jacobian(self) -> np.ndarray:
-        """See `KernelEvaluation`."""
+        """Derivative of the Poincare map, in coordinates of the section or in all."""
         return np.asarray(self.shooting.variational[:, :-1])
 
     @property
     def saltations(self) -> np.ndarray:
-        """See `KernelEvaluation`."""
+        """Saltation matrix (p, N, N) of each transition."""
         return np.asarray(saltations(self.cycle, self._numbers, self.shooting))
 
     @property
     def monodromy(self) -> np.ndarray:
-        """See `KernelEvaluation`."""
+        """Product (N, N) of flows and saltation matrices over a period."""
         matrix = np.eye(self.states.shape[1], dtype=self.states.dtype)
         for flow, jump in zip(self.shooting.flows, self.saltations, strict=True):
             matrix = jump @ flow[:, :-1] @ matrix
@@ -351,19 +407,22 @@ class TableEvaluation:
 
     @cached_property
     def admissibility(self) -> Admissibility:
-        """See `KernelEvaluation`."""
+        """Whether the orbit is a motion of the real system."""
         self._check_found()
-        system = piecewise(self.problem.system, self.orbit.parameters)
+        system = piecewise(self.orbit.system, self.orbit.parameters)
         cycle = self.cycle.at(system.structure)
         dwell, start = self.orbit.dwell_times.astype(float), self.states[0].astype(float)
         now = shoot(cycle, numbers_in(system), dwell, start, np)
         return assess_cycle(cycle, system, now, dwell)
 
     def trajectory(self, periods: int) -> Trajectory:
-        """See `KernelEvaluation`."""
+        """Return the motion along the orbit over some periods, by the system's tables.
+
+        `InputError` is raised where the equations leave physical parameters open.
+        """
         self._check_found()
         return motion_along(
-            piecewise(self.problem.system, self.orbit.parameters),
+            piecewise(self.orbit.system, self.orbit.parameters),
             self.cycle,
             self.orbit.dwell_times.astype(float),
             self.states.astype(float),
@@ -375,7 +434,7 @@ class TableEvaluation:
     @cached_property
     def _part(self) -> tuple[ItineraryShape, Numbers, Shooting, np.ndarray]:
         """The part that the symmetry closes: cycle, numbers, passage and dwell times."""
-        return self._closed(self.problem.symmetry)
+        return self._closed(self.orbit.symmetry)
 
     def _closed(
         self, symmetry: Symmetry | None
