@@ -16,12 +16,8 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compile
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables, table_rates
-from nonsmooth.runtime.orbits.directions import solve_linear
+from nonsmooth.runtime.orbits.directions import moved_cycles, section_along, solve_linear
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.table_directions import (
-    moved_cycles,
-    section_along,
-)
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.derivatives import cycle_maps
 from nonsmooth.runtime.shooting.multipliers import (
