@@ -141,20 +141,19 @@ def _working(orbit: Orbit) -> Mpmath | None:
     return Mpmath(2 * (orbit.digits + GUARD)) if orbit.precise else None
 
 
-def stepped_kernel(
+def _stepped_kernel(
     orbit: Orbit, quantity: str, rates: dict[str, Any], count: int, lib: Mpmath | None
 ) -> list[Any]:
     """Return a quantity with complex steps of what it depends on, one for each of q directions.
 
-    A kernel gives it from parameters, spectrum and unknowns. `rates` has the rates (q,) of what
-    changes, `count` is q, and `lib` is None in double precision.
+    A kernel gives it from parameters, spectrum and unknowns. `rates` has the rates (q,) of all of
+    them, `count` is q, and `lib` is None in double precision.
     """
-    kernels, still = orbit.kernels, np.zeros(count, dtype=int)
+    kernels = orbit.kernels
     names = (kernels.parameter_names, kernels.unknowns)
     number = float if lib is None else lib.mp.mpf
     parameters, unknowns = (
-        [stepped(number(orbit.values[name]), rates.get(name, still), lib) for name in part]
-        for part in names
+        [stepped(number(orbit.values[name]), rates[name], lib) for name in part] for part in names
     )
     arithmetic = ComplexSteps(FLOATS if lib is None else lib)
     found = []
@@ -185,18 +184,16 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     found, reasons = solve_linear(scaled[None], right[None], np.zeros((1, len(by))), lib)
     check_reasons(reasons[0], by, orbit.name)
     rates = dict(zip(orbit.unknowns, found[0] * sizes[places, None], strict=True))
-    number = float if lib is None else lib.mp.mpf
-    unit = np.vectorize(number, otypes=[kind])(np.eye(len(by), dtype=int)).reshape(len(by), -1)
-    rates |= dict(zip(by, unit, strict=True))
-    everything = {name: np.zeros(len(by), dtype=kind) * number(0) for name in names} | rates
-    dwell = kernels.durations(everything).values()
-    waits = np.stack([np.broadcast_to(np.asarray(w), (len(by),)) for w in dwell], axis=-1)
+    one, still = 1.0 if lib is None else lib.mp.mpf(1), np.zeros(len(by), dtype=int)
+    every = dict.fromkeys(names, still * one) | rates
+    every |= dict(zip(by, np.eye(len(by), dtype=int) * one, strict=True))
+    waits = np.stack(np.broadcast_arrays(*kernels.durations(every).values(), still)[:-1], axis=-1)
     gradient = np.array(orbit.evaluate("trace_gradient"), dtype=kind)
-    trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
+    trace = sum(slope * every[name] for name, slope in zip(names, gradient, strict=True))
     wide = _working(orbit)
 
     def along(quantity: str) -> np.ndarray:
-        return imaginary_parts(stepped_kernel(orbit, quantity, rates, len(by), wide), wide)
+        return imaginary_parts(_stepped_kernel(orbit, quantity, every, len(by), wide), wide)
 
     def section() -> MapDerivatives:
         return MapDerivatives(
@@ -257,8 +254,7 @@ class MovedCycles:
             moved = np.tensordot(shares.T, imaginary_parts(part, self.lib), axes=1)
             return stepped(real_parts(part[0]), moved, self.lib)
 
-        fields, rows, resets = map(turn, self.numbers[:3])
-        numbers = Numbers(fields, rows, resets)
+        numbers = self.numbers.each(turn)
         return replace(self, numbers=numbers, dwell=turn(self.dwell), start=turn(self.start))
 
 

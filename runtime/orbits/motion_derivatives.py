@@ -207,10 +207,15 @@ class OrbitMotionDerivatives:
             raise InputError("local extremes are found in double precision only")
         row, wanted = self.row_of(kind, of), KINDS[kind]
         turns = [turn for turn in self._turns(real_parts(row[0])) if turn[2] in wanted]
+        phases, since, signs = map(np.array, zip(*turns, strict=True))
+        own = row[:, self.moved.phases.configurations[phases]]
         found = [
             LocalExtreme(phase, sign, sign * float(value), sign * rates, float(time))
-            for (phase, _, sign), (value, rates, time) in zip(
-                turns, self._differentiated(row, turns), strict=True
+            for phase, sign, (value, rates, time) in zip(
+                phases.tolist(),
+                signs.tolist(),
+                self.moved.differentiated(own, phases, since),
+                strict=True,
             )
         ]
         return tuple(sorted(found, key=lambda each: (each.phase, -each.sign, each.time)))
@@ -235,15 +240,6 @@ class OrbitMotionDerivatives:
                 least = _ROUNDING * (abs(slope[:-1]) @ abs(state) + abs(slope[-1]))
                 signs = [sign for sign in (1, -1) if sign * rate > -least]
                 yield from ((phase, since, sign) for sign in signs or [-outward])
-
-    def _differentiated(
-        self, row: np.ndarray, turns: Sequence[tuple[int, float, int]]
-    ) -> Iterator[Differentiated]:
-        """Yield a function at its extremes: phases, times since their start, and signs."""
-        places = np.array([turn[0] for turn in turns], dtype=int)
-        since = np.array([turn[1] for turn in turns])
-        own = row[:, self.moved.phases.configurations[places]]
-        return self.moved.differentiated(own, places, since)
 
     def dissipation(self, name: str | None = None) -> Differentiated:
         """Return the energy lost over a period through one contact, or through all of them.

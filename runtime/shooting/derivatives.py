@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.matrices import exponentials
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.kernels import compiled_engine
@@ -26,8 +27,6 @@ __all__ = [
     "flows_over",
     "shooting_derivatives",
 ]
-
-_TINY = 1e-30
 
 
 class ShootingDerivatives(NamedTuple):
@@ -134,11 +133,7 @@ def _in_python(
     """The result of `shooting_derivatives`, computed by NumPy."""
     count, (points, size) = len(cycle), start.shape
     if changes is not None:
-        numbers = Numbers(
-            numbers.fields + 1j * _TINY * changes.fields,
-            numbers.rows + 1j * _TINY * changes.rows,
-            numbers.resets + 1j * _TINY * changes.resets,
-        )
+        numbers = numbers.each(lambda part, rates: stepped(part, rates, None), changes)
     flows = flows_over(numbers.fields[:, list(cycle.configurations)], dwell)
     unit = np.broadcast_to(np.eye(count + size), (points, count + size, count + size))
     with np.errstate(all="ignore"):
@@ -156,8 +151,8 @@ def _in_python(
     residual = np.stack(found.residual, axis=1)[..., 0, 0]
     slopes, variational = np.stack(found.slopes, axis=1)[..., 0, :], found.variational
     if changes is not None:
-        slopes = np.concatenate([slopes, residual.imag[..., None] / _TINY], axis=-1)
-        moved = states[:, -1].imag[..., None] / _TINY
+        slopes = np.concatenate([slopes, imaginary_parts(residual, None)[..., None]], axis=-1)
+        moved = imaginary_parts(states[:, -1], None)[..., None]
         variational = np.concatenate([variational, moved], axis=-1)
     parts = (states, ends, velocities, residual, slopes, variational)
     return ShootingDerivatives(*(np.ascontiguousarray(part.real) for part in parts))

@@ -10,7 +10,7 @@ axes, one point each.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import accumulate, pairwise
@@ -183,7 +183,7 @@ def guesses(name: str, given: Any, count: int, *, positive: bool = False) -> np.
 
 
 class Numbers(NamedTuple):
-    """A system's numbers, with leading axes where there are many points."""
+    """A system's numbers or derivatives of them, with leading axes where there are many points."""
 
     fields: np.ndarray  # (..., configurations, N, N + 1)
     rows: np.ndarray  # (..., R, N + 1)
@@ -192,6 +192,10 @@ class Numbers(NamedTuple):
     exponents: tuple[np.ndarray, ...] = ()
     # for each configuration (..., functions, N, N + 1), or FactoredFlows
     flows: tuple[Flows, ...] = ()
+
+    def each(self, function: Callable[..., Any], *others: Numbers) -> Numbers:
+        """What a function makes of fields, rows and resets, with those of other numbers beside."""
+        return Numbers(*map(function, *(numbers[:3] for numbers in (self, *others))))
 
 
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:

@@ -21,11 +21,12 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives, relative_rates
+from nonsmooth.runtime.model.table_derivatives import relative_rates
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
     nearest_start,
+    turned,
 )
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -36,7 +37,6 @@ from nonsmooth.runtime.simulation.transition_derivatives import (
 
 __all__ = [
     "DirectedMotion",
-    "along",
     "directed_motions",
     "gathered",
     "scattered",
@@ -103,35 +103,25 @@ def gathered(
     `found` has those of each part. They are NaN where a transition of the original motion has
     no derivative, but for the beginnings of phases.
     """
-    count, states, behind = len(parts[0].first), found[0].states, found[0].behind
-    if len(parts) == 1 and len(parts[0].apart) == count and not parts[0].open.any():
+    part, count = parts[0], len(parts[0].first)
+    if len(parts) == 1 and len(part.apart) == count and not part.open.any():
         return found[0]
-    shape = (count + 1, behind.shape[1], directions)
-    every = MotionChanges(
-        np.empty((*states.shape[:2], directions)),
-        np.empty((count, directions)),
-        np.empty(shape),
-        np.empty(shape),
-        np.empty(shape),
-    )
-    for part, own in zip(parts, found, strict=True):
-        first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
-        kept = (
-            own.states, own.event_times[part.first], own.before[first], own.behind[last],
-            own.beginnings[last],
-        )  # fmt: skip
-        for whole, piece in zip(every, kept, strict=True):
+    pieces = [_kept(part, own) for part, own in zip(parts, found, strict=True)]
+    every = MotionChanges(*(np.empty((*piece.shape[:-1], directions)) for piece in pieces[0]))
+    for part, own in zip(parts, pieces, strict=True):
+        for whole, piece in zip(every, own, strict=True):
             whole[..., part.columns] = piece
-        for whole, skipped in zip(every[1:4], (0, 1, 1), strict=True):
-            whole[np.ix_(*_places(np.flatnonzero(part.open) + skipped, whole, part.columns))] = (
-                np.nan
-            )
     return every
 
 
-def _places(entries: np.ndarray, whole: np.ndarray, columns: np.ndarray) -> tuple[np.ndarray, ...]:
-    inner = tuple(np.arange(size) for size in whole.shape[1:-1])
-    return entries, *inner, columns
+def _kept(part: DirectedMotion, found: MotionChanges) -> MotionChanges:
+    """The derivatives of a part at the original motion's transitions, NaN where it has none."""
+    first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
+    states, events, before, behind, beginnings = found
+    kept = MotionChanges(states, events[part.first], before[first], behind[last], beginnings[last])
+    for whole, skipped in zip(kept[1:4], (0, 1, 1), strict=True):
+        whole[np.flatnonzero(part.open) + skipped] = np.nan
+    return kept
 
 
 def scattered(
@@ -183,7 +173,7 @@ def _next_moment(
     if not several.size:
         return None
     linear = motion.linearisation(np.empty(0))
-    tables, starts = along(linear, by, directions)
+    tables, starts = turned(*linear.directions(by), directions)
     changes = linear.forward(tables, starts)
     events, before = changes.event_times, changes.before
     found = linear.transitions
@@ -218,18 +208,6 @@ def _next_moment(
             size = np.abs(before[begin]) + np.abs(late) + usual[:, None] * shift / run.end
             return _Meeting(begin, end, apart > 0, before[begin] - late, size, shift, told)
     return None
-
-
-def along(
-    linear: MotionLinearisation, by: tuple[str, ...], directions: np.ndarray
-) -> tuple[TableDerivatives, np.ndarray]:
-    """Changes of the tables (k, ...) and of the start (N, k) along directions.
-
-    The columns of `directions` (numbers, k) are changes of the numbers `by`.
-    """
-    tables, starts = linear.directions(by)
-    turned = (np.tensordot(directions.T, part, axes=1) for part in tables)
-    return TableDerivatives(*turned), starts @ directions
 
 
 def _split(
@@ -370,7 +348,7 @@ class _MovedPassage:
     def _rate(self) -> float:
         """Largest relative change of the system's numbers along the direction."""
         linear = self.motion.linearisation(np.empty(0))
-        moved, _ = along(linear, self.by, self.direction[:, None])
+        moved, _ = turned(*linear.directions(self.by), self.direction[:, None])
         system, motion = linear.trajectory.system, linear.trajectory
         ways = linear.transitions.velocities * np.diff(motion.times)[:, None]
         sizes = np.abs(np.concatenate([motion.before, ways])).max(axis=0)
@@ -404,8 +382,7 @@ class _MovedPassage:
             found = linear.transitions
         except InputError as error:
             raise self._refused(str(error)) from None
-        tables, starts = along(linear, self.by, self.direction[:, None])
-        changes = linear.forward(tables, starts)
+        changes = linear.forward(*turned(*linear.directions(self.by), self.direction[:, None]))
         events, behind = changes.event_times, changes.behind
         begin = self.moment.begin
         places = np.arange(begin - 1, begin - 1 + count)
@@ -415,8 +392,8 @@ class _MovedPassage:
         units = np.append(np.abs(way.trajectory.states).max(axis=0), way.trajectory.times[-1])
         units = np.where(units > 0, units, 1.0)
         passages = linear.saltations[0][places] * units / units[:, None]
-        turned = np.abs(passages).max(axis=(1, 2)) > 1 / _NEAR
-        if not (np.diff(times) >= -_NEAR * size).all() or (sudden & turned).any():
+        steep = np.abs(passages).max(axis=(1, 2)) > 1 / _NEAR
+        if not (np.diff(times) >= -_NEAR * size).all() or (sudden & steep).any():
             raise self._refused("the order is open to first order")
         last = places[-1]
         return np.asarray(behind[last + 1, :, 0] - found.behind[last] * events[last, 0])

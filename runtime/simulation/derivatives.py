@@ -10,6 +10,7 @@ number of parameters.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -21,11 +22,9 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives
 from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.coming_apart import (
     DirectedMotion,
-    along,
     directed_motions,
     gathered,
     scattered,
@@ -34,6 +33,7 @@ from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
     input_names,
+    turned,
 )
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
 from nonsmooth.runtime.simulation.observable_derivatives import (
@@ -90,7 +90,7 @@ class MotionDerivatives:
         return tuple(part.linearisation(self.times) for part in self.parts)
 
     @cached_property
-    def _directions(self) -> tuple[tuple[TableDerivatives, np.ndarray], ...]:
+    def _directions(self) -> tuple[tuple[Numbers, np.ndarray], ...]:
         """Changes of the tables and of the start along the directions of each part."""
         return tuple(
             linear.directions(tuple(self.by[column] for column in part.columns))
@@ -192,11 +192,8 @@ class MotionDerivatives:
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
         plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
         if plain:
-            tables, starts = self._directions[0]
-            turned = (np.tensordot(factors, part, axes=1)[None] for part in tables)
-            every = self._linearisations[0].forward(
-                TableDerivatives(*turned), (starts @ factors)[:, None]
-            )
+            moved = turned(*self._directions[0], factors[:, None])
+            every = self._linearisations[0].forward(*moved)
         elif self.one_sided is None:
             every = MotionChanges(*(part @ factors[:, None] for part in self._forward))
         else:
@@ -262,11 +259,8 @@ class MotionDerivatives:
         else:
             tables, _ = self._linearisations[0].directions(self.by)
         system = self.trajectory.system
-        return Numbers(
-            stepped(system.fields, tables.fields, None),
-            stepped(system.rows, tables.rows, None),
-            stepped(system.resets, tables.resets, None),
-        )
+        now = Numbers(system.fields, system.rows, system.resets)
+        return now.each(lambda part, rates: stepped(part, rates, None), tables)
 
     def moved_phases(self, since: float = 0.0) -> MovedPhases:
         """Give the motion's phases as they move with the numbers.
@@ -307,7 +301,7 @@ class MotionDerivatives:
                     " one side there; ask for them by one_sided"
                 )
             if part.columns.size:
-                own = Numbers(*(numbers[part.columns] for numbers in self.numbers[:3]))
+                own = self.numbers.each(operator.itemgetter(part.columns))
                 moved = self._moved(part.trajectory, changes, own, since)
                 yield part.columns, self.one_sided if part.apart.any() else None, moved
 
@@ -400,4 +394,4 @@ def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges
     (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)
     check_sides(part, found.by, direction, found.times, found.one_sided)
     linear = part.linearisation(found.times)
-    return gathered((part,), [linear.forward(*along(linear, found.by, direction))], 1)
+    return gathered((part,), [linear.forward(*turned(*linear.directions(found.by), direction))], 1)

@@ -11,7 +11,8 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives, stepped_tables
+from nonsmooth.runtime.model.table_derivatives import stepped_tables
+from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.flow_derivatives import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import (
@@ -20,7 +21,7 @@ from nonsmooth.runtime.simulation.transition_derivatives import (
     transitions_behind,
 )
 
-__all__ = ["MotionChanges", "MotionLinearisation", "input_names", "nearest_start"]
+__all__ = ["MotionChanges", "MotionLinearisation", "input_names", "nearest_start", "turned"]
 
 _ERROR = 64 * np.finfo(float).eps
 
@@ -67,7 +68,7 @@ class MotionLinearisation:
         assert found is not None
         return found
 
-    def directions(self, by: tuple[str, ...]) -> tuple[TableDerivatives, np.ndarray]:
+    def directions(self, by: tuple[str, ...]) -> tuple[Numbers, np.ndarray]:
         """Changes of the tables (q, ...) and of the start (N, q) by the numbers `by`."""
         system, run = self.trajectory.system, self.trajectory.run
         names, starts = input_names(self.trajectory)
@@ -75,8 +76,8 @@ class MotionLinearisation:
         steps = np.zeros((len(by), len(names)))
         for row, name in enumerate(by):
             steps[row] = [name == other for other in names]
-        moved = stepped_tables(self.kernels, point, steps, None)
-        tables = TableDerivatives(*(imaginary_parts(part, None) for part in moved))
+        moved = Numbers(*stepped_tables(self.kernels, point, steps, None))
+        tables = moved.each(lambda part: imaginary_parts(part, None))
         configuration, start = int(run.configurations[0]), run.states[0]
         changes = _following_changes(system, configuration, start, tables.rows)
         allowed = _allowed_changes(system, configuration, start)
@@ -127,7 +128,7 @@ class MotionLinearisation:
         found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
         return found
 
-    def forward(self, tables: TableDerivatives, starts: np.ndarray) -> MotionChanges:
+    def forward(self, tables: Numbers, starts: np.ndarray) -> MotionChanges:
         """Derivatives of the motion along changes of the tables and of the start (N, q)."""
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
@@ -209,6 +210,11 @@ class MotionLinearisation:
             errors = step @ errors @ step.T + np.eye(len(sizes))
             largest = max(largest, float(np.sqrt(np.trace(errors))) * factor)
         return largest
+
+
+def turned(tables: Numbers, starts: np.ndarray, shares: np.ndarray) -> tuple[Numbers, np.ndarray]:
+    """Changes of tables and start in r directions, of which those in q have the shares (q, r)."""
+    return tables.each(lambda part: np.tensordot(shares.T, part, axes=1)), starts @ shares
 
 
 def _along(tables: np.ndarray, places: np.ndarray, states: np.ndarray) -> np.ndarray:

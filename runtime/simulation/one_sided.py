@@ -15,7 +15,8 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.coming_apart import DirectedMotion, along, told_direction
+from nonsmooth.runtime.simulation.coming_apart import DirectedMotion, told_direction
+from nonsmooth.runtime.simulation.motion_linearisation import turned
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import extended, field_at
 
@@ -68,7 +69,7 @@ def check_sides(
     own = directions[:, motion.columns]
     at = np.array([touch.time for touch in touches])
     linearisation = motion.linearisation(at)
-    tables, starts = along(linearisation, by, own)
+    tables, starts = turned(*linearisation.directions(by), own)
     changes = linearisation.forward(tables, starts)
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
     smooth = linearisation.transitions.smooth
