@@ -26,7 +26,6 @@ from nonsmooth.runtime.core.matrices import inverses
 from nonsmooth.runtime.model.table_derivatives import relative_rates, stepped_tables
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
-from nonsmooth.runtime.shooting.derivatives import flows_over
 from nonsmooth.runtime.shooting.kernel_newton import natural_scales
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives
 from nonsmooth.runtime.shooting.newton import LEAST
@@ -34,6 +33,7 @@ from nonsmooth.runtime.shooting.section_map import mechanical_states, timed_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    flows_over,
     shoot_along,
 )
 from nonsmooth.runtime.shooting.table_newton import sizes

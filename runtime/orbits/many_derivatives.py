@@ -19,13 +19,17 @@ from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables
 from nonsmooth.runtime.orbits.directions import moved_cycles, section_along, solve_linear
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
-from nonsmooth.runtime.shooting.derivatives import cycle_maps
 from nonsmooth.runtime.shooting.multipliers import (
     MapDerivatives,
     many_multiplier_derivatives,
 )
 from nonsmooth.runtime.shooting.section_map import mechanical_states
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    cycle_maps,
+    itinerary_shape,
+)
 from nonsmooth.runtime.shooting.translations import projection_along
 
 __all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many"]

@@ -18,8 +18,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.shooting.derivatives import flows_over
-from nonsmooth.runtime.shooting.shooting_map import Numbers
+from nonsmooth.runtime.shooting.shooting_map import Numbers, flows_over
 from nonsmooth.runtime.simulation.extremes import extremes
 from nonsmooth.runtime.simulation.flow_derivatives import (
     PhaseFlows,
