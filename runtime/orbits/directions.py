@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -379,9 +379,7 @@ def section_along(moved: MovedCycles) -> np.ndarray:
     maps = now.variational[..., :-1]
     if driven is None:
         return np.asarray(maps)
-    maps = np.eye(len(driven), dtype=int)
-    for local in timed_maps(cycle, numbers, now, driven):
-        maps = local @ maps
+    maps = reduce(lambda maps, local: local @ maps, timed_maps(cycle, numbers, now, driven))
     if not moved.directions.shape[1]:
         return np.asarray(maps)
     along = (projection_along(each)[np.ix_(driven, driven)] for each in moved.directions)

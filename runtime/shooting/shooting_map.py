@@ -41,7 +41,6 @@ from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, Transiti
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.variational import (
     ARRAYS,
-    COMPLEX_STEP,
     Phase,
     Shooting,
     shooting_map,
@@ -445,7 +444,7 @@ def _in_python(
     unit = np.broadcast_to(np.eye(count + size), (points, count + size, count + size))
     with np.errstate(all="ignore"):
         found = shooting_map(
-            COMPLEX_STEP,
+            ARRAYS,
             phases_in(cycle, numbers),
             np.moveaxis(flows, 1, 0),
             start[..., None],

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.orbits.motion_derivatives import KINDS
 
@@ -28,7 +29,6 @@ __all__ = [
 
 RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
 _PURE = (RADIUS, MULTIPLIER, "trace", "determinant")
-_IMAGINARY = 1e-30  # of a derivative by a complex step
 _LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that begins near zero
 
 
@@ -110,6 +110,6 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
     beside, unit = len(matrix) - rank, np.eye(len(matrix))
     scale, shifted = wanted**beside, wanted * unit - matrix
     value = float(np.linalg.det(shifted)) / scale
-    moved = np.linalg.det(shifted - 1j * _IMAGINARY * rates).imag / _IMAGINARY
-    by_wanted = float(np.linalg.det(shifted + 1j * _IMAGINARY * unit).imag) / _IMAGINARY
-    return Gap(value, moved / scale, by_wanted / scale - beside * value / wanted)
+    moving = np.concatenate([-rates, unit[None]])
+    *moved, by_wanted = imaginary_parts(np.linalg.det(stepped(shifted, moving, None)), None) / scale
+    return Gap(value, np.array(moved), float(by_wanted) - beside * value / wanted)
