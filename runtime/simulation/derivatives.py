@@ -398,8 +398,8 @@ def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges
     direction = factors[:, None]
     (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)
     check_sides(part, found.by, direction, found.times, found.one_sided)
-    linear = part.linearisation(found.times)
-    return gathered((part,), [linear.forward(*turned(*linear.directions(found.by), direction))], 1)
+    _, _, changes = part.moved(found.by, direction, found.times)
+    return gathered((part,), [changes], 1)
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,6 +26,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.table_derivatives import relative_rates
+from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
@@ -50,6 +51,7 @@ __all__ = [
 ]
 
 
+_NONE = np.empty(0)
 _TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
 _NEAR = 1e-8  # relative: within which a sequence comes to where the motion is
 _STEPS = (1e-5, 1e-7)  # of the time to the neighbouring transitions: how far events come apart
@@ -73,6 +75,17 @@ class DirectedMotion:
     def linearisation(self, times: np.ndarray) -> MotionLinearisation:
         """The linearisation of this motion, also at `times` (m,), which are held fixed."""
         return MotionLinearisation(self.trajectory, times, self.apart)
+
+    def moved(
+        self, by: tuple[str, ...], directions: np.ndarray, times: np.ndarray = _NONE
+    ) -> tuple[MotionLinearisation, Numbers, MotionChanges]:
+        """The linearisation, and what changes along directions: the tables, and the motion.
+
+        The columns of `directions` (numbers, k) are changes of the numbers `by`.
+        """
+        linear = self.linearisation(times)
+        tables, starts = turned(*linear.directions(by), directions)
+        return linear, tables, linear.forward(tables, starts)
 
 
 def directed_motions(
@@ -179,9 +192,7 @@ def _next_moment(
     several = np.flatnonzero(((run.sets & (run.sets - 1)) != 0) & (run.times > motion.settled))
     if not several.size:
         return None
-    linear = motion.linearisation(np.empty(0))
-    tables, starts = turned(*linear.directions(by), directions)
-    changes = linear.forward(tables, starts)
+    linear, tables, changes = motion.moved(by, directions)
     events, before = changes.event_times, changes.before
     found = linear.transitions
     for entry in several.tolist():
@@ -203,12 +214,9 @@ def _next_moment(
                 later = np.abs((row[:-1] @ change + own.sum(axis=0)) / (row[:-1] @ velocity))
             shift = np.fmax(shift, later)
         if apart.any():
-            begin = end = entry
-            while begin > 1 and run.times[begin - 1] == run.times[entry]:
-                begin -= 1
-            while end + 1 < len(run.times) and run.times[end + 1] == run.times[entry]:
-                end += 1
             names, at = " and ".join(trajectory.boundaries[entry]), float(run.times[entry])
+            begin = max(1, int(np.searchsorted(run.times, at)))
+            end = int(np.searchsorted(run.times, at, side="right")) - 1
             told = f"{names} are reached together at t = {at!r}"
             late = found.velocities[begin - 1][:, None] * events[begin - 1]
             usual = np.abs(run.states[[begin - 1, end]]).max(axis=0)
@@ -354,8 +362,7 @@ class _MovedPassage:
     @cached_property
     def _rate(self) -> float:
         """Largest relative change of the system's numbers along the direction."""
-        linear = self.motion.linearisation(np.empty(0))
-        moved, _ = turned(*linear.directions(self.by), self.direction[:, None])
+        linear, moved, _ = self.motion.moved(self.by, self.direction[:, None])
         system, motion = linear.trajectory.system, linear.trajectory
         ways = linear.transitions.velocities * np.diff(motion.times)[:, None]
         sizes = np.abs(np.concatenate([motion.before, ways])).max(axis=0)
@@ -384,13 +391,11 @@ class _MovedPassage:
 
         An order of transitions that is not decided to first order is refused.
         """
-        linear = way.linearisation(np.empty(0))
         try:
-            found = linear.transitions
+            linear, _, changes = way.moved(self.by, self.direction[:, None])
         except InputError as error:
             raise self._refused(str(error)) from None
-        changes = linear.forward(*turned(*linear.directions(self.by), self.direction[:, None]))
-        events, behind = changes.event_times, changes.behind
+        found, events, behind = linear.transitions, changes.event_times, changes.behind
         begin = self.moment.begin
         places = np.arange(begin - 1, begin - 1 + count)
         times = self.sign * events[places, 0]
@@ -471,9 +476,7 @@ def check_sides(
         return
     own = directions[:, motion.columns]
     at = np.array([touch.time for touch in touches])
-    linearisation = motion.linearisation(at)
-    tables, starts = turned(*linearisation.directions(by), own)
-    changes = linearisation.forward(tables, starts)
+    linearisation, tables, changes = motion.moved(by, own, at)
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
     smooth = linearisation.transitions.smooth
     for touch, change, state in zip(touches, changes.states, trajectory(at), strict=True):
