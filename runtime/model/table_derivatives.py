@@ -14,20 +14,11 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 
 __all__ = [
-    "TableDerivatives",
     "TableRates",
     "relative_rates",
     "stepped_tables",
     "table_rates",
 ]
-
-
-class TableDerivatives(NamedTuple):
-    """Derivatives of the tables by q parameters."""
-
-    fields: np.ndarray  # (q, configurations, N, N + 1)
-    rows: np.ndarray  # (q, R, N + 1)
-    resets: np.ndarray  # (q, S, N, N + 1)
 
 
 def relative_rates(

@@ -204,14 +204,10 @@ class OrbitDerivatives:
         """
         if name in self.unknowns:
             return self.orbit.unknowns[name], self.unknowns[name]
-        if name == "period":
-            return self.orbit.period, self.period
-        if name == "trace":
-            return self.orbit.trace, self.trace
-        if name == "determinant":
-            return self.section.determinant, self.determinant
-        if name == "spectral_radius":
-            return self.section.spectral_radius, self.spectral_radius
+        if name in ("period", "trace"):
+            return getattr(self.orbit, name), getattr(self, name)
+        if name in _GIVEN:
+            return getattr(self.section, name), getattr(self, name)
         found = self.along.quantity(name) if ":" in name or name in _ALONG else None
         if found is None:
             raise unknown_name("quantity", name, self.names)

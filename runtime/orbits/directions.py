@@ -1,11 +1,15 @@
-"""How an orbit moves with what was given: the implicit function theorem, in any arithmetic."""
+"""How an orbit moves with what was given: the implicit function theorem, in any arithmetic.
+
+Kernels have the derivatives of their equations. By the tables of a system a passage of the cycle
+has tiny imaginary parts, and so have the equations of its closure and all that is told of it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from dataclasses import dataclass, replace
+from functools import cached_property, reduce
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,16 +18,41 @@ from nonsmooth.runtime.core.complex_steps import (
     ComplexSteps,
     imaginary_parts,
     real_parts,
+    step_of,
     stepped,
 )
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import inverses
-from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.model.table_derivatives import relative_rates, stepped_tables
+from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
+from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
 from nonsmooth.runtime.shooting.kernel_newton import natural_scales
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives
 from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.section_map import mechanical_states, timed_maps
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    flows_over,
+    shoot_along,
+)
+from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.shooting.translations import projection_along
+from nonsmooth.runtime.shooting.variational import Shooting
 
-__all__ = ["SINGULAR", "Directions", "check_reasons", "kernel_directions", "solve_linear"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.problem import Evaluation
+
+__all__ = [
+    "Directions",
+    "MovedCycles",
+    "kernel_directions",
+    "moved_cycles",
+    "relative_changes",
+    "section_along",
+    "solve_linear",
+    "table_directions",
+]
 
 CONSISTENT = 1e-7  # of the terms of an equation: what no orbit can follow
 
@@ -37,6 +66,7 @@ class Directions:
     moved: Callable[[], np.ndarray]  # gives `starts` when asked
     mapped: Callable[[], MapDerivatives]  # gives `section` when asked
     trace: np.ndarray | None = None  # (q,), where a formula gives it sharper than the map
+    cycles: MovedCycles | None = None  # the one orbit itself, by the tables of its system
 
     @cached_property
     def starts(self) -> np.ndarray:
@@ -106,20 +136,24 @@ def solve_linear(
     return changes, reasons
 
 
-def stepped_kernel(
+def _working(orbit: Orbit) -> Mpmath | None:
+    """Return the arithmetic of complex steps, with twice the orbit's digits; None for doubles."""
+    return Mpmath(2 * (orbit.digits + GUARD)) if orbit.precise else None
+
+
+def _stepped_kernel(
     orbit: Orbit, quantity: str, rates: dict[str, Any], count: int, lib: Mpmath | None
 ) -> list[Any]:
     """Return a quantity with complex steps of what it depends on, one for each of q directions.
 
-    A kernel gives it from parameters, spectrum and unknowns. `rates` has the rates (q,) of what
-    changes, `count` is q, and `lib` is None in double precision.
+    A kernel gives it from parameters, spectrum and unknowns. `rates` has the rates (q,) of all of
+    them, `count` is q, and `lib` is None in double precision.
     """
-    kernels, still = orbit.kernels, np.zeros(count, dtype=int)
+    kernels = orbit.kernels
     names = (kernels.parameter_names, kernels.unknowns)
     number = float if lib is None else lib.mp.mpf
     parameters, unknowns = (
-        [stepped(number(orbit.values[name]), rates.get(name, still), lib) for name in part]
-        for part in names
+        [stepped(number(orbit.values[name]), rates[name], lib) for name in part] for part in names
     )
     arithmetic = ComplexSteps(FLOATS if lib is None else lib)
     found = []
@@ -150,18 +184,16 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     found, reasons = solve_linear(scaled[None], right[None], np.zeros((1, len(by))), lib)
     check_reasons(reasons[0], by, orbit.name)
     rates = dict(zip(orbit.unknowns, found[0] * sizes[places, None], strict=True))
-    number = float if lib is None else lib.mp.mpf
-    unit = np.vectorize(number, otypes=[kind])(np.eye(len(by), dtype=int)).reshape(len(by), -1)
-    rates |= dict(zip(by, unit, strict=True))
-    everything = {name: np.zeros(len(by), dtype=kind) * number(0) for name in names} | rates
-    dwell = kernels.durations(everything).values()
-    waits = np.stack([np.broadcast_to(np.asarray(w), (len(by),)) for w in dwell], axis=-1)
+    one, still = 1.0 if lib is None else lib.mp.mpf(1), np.zeros(len(by), dtype=int)
+    every = dict.fromkeys(names, still * one) | rates
+    every |= dict(zip(by, np.eye(len(by), dtype=int) * one, strict=True))
+    waits = np.stack(np.broadcast_arrays(*kernels.durations(every).values(), still)[:-1], axis=-1)
     gradient = np.array(orbit.evaluate("trace_gradient"), dtype=kind)
-    trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
-    wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
+    trace = sum(slope * every[name] for name, slope in zip(names, gradient, strict=True))
+    wide = _working(orbit)
 
     def along(quantity: str) -> np.ndarray:
-        return imaginary_parts(stepped_kernel(orbit, quantity, rates, len(by), wide), wide)
+        return imaginary_parts(_stepped_kernel(orbit, quantity, every, len(by), wide), wide)
 
     def section() -> MapDerivatives:
         return MapDerivatives(
@@ -173,3 +205,195 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
 
     own = {name: rates[name] for name in orbit.unknowns}
     return Directions(own, waits, lambda: along("states")[:, :-1], section, np.asarray(trace))
+
+
+def passed(
+    cycle: ItineraryShape, numbers: Numbers, dwell: np.ndarray, start: np.ndarray, lib: Any
+) -> Shooting:
+    """Return a passage of a cycle with complex steps, where dwell times follow the start.
+
+    `numbers` are those of q directions; `dwell` (q, p) and `start` (q, N) are in the
+    system's units. `lib` is None in double precision.
+    """
+    flows = flows_over(numbers.fields[:, list(cycle.configurations)], dwell, lib)
+    return shoot_along(cycle, numbers, np.moveaxis(flows, 1, 0), start)
+
+
+@dataclass(frozen=True, eq=False)
+class MovedCycles:
+    """Cycles of one itinerary at k points that move in q directions each, as complex steps."""
+
+    cycle: ItineraryShape  # closed up to translations
+    sizes: np.ndarray  # (k, N), of the states
+    numbers: Numbers  # (k q, ...), with those of the closure
+    directions: np.ndarray  # (k q, m, N), of translations
+    dwell: np.ndarray  # (k q, p), with steps
+    start: np.ndarray  # (k q, N), with steps
+    reasons: np.ndarray  # (k, q), why there are no changes, as `solve_linear` tells it
+    lib: Mpmath | None
+
+    @cached_property
+    def passage(self) -> Shooting:
+        """The cycles as they move."""
+        return passed(self.cycle, self.numbers, self.dwell, self.start, self.lib)
+
+    @property
+    def waits(self) -> np.ndarray:
+        """Changes (k q, p) of the dwell times."""
+        return imaginary_parts(self.dwell, self.lib)
+
+    @property
+    def starts(self) -> np.ndarray:
+        """Changes (k q, N) of the start."""
+        return imaginary_parts(self.start, self.lib)
+
+    def turned(self, shares: np.ndarray) -> MovedCycles:
+        """Return one cycle as it moves in r directions, of which the q ones have shares (q, r)."""
+
+        def turn(part: np.ndarray) -> np.ndarray:
+            moved = np.tensordot(shares.T, imaginary_parts(part, self.lib), axes=1)
+            return stepped(real_parts(part[0]), moved, self.lib)
+
+        numbers = self.numbers.each(turn)
+        return replace(self, numbers=numbers, dwell=turn(self.dwell), start=turn(self.start))
+
+
+def moved_cycles(
+    cycle: ItineraryShape,
+    numbers: Numbers,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    lib: Mpmath | None,
+    period: np.ndarray | None = None,
+    *,
+    family: bool = False,
+) -> MovedCycles:
+    """Return how orbits at k points move with numbers of a system, each in q directions.
+
+    The `numbers` (k q, ...) have steps; `dwell` (k, p) and `start` (k, N) have none. A
+    `period` (k q,) with steps is one more equation where the others are singular, or
+    everywhere for members of a `family`.
+    """
+    (k, size), q = start.shape, len(numbers.fields) // len(start)
+    cycle, closed, directions = closed_cycle(cycle, numbers)
+    times, states = (np.repeat(part, q, axis=0) for part in (dwell, start))
+    plain_times = stepped(times, 0, lib)
+    with np.errstate(all="ignore"):
+        now = passed(cycle, closed, plain_times, stepped(states, 0, lib), lib)
+        parts = (real_parts(part[:, ::q]) for part in (now.starts, now.ends, now.velocities))
+        plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
+        size_of = sizes(now._replace(**plain), dwell)
+        every_size = np.repeat(size_of, q, axis=0)
+        usual = np.array(
+            [
+                relative_changes([part[n * q : (n + 1) * q] for part in numbers[:3]], each, lib)
+                for n, each in enumerate(size_of)
+            ]
+        ).reshape(k, q)
+
+        def solved(total: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+            options: Any = {"start": states, "lib": FLOATS if lib is None else lib}
+            asked = cycle, closed, now, plain_times, every_size, total
+            matrix, right = closure_equations(*asked, **options)
+            changed = imaginary_parts(right, lib).reshape(k, q, -1)
+            plain_matrix = real_parts(matrix[::q])
+            return solve_linear(plain_matrix, np.swapaxes(changed, 1, 2), usual, lib)
+
+        changes, reasons = solved(period if family else None)
+        singular = (reasons == SINGULAR).any(axis=1)
+        if period is not None and not family and singular.any():
+            given, why = solved(period)
+            changes[singular], reasons[singular] = given[singular], why[singular]
+        starts = np.swapaxes(changes, 1, 2) * size_of[:, None]
+        rates = np.swapaxes(real_parts(now.rates[:, ::q, :size]), 0, 1)
+        waits = (starts @ np.swapaxes(rates, 1, 2)).reshape(k * q, -1)
+        waits = waits + imaginary_parts(now.rates[..., size].T, lib)
+        start = stepped(states, starts.reshape(k * q, size), lib)
+    waits = stepped(times, waits, lib)
+    return MovedCycles(cycle, size_of, closed, directions, waits, start, reasons, lib)
+
+
+def table_directions(evaluation: Evaluation, by: Sequence[str]) -> Directions:
+    """Return how dwell times and states move with each of some given numbers.
+
+    The equations of the whole orbit are linearised, not those of the part that a symmetry
+    closes: a parameter may break the symmetry. The period may be one of the numbers where
+    it was given. `InputError` says why where there is no derivative.
+    """
+    orbit, lib = evaluation.orbit, _working(evaluation.orbit)
+    family = evaluation.family
+    if PERIOD in by and not family:
+        raise InputError("the period follows from the forcing: nothing is differentiated by it")
+    if family and orbit.given_period is None:
+        raise InputError(
+            f"{orbit.name} is one of a family of orbits: give its period, and the derivatives are"
+            " those at a given period"
+        )
+    dwell, start = orbit.dwell_times, evaluation.states_up_to_shift[0]
+    if lib is not None:
+        dwell, start = (np.array([lib.mp.mpf(x) for x in part]) for part in (dwell, start))
+    asked = np.array([int(name == PERIOD) for name in by])
+    period = stepped(dwell.sum(), asked, lib) if family else None
+    names = [table.name for table in orbit.system.parameters]
+    steps = np.array([[int(name == other) for name in names] for other in by])
+    number = float if lib is None else lib.number
+    point = np.array([number(orbit.parameters[name]) for name in names])
+    numbers = Numbers(*stepped_tables(orbit.system, point[None], steps, lib))
+    moved = moved_cycles(
+        evaluation.cycle, numbers, dwell[None], start[None], lib, period, family=family
+    )
+    check_reasons(moved.reasons[0], by, orbit.name)
+    waits = moved.waits
+    unknowns = np.concatenate([waits, moved.starts], axis=1).T
+
+    def states() -> np.ndarray:
+        return np.moveaxis(imaginary_parts(moved.passage.starts[:-1], lib), 1, 0)
+
+    def section() -> MapDerivatives:
+        return _section(evaluation, moved)
+
+    rates = dict(zip(orbit.problem.unknown_names, unknowns, strict=True))
+    return Directions(rates, waits, states, section, cycles=moved)
+
+
+def relative_changes(
+    numbers: Sequence[np.ndarray], size_of: np.ndarray, lib: Mpmath | None
+) -> np.ndarray:
+    """Return the largest relative change (q,) of a system's numbers, where states have sizes (N,).
+
+    `numbers` are fields, rows and resets with steps; `lib` is None in double precision.
+    """
+    values = [real_parts(part[0]).astype(float) for part in numbers]
+    changes = [imaginary_parts(part, lib).astype(float) for part in numbers]
+    return relative_rates(values, changes, size_of.astype(float))
+
+
+def section_along(moved: MovedCycles) -> np.ndarray:
+    """Return the map (k q, m, m), with steps, on the section at the start, or the stroboscopic one.
+
+    The stroboscopic map is that of forced motions. The multipliers 1 of translations are
+    zeros of the map.
+    """
+    cycle, numbers, now = moved.cycle, moved.numbers, moved.passage
+    driven = mechanical_states(cycle)
+    maps = now.variational[..., :-1]
+    if driven is None:
+        return np.asarray(maps)
+    maps = reduce(lambda maps, local: local @ maps, timed_maps(cycle, numbers, now, driven))
+    if not moved.directions.shape[1]:
+        return np.asarray(maps)
+    along = (projection_along(each)[np.ix_(driven, driven)] for each in moved.directions)
+    return np.array([p @ m for p, m in zip(along, maps, strict=True)])
+
+
+def _section(evaluation: Evaluation, moved: MovedCycles) -> MapDerivatives:
+    """Return the section map, or the stroboscopic one of forced motions, with its derivatives."""
+    rank = evaluation.stability.rank - len(evaluation.translations)
+    maps, lib = section_along(moved), moved.lib
+    found = MapDerivatives(
+        real_parts(maps[0]), imaginary_parts(maps, lib), rank, int(evaluation.family)
+    )
+    if lib is None or not step_of(lib):
+        return found
+    rounded = np.frompyfunc(evaluation.orbit.arithmetic.mp.mpf, 1, 1)
+    return found._replace(matrix=rounded(found.matrix), rates=rounded(found.rates))

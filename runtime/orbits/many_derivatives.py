@@ -9,36 +9,31 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names
 from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables, table_rates
-from nonsmooth.runtime.orbits.directions import solve_linear
+from nonsmooth.runtime.orbits.directions import moved_cycles, section_along, solve_linear
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.table_directions import (
-    moved_cycles,
-    section_along,
-)
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
-from nonsmooth.runtime.shooting.derivatives import cycle_maps
 from nonsmooth.runtime.shooting.multipliers import (
     MapDerivatives,
     many_multiplier_derivatives,
 )
 from nonsmooth.runtime.shooting.section_map import mechanical_states
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, itinerary_shape
-from nonsmooth.runtime.shooting.translations import (
-    deciding_rows,
-    projection_along,
-    taken_resets,
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    cycle_maps,
+    itinerary_shape,
 )
+from nonsmooth.runtime.shooting.translations import projection_along
 
 __all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many"]
 
-_SAME = 1e-9  # of terms that cancel
 _POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
 _ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
 _OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
@@ -77,10 +72,8 @@ def table_directions_many(
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))
     if engine is not None and len(cycle.structure.forcing) < 2:
-        rates = table_rates(system, points, places)
-        closed = _closed(cycle, numbers, rates)
-        if closed is not None:
-            return _compiled(engine, closed, dwell, start, len(places), timed, maps)
+        closed = _closed(system, cycle, points, numbers, places)
+        return _compiled(engine, closed, dwell, start, len(places), timed, maps)
     return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
 
 
@@ -91,64 +84,46 @@ class _Closed(NamedTuple):
     numbers: Numbers
     rates: TableRates
     shifts: int = 0
-    projections: np.ndarray | None = None
+    projections: np.ndarray | None = None  # (k, q, m, m), with steps
 
 
-def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Closed | None:
-    """Return a cycle closed up to translations, at k points.
-
-    None is returned where the directions of the translations change with a parameter.
-    """
-    count, _, size, width = numbers.fields.shape
+def _closed(
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    points: np.ndarray,
+    numbers: Numbers,
+    places: Sequence[int],
+) -> _Closed:
+    """Return a cycle closed up to translations, at k points; their directions may turn."""
+    rates = table_rates(system, points, places)
     closed, moved, along = closed_cycle(cycle, numbers)
     if not along.shape[1]:
         return _Closed(cycle, numbers, rates)
-    if _turn(cycle, numbers, rates, along):
-        return None
-    projections = np.array([projection_along(directions) for directions in along])
-    place = cycle.transitions[-1].reset
-    ends = np.cumsum([part[0].size for part in numbers[:3]])
-    first = ends[1] + place * size * width
-    there = np.flatnonzero((rates.entries >= first) & (rates.entries < first + size * width))
-    moving = np.unique(rates.directions[there])
-    changes = np.zeros((count, len(moving), size * width))
-    rows = np.searchsorted(moving, rates.directions[there])
-    changes[:, rows, rates.entries[there] - first] = rates.values[:, there]
-    changes = projections[:, None] @ changes.reshape(count, -1, size, width)
+    (k, *_, size, width), q = numbers.resets.shape, len(places)
+    _, steps, along = closed_cycle(cycle, _stepped(system, points, places))
+    added = imaginary_parts(steps.resets[:, -1], None).reshape(k, -1)
+    entries = sum(part[0].size for part in numbers[:3]) + np.arange(size * width)
+    projections = np.array([projection_along(each) for each in along]).reshape(k, q, size, size)
     driven = mechanical_states(cycle)
-    kept = slice(None) if driven is None else driven
+    if driven is not None:
+        projections = projections[..., driven, :][..., driven]
     return _Closed(
         closed,
         moved,
         TableRates(
-            np.concatenate([rates.directions, np.repeat(moving, size * width)]),
-            np.concatenate(
-                [rates.entries, np.tile(ends[2] + np.arange(size * width), len(moving))]
-            ),
-            np.concatenate([rates.values, changes.reshape(count, -1)], axis=1),
+            np.concatenate([rates.directions, np.repeat(np.arange(q), size * width)]),
+            np.concatenate([rates.entries, np.tile(entries, q)]),
+            np.concatenate([rates.values, added], axis=1),
         ),
         along.shape[1],
-        projections[:, kept][:, :, kept],
+        projections,
     )
 
 
-def _turn(cycle: ItineraryShape, numbers: Numbers, rates: TableRates, along: np.ndarray) -> bool:
-    """Return whether directions (k, m, N) of translations change with one of the parameters."""
-    structure, size = cycle.structure, along.shape[2]
-    lines, columns = np.divmod(rates.entries, size + 1)
-    ends = np.cumsum([part[0].size // (size + 1) for part in numbers[:3]])
-    decides = np.full(ends[2], False)
-    decides[: ends[0]] = True
-    decides[ends[0] + np.array(deciding_rows(structure), dtype=int)] = True
-    for reset in taken_resets(structure):
-        decides[ends[1] + reset * size + np.arange(size)] = True
-    there = np.flatnonzero((columns < size) & decides[lines])
-    groups, place = np.unique(rates.directions[there] * ends[2] + lines[there], return_inverse=True)
-    terms = np.moveaxis(rates.values[:, None, there] * along[:, :, columns[there]], -1, 0)
-    sums, scales = (np.zeros((len(groups), *along.shape[:2])) for _ in range(2))
-    np.add.at(sums, place.ravel(), terms)
-    np.add.at(scales, place.ravel(), abs(terms))
-    return bool((abs(sums) > _SAME * scales).any())
+def _stepped(system: SystemKernels, points: np.ndarray, places: Sequence[int]) -> Numbers:
+    """Return the numbers (k q, ...) of a system at k points, each with steps of q parameters."""
+    steps = np.eye(points.shape[1])[list(places)]
+    return Numbers(*stepped_tables(system, points, steps, None))
 
 
 def _compiled(
@@ -185,7 +160,8 @@ def _compiled(
     if driven is not None:
         moved = moved[0][..., driven, :][..., driven], moved[1][..., driven, :][..., driven]
     if projections is not None:
-        moved = projections @ moved[0], projections[:, None] @ moved[1]
+        whole = projections @ stepped(moved[0][:, None], moved[1], None)
+        moved = real_parts(whole[:, 0]), imaginary_parts(whole, None)
     return found._replace(maps=moved[0], rates=moved[1])
 
 
@@ -230,8 +206,7 @@ def _in_python(
 ) -> ManyDirections:
     """Return derivatives of orbits by complex steps."""
     (k, size), q = start.shape, len(places)
-    steps = np.eye(points.shape[1])[list(places)]
-    numbers = Numbers(*stepped_tables(system, points, steps, None))
+    numbers = _stepped(system, points, places)
     period = np.repeat(dwell.sum(axis=-1), q) + 0j if timed else None
     moved = moved_cycles(cycle, numbers, dwell, start, None, period)
     with np.errstate(all="ignore"):

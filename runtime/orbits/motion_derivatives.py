@@ -12,10 +12,9 @@ import numpy as np
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.directions import Directions
-from nonsmooth.runtime.orbits.impact_losses import impact_losses
-from nonsmooth.runtime.orbits.table_directions import numbers_along, relative_changes, working
-from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.model.structure import ContactShape, Structure
+from nonsmooth.runtime.orbits.directions import Directions, MovedCycles, relative_changes
+from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
 from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows, observed_rows
@@ -46,6 +45,8 @@ _INSIDE = 1e-7  # of a dwell time: a maximum nearer to the ends is no interior o
 _ROUNDING = 64 * np.finfo(float).eps
 _TIED = 1e-9  # relative difference of extremes that are as large as each other
 _SAME = 1e-6  # relative difference of rates that are the same but for rounding
+_NEAR = 1e-9  # relative: within which two functions are proportional
+_STILL = 1e-12  # relative change of a velocity that is none
 
 
 class BoundaryMargin(NamedTuple):
@@ -85,41 +86,53 @@ class OrbitMotionDerivatives:
     """
 
     def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:
-        self.orbit, self.by = orbit, tuple(by)
-        tables = orbit.tables
-        self.cycle, self.lib = tables.cycle, working(orbit)
-        self.structure = self.cycle.structure
-        self.numbers = numbers_along(orbit, by, self.lib)
-        starts, dwell = tables.states_up_to_shift, orbit.dwell_times
-        system = tables.piecewise
-        if self.lib is not None:
-            lift = np.frompyfunc(self.lib.mp.mpf, 1, 1)
-            starts, dwell = lift(starts), lift(dwell)
-            system = piecewise(orbit.system, orbit.parameters)
-        breaks = np.concatenate([[0 * dwell[0]], np.cumsum(dwell)])
-        self.period = breaks[-1]
-        configurations = np.array(self.cycle.configurations)
-        floats = dwell.astype(float), starts.astype(float)
-        ends = phase_states(system, configurations, *floats)
-        phases = Phases(breaks[:-1], dwell, configurations, starts, ends)
-        shifted = np.cumsum(directions.dwell, axis=1)
-        rates = np.array([shifted - directions.dwell, shifted])
-        fields = real_parts(self.numbers.fields[0])[configurations]
-        velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
-        changes = directions.starts - velocities * rates[0][..., None]
-        self.moved = MovedPhases(
-            system, self.numbers, phases, np.moveaxis(changes, 0, -1), rates, self.lib
-        )
+        assert directions.cycles is not None
+        self.orbit, self.by, self.cycles = orbit, tuple(by), directions.cycles
 
-    def turned(self, by: Sequence[str], directions: np.ndarray) -> OrbitMotionDerivatives:
+    def turned(self, by: Sequence[str], shares: np.ndarray) -> OrbitMotionDerivatives:
         """Return the orbit as it moves with numbers of which the present ones move by shares.
 
-        `directions` (q, r) has the rates of the q present numbers by the r others.
+        The shares (q, r) are the rates of the q present numbers by the r others.
         """
         found = copy(self)
-        found.by, found.moved = tuple(by), self.moved.turned(directions)
-        found.numbers = found.moved.numbers
+        found.by, found.cycles = tuple(by), self.cycles.turned(shares)
         return found
+
+    @property
+    def structure(self) -> Structure:
+        """The system apart from its parameters."""
+        return self.cycles.cycle.structure
+
+    @property
+    def numbers(self) -> Numbers:
+        """Fields, rows and resets (q, ...) of the system, with steps."""
+        return self.cycles.numbers
+
+    @cached_property
+    def moved(self) -> MovedPhases:
+        """The phases of one period."""
+        cycles, lib, tables = self.cycles, self.cycles.lib, self.orbit.tables
+        dwell, starts, system = self.orbit.dwell_times, tables.states_up_to_shift, tables.piecewise
+        if lib is not None:
+            system = piecewise(self.orbit.system, self.orbit.parameters)
+        configurations = np.array(cycles.cycle.configurations)
+        ends = phase_states(system, configurations, dwell.astype(float), starts.astype(float))
+        if lib is not None:
+            dwell, starts = (np.frompyfunc(lib.mp.mpf, 1, 1)(part) for part in (dwell, starts))
+        waits, moved = cycles.waits, imaginary_parts(cycles.passage.starts[:-1], lib)
+        shifted = np.cumsum(waits, axis=1)
+        rates = np.array([shifted - waits, shifted])
+        fields = real_parts(self.numbers.fields[0])[configurations]
+        velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
+        changes = np.swapaxes(moved, 1, 2) - velocities[..., None] * rates[0].T[:, None]
+        begins = np.concatenate([0 * dwell[:1], np.cumsum(dwell)[:-1]])
+        phases = Phases(begins, dwell, configurations, starts, ends)
+        return MovedPhases(system, self.numbers, phases, changes, rates, lib)
+
+    @property
+    def period(self) -> Any:
+        """Sum of the dwell times."""
+        return real_parts(self.cycles.dwell[0]).sum()
 
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
         """Return states (m, N) at times of the period, since the start, and derivatives (m, N, q).
@@ -129,7 +142,7 @@ class OrbitMotionDerivatives:
         """
         if len(self.orbit.tables.translations):
             raise InputError(f"{self.orbit.name} is periodic up to a shift: ask its motion()")
-        number = float if self.lib is None else self.lib.mp.mpf
+        number = float if self.cycles.lib is None else self.cycles.lib.mp.mpf
         every = np.array([number(time) for time in times])
         for time in every:
             if not 0 <= time <= self.period:
@@ -137,7 +150,7 @@ class OrbitMotionDerivatives:
         begins = self.moved.phases.begins
         places = np.array([np.flatnonzero(begins <= time)[-1] for time in every], dtype=int)
         found = self.moved.at(places, every - begins[places])
-        rates = np.moveaxis(imaginary_parts(found, self.lib), 0, -1)
+        rates = np.moveaxis(imaginary_parts(found, self.cycles.lib), 0, -1)
         return self._rounded(real_parts(found[0])), self._rounded(rates)
 
     def extremes(self, row: np.ndarray) -> tuple[Differentiated, Differentiated]:
@@ -172,8 +185,7 @@ class OrbitMotionDerivatives:
     def _differ(self, one: Differentiated, other: Differentiated) -> bool:
         """Return whether two numbers of one size change differently, by more than rounding."""
         rates, others = one.rates.astype(float), other.rates.astype(float)
-        states = sizes(self.orbit.tables.shooting, self.orbit.dwell_times)
-        by_numbers = relative_changes(self.numbers[:3], states, self.lib)
+        by_numbers = relative_changes(self.numbers[:3], self.cycles.sizes[0], self.cycles.lib)
         by_times = abs(self.moved.rates[1, :, -1].astype(float)) / float(self.period)
         usual = abs(float(one.value)) * np.maximum(by_numbers, by_times)
         size = np.maximum(np.maximum(abs(rates), abs(others)), usual)
@@ -191,14 +203,19 @@ class OrbitMotionDerivatives:
         kind, _, of = name.partition(":")
         if kind not in KINDS or not of:
             raise unknown_name("quantity with extremes", name, self.names)
-        if self.lib is not None:
+        if self.cycles.lib is not None:
             raise InputError("local extremes are found in double precision only")
         row, wanted = self.row_of(kind, of), KINDS[kind]
         turns = [turn for turn in self._turns(real_parts(row[0])) if turn[2] in wanted]
+        phases, since, signs = map(np.array, zip(*turns, strict=True))
+        own = row[:, self.moved.phases.configurations[phases]]
         found = [
             LocalExtreme(phase, sign, sign * float(value), sign * rates, float(time))
-            for (phase, _, sign), (value, rates, time) in zip(
-                turns, self._differentiated(row, turns), strict=True
+            for phase, sign, (value, rates, time) in zip(
+                phases.tolist(),
+                signs.tolist(),
+                self.moved.differentiated(own, phases, since),
+                strict=True,
             )
         ]
         return tuple(sorted(found, key=lambda each: (each.phase, -each.sign, each.time)))
@@ -213,7 +230,7 @@ class OrbitMotionDerivatives:
         for found in local_maxima(system, phases, np.stack([row, -row], axis=1)):
             yield found.phase, found.since, 1 - 2 * found.function
         slopes = (row[:, None, :-1] @ system.fields)[:, 0]
-        for phase, configuration in enumerate(self.cycle.configurations):
+        for phase, configuration in enumerate(self.cycles.cycle.configurations):
             slope = slopes[configuration]
             for since, state, outward in (
                 (0.0, phases.starts[phase], -1),
@@ -224,15 +241,6 @@ class OrbitMotionDerivatives:
                 signs = [sign for sign in (1, -1) if sign * rate > -least]
                 yield from ((phase, since, sign) for sign in signs or [-outward])
 
-    def _differentiated(
-        self, row: np.ndarray, turns: Sequence[tuple[int, float, int]]
-    ) -> Iterator[Differentiated]:
-        """Yield a function at its extremes: phases, times since their start, and signs."""
-        places = np.array([turn[0] for turn in turns], dtype=int)
-        since = np.array([turn[1] for turn in turns])
-        own = row[:, self.moved.phases.configurations[places]]
-        return self.moved.differentiated(own, places, since)
-
     def dissipation(self, name: str | None = None) -> Differentiated:
         """Return the energy lost over a period through one contact, or through all of them.
 
@@ -240,19 +248,21 @@ class OrbitMotionDerivatives:
         do not count. `InputError` is raised for an unknown contact, with many digits, and
         where the tables do not tell what an impact takes.
         """
-        if self.lib is not None:
+        if self.cycles.lib is not None:
             raise InputError("dissipation has derivatives in double precision only")
         every = self.structure.contacts
         places = range(len(every)) if name is None else [self._contact(name)]
         total = np.zeros(len(self.by), dtype=complex)
-        if any(c in every[place].forces for place in places for c in self.cycle.configurations):
+        if any(
+            c in every[place].forces for place in places for c in self.cycles.cycle.configurations
+        ):
             size = len(self.structure.states)
             rows = observed_rows(self.structure, self.numbers.rows)[:, :, size:]
             moments = self.moved.moments(rows)
             for place in places:
                 force, velocity, surface = range(3 * place, 3 * place + 3)
                 total += moments[:, force, surface] - moments[:, force, velocity]
-        for loss in impact_losses(self.cycle, self.moved):
+        for loss in _impact_losses(self.cycles):
             if loss.contact in [every[place] for place in places]:
                 total += loss.energy
         return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))
@@ -267,7 +277,7 @@ class OrbitMotionDerivatives:
         """
         places, since, rows, names = [], [], [], []
         for phase, boundary, time in self._nearest():
-            shape = self.structure.boundaries[self.cycle.configurations[phase]][boundary]
+            shape = self.structure.boundaries[self.cycles.cycle.configurations[phase]][boundary]
             places.append(phase)
             since.append(time)
             rows.append(shape.row)
@@ -278,7 +288,9 @@ class OrbitMotionDerivatives:
             np.array(since),
         )
         return tuple(
-            BoundaryMargin(phase, self.cycle.itinerary[phase][0], name, -t.value, -t.rates, t.time)
+            BoundaryMargin(
+                phase, self.cycles.cycle.itinerary[phase][0], name, -t.value, -t.rates, t.time
+            )
             for phase, name, t in zip(places, names, map(self._told, found), strict=True)
         )
 
@@ -295,11 +307,11 @@ class OrbitMotionDerivatives:
             if _INSIDE * duration < found.since < (1 - _INSIDE) * duration:
                 key, seen = (found.phase, found.function), (found.value, found.since)
                 inside[key] = max(seen, inside.get(key, seen))
-        for phase, configuration in enumerate(self.cycle.configurations):
+        for phase, configuration in enumerate(self.cycles.cycle.configurations):
             reach = np.maximum(abs(phases.starts[phase]), abs(phases.ends[phase]))
             for place in range(len(self.structure.boundaries[configuration])):
                 row, best = rows[configuration, place], inside.get((phase, place))
-                if place not in self.cycle.transitions[phase].boundaries:
+                if place not in self.cycles.cycle.transitions[phase].boundaries:
                     ends = (
                         (phases.starts[phase], 0.0),
                         (phases.ends[phase], phases.durations[phase]),
@@ -324,12 +336,12 @@ class OrbitMotionDerivatives:
     @cached_property
     def transversalities(self) -> tuple[Transversality, ...]:
         """The speed with which each phase reaches the boundary that ends it."""
-        speeds = [self.moved.arrival(phase, row)[0] for phase, row in enumerate(self.cycle.rows)]
-        values = self._rounded(real_parts(np.array(speeds)[:, 0]))
-        rates = self._rounded(imaginary_parts(np.array(speeds), self.lib))
+        speeds = self.cycles.passage.speeds
+        values = self._rounded(real_parts(speeds[:, 0]))
+        rates = self._rounded(imaginary_parts(speeds, self.cycles.lib))
         return tuple(
-            Transversality(k, self.cycle.itinerary[k][1], values[k], rates[k])
-            for k in range(len(self.cycle))
+            Transversality(k, self.cycles.cycle.itinerary[k][1], values[k], rates[k])
+            for k in range(len(self.cycles.cycle))
         )
 
     def quantity(self, name: str) -> Differentiated:
@@ -386,6 +398,96 @@ class OrbitMotionDerivatives:
 
     def _rounded(self, values: np.ndarray) -> np.ndarray:
         """Return numbers rounded to the orbit's precision."""
-        if self.lib is None:
+        if self.cycles.lib is None:
             return values
         return np.asarray(np.frompyfunc(self.orbit.arithmetic.mp.mpf, 1, 1)(values))
+
+
+class _ImpactLoss(NamedTuple):
+    """The energy that one impact takes."""
+
+    phase: int  # the one that the impact ends
+    contact: ContactShape
+    energy: np.ndarray  # (q,), with a step in each of q directions
+
+
+def _impact_losses(cycles: MovedCycles) -> Iterator[_ImpactLoss]:
+    """Yield the energy that each impact of an orbit takes from it, in double precision.
+
+    An impulse J at a contact changes its relative velocity from w- to w+ = w- + J / m and takes
+    the energy m (w-^2 - w+^2) / 2. A system's tables know accelerations, not masses: the
+    effective mass m is minus the reaction that holds the contact in lasting contact, by the
+    acceleration w' without it. Both are affine functions of the state, and proportional to each
+    other. `InputError` is raised for impacts at several stops at once, and where the tables do
+    not tell the mass.
+    """
+    cycle, numbers, passage = cycles.cycle, cycles.numbers, cycles.passage
+    structure, rows = cycle.structure, numbers.rows
+    velocities = [velocity for _, velocity in structure.coordinates]
+    for phase, configuration in enumerate(cycle.configurations):
+        front, behind = passage.ends[phase], passage.starts[phase + 1]
+        jump = np.abs((behind - front)[0, velocities].real)
+        if not (jump > _STILL * np.abs(front[0].real).max()).any():
+            continue
+        field = numbers.fields[:, configuration]
+        shapes = structure.boundaries[configuration]
+        reached = [shapes[place] for place in sorted(cycle.transitions[phase].boundaries)]
+        struck = []
+        for boundary in reached:
+            row, now = rows[0, boundary.row].real, rows[0].real
+            rate = row[:-1] @ field[0].real
+            struck += [
+                contact
+                for contact in structure.contacts
+                if _proportional(rate, now[contact.velocity] - now[contact.surface])
+                and any(
+                    _proportional(row, now[held])
+                    for lasting in contact.forces
+                    for held in structure.constraints[lasting]
+                )
+            ]
+        names = " and ".join(boundary.name for boundary in reached)
+        if not struck:
+            raise InputError(f"what is lost at {names} is not told: no contact is declared there")
+        if len(struck) > 1:
+            raise InputError(f"{names}: what each of several impacts at once takes is not told")
+        (contact,) = struck
+        relative = rows[:, contact.velocity] - rows[:, contact.surface]
+        mass = _mass(numbers, contact, configuration, relative)
+        if mass is None:
+            raise InputError(
+                f"what is lost at {names} is not told: {contact.name} has no lasting contact that"
+                " tells the mass which it stops"
+            )
+        speeds = [
+            np.einsum("qi,qi->q", relative[:, :-1], state) + relative[:, -1]
+            for state in (front, behind)
+        ]
+        yield _ImpactLoss(phase, contact, mass * (speeds[0] ** 2 - speeds[1] ** 2) / 2)
+
+
+def _proportional(row: np.ndarray, other: np.ndarray) -> bool:
+    """Return whether one affine function is a nonzero multiple of another."""
+    size = float(other @ other)
+    factor = float(row @ other) / size if size else 0.0
+    missed = np.abs(row - factor * other).max()
+    return bool(factor and missed <= _NEAR * np.abs(row).max())
+
+
+def _mass(
+    numbers: Numbers, contact: ContactShape, source: int, relative: np.ndarray
+) -> np.ndarray | None:
+    """Return the effective mass (q,) at a contact, by its reaction in lasting contact.
+
+    It is None where no lasting contact tells it.
+    """
+    field = numbers.fields[:, source]
+    acceleration = np.einsum("qi,qij->qj", relative[:, :-1], field)
+    for force in contact.forces.values():
+        reaction = numbers.rows[:, force]
+        size = (acceleration * acceleration).sum(axis=1)
+        mass = -(reaction * acceleration).sum(axis=1) / size
+        missed = np.abs(reaction + mass[:, None] * acceleration)[0].max()
+        if mass[0].real > 0 and missed <= _NEAR * np.abs(reaction[0]).max():
+            return np.asarray(mass)
+    return None

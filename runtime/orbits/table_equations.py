@@ -27,19 +27,17 @@ from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
-from nonsmooth.runtime.shooting.derivatives import (
-    ShootingDerivatives,
-    dependent_variational,
-    shooting_derivatives,
-)
 from nonsmooth.runtime.shooting.multipliers import nontrivial
 from nonsmooth.runtime.shooting.newton import NEGATIVE, SHORTEST
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     Numbers,
+    ShootingDerivatives,
+    dependent_variational,
     itinerary_shape,
     numbers_in,
     shoot,
+    shooting_derivatives,
 )
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory

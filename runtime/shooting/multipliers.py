@@ -26,11 +26,14 @@ __all__ = [
     "modulus",
     "multiplier_derivatives",
     "nontrivial",
+    "orthonormal",
     "pair_margins",
     "stability_of",
 ]
 
 _ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
+_RANK = 1e-9  # relative length below which a direction is none, in double precision
+_LOST = 10  # decimal digits that its length may lose beyond that
 _COLLISION = 1e-6  # of the largest multiplier: distance below which two are not told apart
 
 
@@ -252,15 +255,11 @@ def family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarr
     if rank == 1:  # the trivial one is alone
         return np.zeros(len(values))
     values = sorted_by_size(values)
-    trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]
-    rest = np.abs(values)
-    np.put_along_axis(rest, trivial, 0.0, axis=-1)
-    margin = 1 - rest.max(axis=-1)
-    margin[np.abs(margin) <= np.sqrt(LEAST)] = 0  # a neutral one may be a defective one
-    if rank != 3:
-        return np.asarray(margin)
     # of a reciprocal pair beside the 1 the sum keeps the digits
-    pair = np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST)
+    pair = (rank == 3) & (np.abs(values[:, :3].prod(axis=-1) - 1) < np.sqrt(LEAST))
+    rest = nontrivial(values, values.shape[1], family=True)
+    margin = 1 - np.abs(rest).max(axis=-1, initial=0.0)
+    margin[np.abs(margin) <= np.sqrt(LEAST)] = 0  # a neutral one may be a defective one
     return np.where(pair, pair_margins(trace), margin)
 
 
@@ -270,7 +269,7 @@ class MapDerivatives(NamedTuple):
     matrix: np.ndarray  # (k, k)
     rates: np.ndarray  # (q, k, k)
     rank: int  # number of multipliers that may differ from zero
-    trivial: int  # how many of these are 1 because a first integral is kept
+    trivial: int  # 1 where one of these is 1 because a first integral is kept; else 0
 
 
 class MultiplierDerivatives(NamedTuple):
@@ -354,10 +353,9 @@ def _derivatives(
     most = _COLLISION * sizes.max(axis=1, keepdims=True)
     distances = abs(values[:, :, None] - values[:, None]).astype(float)
     apart = (distances > most[:, None]).sum(axis=2) == rank - 1
-    for _ in range(min(trivial, rank)):
-        near = np.where(sizes < 0, np.inf, abs(values - 1).astype(float))
-        sizes[every, np.argmin(near, axis=1)] = -1.0
-    order = np.argsort(-sizes, axis=1, kind="stable")[:, : rank - min(trivial, rank)]
+    if trivial:
+        sizes[every, np.argmin(abs(values - 1).astype(float), axis=1)] = -1.0
+    order = np.argsort(-sizes, axis=1, kind="stable")[:, : rank - trivial]
     multipliers, apart, sizes = (
         np.take_along_axis(part, order, axis=1) for part in (values, apart, sizes)
     )
@@ -401,7 +399,9 @@ def _reduced(
     if lib is None:
         basis = np.linalg.svd(matrix)[0]
     else:
-        basis = np.array([_orthonormal_range(each, rank, lib) for each in matrix])
+        inside = [orthonormal(each, lib.mp) for each in matrix]
+        across = [orthonormal(np.eye(len(q), dtype=int) - q @ q.T, lib.mp) for q in inside]
+        basis = np.array([np.hstack(both) for both in zip(inside, across, strict=True)])
     back = np.swapaxes(basis, 1, 2)
     turned = back @ matrix @ basis
     inside, beside = turned[:, :rank, :rank], turned[:, :rank, rank:]
@@ -414,18 +414,28 @@ def _reduced(
     return inside, changed[:, :, :rank, :rank] + beside[:, None] @ across
 
 
-def _orthonormal_range(matrix: np.ndarray, rank: int, lib: Mpmath) -> np.ndarray:
-    """Orthonormal basis (k, k) whose first columns span the range, by Gram and Schmidt."""
-    size, root = len(matrix), lib.mp.sqrt
+def orthonormal(columns: Any, lib: Any) -> Any:
+    """Orthonormal basis of the span of the columns, by Gram-Schmidt with pivoting.
+
+    `lib` is `numpy` or a context of mpmath.
+    """
+    none = _RANK if lib is np else lib.mpf(10) ** (_LOST - lib.dps)
+    left = [columns[:, k] for k in range(columns.shape[1])]
     basis: list[Any] = []
-    unit = np.array([[lib.mp.mpf(int(i == j)) for j in range(size)] for i in range(size)])
-    for candidates, wanted in ((matrix, rank), (unit, size)):
-        while len(basis) < wanted:
-            left = [candidates[:, k] - sum((b * (b @ candidates[:, k]) for b in basis), 0)
-                    for k in range(size)]  # fmt: skip
-            best = max(left, key=lambda v: v @ v)
-            best = best - sum((b * (b @ best) for b in basis), 0)
-            basis.append(best / root(best @ best))
+    largest = max((lib.sqrt(v @ v) for v in left), default=0)
+    while left:
+        lengths = [lib.sqrt(v @ v) for v in left]
+        best = max(range(len(left)), key=lambda k: lengths[k])
+        if not lengths[best] > none * largest:
+            break
+        unit = left.pop(best) / lengths[best]
+        for _ in range(2):  # once more for what the first pass has lost
+            unit = unit - sum((b * (b @ unit) for b in basis), 0 * unit)
+            unit = unit / lib.sqrt(unit @ unit)
+        basis.append(unit)
+        left = [v - unit * (unit @ v) for v in left]
+    if not basis:
+        return columns[:, :0]
     return np.stack(basis, axis=-1)
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from nonsmooth.runtime.shooting.multipliers import (
     Stability,
     eigenvalues_of,
+    orthonormal,
     stability_of,
 )
 from nonsmooth.runtime.shooting.newton import LEAST
@@ -35,9 +36,6 @@ __all__ = [
     "stroboscopic_maps",
     "timed_maps",
 ]
-
-_RANK = 1e-9  # relative length below which a direction is none, in double precision
-_LOST = 10  # decimal digits that its length may lose beyond that
 
 
 def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[Any]:
@@ -131,7 +129,7 @@ def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
         bases = []
         for matrix in maps:
             bases.append(basis)
-            basis = _orthonormal(_scaled(matrix, size_of) @ basis, lib)
+            basis = orthonormal(_scaled(matrix, size_of) @ basis, lib)
         if bases[0].shape[1] == basis.shape[1]:
             return bases
 
@@ -146,7 +144,7 @@ def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
     for first in range(len(maps)):
         basis = np.eye(len(size_of))
         for matrix in (*maps[first:], *maps[:first]):
-            basis = _orthonormal(_scaled(matrix, size_of) @ basis, np)
+            basis = orthonormal(_scaled(matrix, size_of) @ basis, np)
         ranks.append(basis.shape[1])
     return ranks.index(min(ranks)), min(ranks)
 
@@ -160,37 +158,15 @@ def section_dimension(cycle: ItineraryShape, numbers: Numbers, size_of: Any, lib
     size = len(size_of)
     kept = [*cycle.structure.constraints[cycle.configurations[-1]], cycle.rows[-1]]
     normals = (numbers.rows[kept, :size] * size_of).T
-    across = _orthonormal(normals, lib)
+    across = orthonormal(normals, lib)
     reached = np.eye(size, dtype=normals.dtype)
-    reached = _orthonormal(reached - across @ across.T, lib)
+    reached = orthonormal(reached - across @ across.T, lib)
     reset = numbers.resets[cycle.transitions[-1].reset, :, :size]
-    return int(_orthonormal(_scaled(reset, size_of) @ reached, lib).shape[1])
+    return int(orthonormal(_scaled(reset, size_of) @ reached, lib).shape[1])
 
 
 def _scaled(matrix: Any, size_of: Any) -> Any:
     return matrix * size_of[None, :] / size_of[:, None]
-
-
-def _orthonormal(columns: Any, lib: Any) -> Any:
-    """Orthonormal basis of the span of the columns, by Gram-Schmidt with pivoting."""
-    none = _RANK if lib is np else lib.mpf(10) ** (_LOST - lib.dps)
-    left = [columns[:, k] for k in range(columns.shape[1])]
-    basis: list[Any] = []
-    largest = max((lib.sqrt(v @ v) for v in left), default=0)
-    while left:
-        lengths = [lib.sqrt(v @ v) for v in left]
-        best = max(range(len(left)), key=lambda k: lengths[k])
-        if not lengths[best] > none * largest:
-            break
-        unit = left.pop(best) / lengths[best]
-        for _ in range(2):  # once more for what the first pass has lost
-            unit = unit - sum((b * (b @ unit) for b in basis), 0 * unit)
-            unit = unit / lib.sqrt(unit @ unit)
-        basis.append(unit)
-        left = [v - unit * (unit @ v) for v in left]
-    if not basis:
-        return columns[:, :0]
-    return np.stack(basis, axis=-1)
 
 
 def assess(

@@ -20,7 +20,6 @@ from nonsmooth.runtime.core.taylor_models import matrix
 
 __all__ = [
     "ARRAYS",
-    "COMPLEX_STEP",
     "MATRICES",
     "Ahead",
     "Arithmetic",
@@ -95,16 +94,6 @@ class _Arrays:
         return row
 
 
-class _ComplexStep(_Arrays):
-    """Complex maps and states with a tiny imaginary part; changes are real."""
-
-    def carry(self, affine: Any, changes: Any) -> Any:
-        return affine[..., :-1].real @ changes
-
-    def turned(self, changes: Any, velocity: Any, rate: Any) -> Any:
-        return changes + velocity.real * rate
-
-
 class _Matrices:
     """Matrices of balls or Taylor models that act on (y, 1): maps (N + 1, N + 1).
 
@@ -133,7 +122,6 @@ class _Matrices:
 
 
 ARRAYS: Arithmetic = _Arrays()
-COMPLEX_STEP: Arithmetic = _ComplexStep()
 MATRICES: Arithmetic = _Matrices()
 
 

@@ -10,6 +10,7 @@ number of parameters.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -21,30 +22,34 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives
 from nonsmooth.runtime.shooting.shooting_map import Numbers
-from nonsmooth.runtime.simulation.coming_apart import (
-    DirectedMotion,
-    along,
-    directed_motions,
-    gathered,
-    scattered,
-)
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
     input_names,
+    turned,
 )
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
-from nonsmooth.runtime.simulation.observable_derivatives import (
-    ObservableDerivatives,
-    observable_derivatives,
+from nonsmooth.runtime.simulation.observables import observe, observed_rows, sticking
+from nonsmooth.runtime.simulation.one_sided import (
+    CUT,
+    DirectedMotion,
+    check_sides,
+    check_times,
+    directed_motions,
+    gathered,
+    scattered,
 )
-from nonsmooth.runtime.simulation.one_sided import CUT, check_sides, check_times
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["MotionDerivatives", "chosen_numbers", "motion_derivatives"]
+__all__ = [
+    "ContactDerivatives",
+    "MotionDerivatives",
+    "ObservableDerivatives",
+    "chosen_numbers",
+    "motion_derivatives",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +95,7 @@ class MotionDerivatives:
         return tuple(part.linearisation(self.times) for part in self.parts)
 
     @cached_property
-    def _directions(self) -> tuple[tuple[TableDerivatives, np.ndarray], ...]:
+    def _directions(self) -> tuple[tuple[Numbers, np.ndarray], ...]:
         """Changes of the tables and of the start along the directions of each part."""
         return tuple(
             linear.directions(tuple(self.by[column] for column in part.columns))
@@ -192,11 +197,8 @@ class MotionDerivatives:
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
         plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
         if plain:
-            tables, starts = self._directions[0]
-            turned = (np.tensordot(factors, part, axes=1)[None] for part in tables)
-            every = self._linearisations[0].forward(
-                TableDerivatives(*turned), (starts @ factors)[:, None]
-            )
+            moved = turned(*self._directions[0], factors[:, None])
+            every = self._linearisations[0].forward(*moved)
         elif self.one_sided is None:
             every = MotionChanges(*(part @ factors[:, None] for part in self._forward))
         else:
@@ -262,11 +264,8 @@ class MotionDerivatives:
         else:
             tables, _ = self._linearisations[0].directions(self.by)
         system = self.trajectory.system
-        return Numbers(
-            stepped(system.fields, tables.fields, None),
-            stepped(system.rows, tables.rows, None),
-            stepped(system.resets, tables.resets, None),
-        )
+        now = Numbers(system.fields, system.rows, system.resets)
+        return now.each(lambda part, rates: stepped(part, rates, None), tables)
 
     def moved_phases(self, since: float = 0.0) -> MovedPhases:
         """Give the motion's phases as they move with the numbers.
@@ -307,7 +306,7 @@ class MotionDerivatives:
                     " one side there; ask for them by one_sided"
                 )
             if part.columns.size:
-                own = Numbers(*(numbers[part.columns] for numbers in self.numbers[:3]))
+                own = self.numbers.each(operator.itemgetter(part.columns))
                 moved = self._moved(part.trajectory, changes, own, since)
                 yield part.columns, self.one_sided if part.apart.any() else None, moved
 
@@ -342,7 +341,7 @@ class MotionDerivatives:
         InputError
             As for `nonsmooth.observe`, or where the motion ended where it cannot go on.
         """
-        return observable_derivatives(self, since)
+        return _observable_derivatives(self, since)
 
     @cached_property
     def condition(self) -> float:
@@ -399,5 +398,101 @@ def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges
     direction = factors[:, None]
     (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)
     check_sides(part, found.by, direction, found.times, found.one_sided)
-    linear = part.linearisation(found.times)
-    return gathered((part,), [linear.forward(*along(linear, found.by, direction))], 1)
+    _, _, changes = part.moved(found.by, direction, found.times)
+    return gathered((part,), [changes], 1)
+
+
+@dataclass(frozen=True, eq=False)
+class ContactDerivatives:
+    """Derivatives (q,) of what passes through one contact; see `ContactObservables`.
+
+    Attributes
+    ----------
+    minimum, maximum, mean, work, dissipated : array (q,)
+    """
+
+    minimum: np.ndarray
+    maximum: np.ndarray
+    mean: np.ndarray
+    work: np.ndarray
+    dissipated: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class ObservableDerivatives:
+    """Derivatives of a motion's observables by q numbers; see `Observables`.
+
+    Where two extremes of one function are equal they are those of one of them.
+
+    Attributes
+    ----------
+    by : tuple of str
+    duration : array (q,)
+    minima, maxima, means, rms : dict of state to array (q,)
+    fractions : dict of configuration to array (q,)
+    sticking : dict of position to array (q,)
+    contacts : dict of str to ContactDerivatives
+    """
+
+    by: tuple[str, ...]
+    duration: np.ndarray
+    minima: dict[str, np.ndarray]
+    maxima: dict[str, np.ndarray]
+    means: dict[str, np.ndarray]
+    rms: dict[str, np.ndarray]
+    fractions: dict[str, np.ndarray]
+    sticking: dict[str, np.ndarray]
+    contacts: dict[str, ContactDerivatives]
+
+
+def _observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> ObservableDerivatives:
+    """Derivatives of a motion's observables from the fixed time `since` on.
+
+    The motion is refused as by `observe`, if it ended where it cannot go on, or if
+    boundaries come apart whose times have other derivatives on the other side.
+    """
+    by, structure, values = found.by, found.trajectory.structure, observe(found.trajectory, since)
+    names, size, contacts = structure.states, len(structure.states), len(structure.contacts)
+    forces = [size + 3 * i for i in range(contacts)]
+    lowest, highest = np.empty((2, size + contacts, len(by)))
+    moments = np.empty((len(by), size + 3 * contacts, size + 3 * contacts + 1), dtype=complex)
+    spent = np.empty((len(by), len(structure.configurations)), dtype=complex)
+    for columns, side, moved in found.moved_parts(since):
+        rows = observed_rows(structure, moved.numbers.rows)
+        ends = moved.extremes(rows[:, :, [*range(size), *forces]], side)
+        for whole, part in zip((lowest, highest), ends, strict=True):
+            whole[:, columns] = [extreme.rates for extreme in part]
+        moments[columns], spent[columns] = moved.moments(rows), moved.spent
+    duration = stepped(values.duration, found.end, None)
+    means = imaginary_parts(moments[..., -1] / duration[:, None], None).T
+    squares = np.diagonal(moments, axis1=1, axis2=2)[:, :size] / duration[:, None]
+    fractions = imaginary_parts(spent / duration[:, None], None)
+    with np.errstate(divide="ignore", invalid="ignore"):  # what rests has no slope
+        rms = imaginary_parts(squares, None).T / (2 * np.array([*values.rms.values()])[:, None])
+    works = imaginary_parts(moments, None)
+    return ObservableDerivatives(
+        by,
+        found.end,
+        dict(zip(names, lowest[:size], strict=True)),
+        dict(zip(names, highest[:size], strict=True)),
+        dict(zip(names, means[:size], strict=True)),
+        dict(zip(names, rms, strict=True)),
+        dict(zip(structure.configurations, fractions.T, strict=True)),
+        _columns(sticking(structure, part) for part in fractions),
+        {
+            contact.name: ContactDerivatives(
+                lowest[size + i],
+                highest[size + i],
+                means[force],
+                works[:, force, force + 1],
+                works[:, force, force + 2] - works[:, force, force + 1],
+            )
+            for i, (contact, force) in enumerate(zip(structure.contacts, forces, strict=True))
+        },
+    )
+
+
+def _columns(parts: Iterable[dict[str, Any]]) -> dict[str, np.ndarray]:
+    """Arrays (q,) by name, from q dicts of numbers by name."""
+    listed = list(parts)
+    return {name: np.array([part[name] for part in listed]) for name in (listed or [{}])[0]}

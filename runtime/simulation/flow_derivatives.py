@@ -14,7 +14,6 @@ is below h^40 3e-60 = 3e-20 for half of that, h = 10.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Protocol
 
 import numpy as np
 
@@ -31,28 +30,11 @@ _FEW = 4
 _CHUNK = 2_000_000  # numbers in memory at a time
 
 
-class ConfigurationFlows(Protocol):
-    """Flows of one configuration over n durations from n starts, with their derivatives."""
-
-    matrices: np.ndarray  # (n, N, N) derivatives of the end states by the start states
-
-    def changes(self, fields: np.ndarray) -> np.ndarray:
-        """Derivatives (n, N, q) of the end states by q parameters.
-
-        `fields` (q, N, N + 1) are the derivatives of the vector field by them.
-        """
-        ...
-
-    def gradients(self, cotangents: np.ndarray) -> np.ndarray:
-        """Derivative (N, N + 1) by the field of the end states weighted with `cotangents` (n, N).
-
-        It is a sum over all durations.
-        """
-        ...
-
-
 class _DenseFlows:
-    """Flows computed from a matrix for each function of time."""
+    """Flows of one configuration over n durations from n starts, with their derivatives.
+
+    They are computed from a matrix for each function of time.
+    """
 
     def __init__(
         self,
@@ -62,6 +44,7 @@ class _DenseFlows:
         starts: np.ndarray,
     ) -> None:
         flows = matrices_of(system.flows[configuration])[:, :, :-1]
+        # (n, N, N), derivatives of the end states by the start states
         self.matrices = flow_matrices(system, configuration, durations)
         # (functions, N, N) as one matrix (N, functions N) that adds up
         self._size = flows.shape[1]
@@ -71,21 +54,27 @@ class _DenseFlows:
         self._parts = np.concatenate([parts, integrals[..., None]], axis=-1)
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
-        """See `ConfigurationFlows`."""
+        """Derivatives (n, N, q) of the end states by q parameters.
+
+        `fields` (q, N, N + 1) are the derivatives of the vector field by them.
+        """
         count, functions, width = self._parts.shape
         flat = fields.transpose(2, 1, 0).reshape(width, -1)
         turned = self._parts.reshape(-1, width) @ flat
         return np.asarray(self._flows @ turned.reshape(count, functions * self._size, -1))
 
     def gradients(self, cotangents: np.ndarray) -> np.ndarray:
-        """See `ConfigurationFlows`."""
+        """Derivative (N, N + 1) by the field of the end states weighted with `cotangents` (n, N).
+
+        It is a sum over all durations.
+        """
         count, functions, width = self._parts.shape
         pulled = (cotangents @ self._flows).reshape(count * functions, self._size)
         return np.asarray(pulled.T @ self._parts.reshape(-1, width))
 
 
 class _FactoredFlows:
-    """Flows from about 2 N columns and rows, with no matrix for each function of time."""
+    """The same from about 2 N columns and rows, with no matrix for each function of time."""
 
     def __init__(
         self,
@@ -105,7 +94,7 @@ class _FactoredFlows:
         self._integrals = integrals[:, places]
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
-        """See `ConfigurationFlows`."""
+        """See `_DenseFlows`."""
         found = np.empty((*self.matrices.shape[:2], len(fields)))
         for place, field in enumerate(fields):
             turned = self._rows @ field[:, :-1] @ self._columns.T
@@ -115,7 +104,7 @@ class _FactoredFlows:
         return found
 
     def gradients(self, cotangents: np.ndarray) -> np.ndarray:
-        """See `ConfigurationFlows`."""
+        """See `_DenseFlows`."""
         factors = cotangents @ self._columns.T
         turned = np.einsum("nfg,nf->fg", self._products, factors)
         linear = self._rows.T @ turned @ self._columns
@@ -129,6 +118,9 @@ def flow_matrices(system: PiecewiseLinear, configuration: int, durations: np.nda
     if isinstance(flows, FactoredFlows):
         return flows.at(functions)[..., :-1]
     return np.asarray(np.tensordot(functions, flows[:, :, :-1], axes=1))
+
+
+_Flows = _DenseFlows | _FactoredFlows
 
 
 class PhaseFlows:
@@ -147,13 +139,13 @@ class PhaseFlows:
         self._system, (count, size) = system, starts.shape
         # (n, N, N), derivatives of the end states by the starts
         self.matrices = np.empty((count, size, size))
-        self._parts: list[tuple[int, np.ndarray, ConfigurationFlows]] = []
+        self._parts: list[tuple[int, np.ndarray, _Flows]] = []
         for configuration in np.unique(configurations).tolist():
             here = np.flatnonzero(configurations == configuration)
             factored = isinstance(system.flows[configuration], FactoredFlows)
             functions = system.structure.functions[configuration]
             step = max(1, _CHUNK // max(1, 4 * functions**2 if factored else functions * size))
-            make = _FactoredFlows if factored else _DenseFlows
+            make: type[_Flows] = _FactoredFlows if factored else _DenseFlows
             for low in range(0, len(here), step):
                 part = here[low : low + step]
                 flows = make(system, configuration, durations[part], starts[part])

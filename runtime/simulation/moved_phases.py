@@ -9,7 +9,7 @@ envelope theorem).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -18,8 +18,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.shooting.derivatives import flows_over
-from nonsmooth.runtime.shooting.shooting_map import Numbers
+from nonsmooth.runtime.shooting.shooting_map import Numbers, flows_over
 from nonsmooth.runtime.simulation.extremes import extremes
 from nonsmooth.runtime.simulation.flow_derivatives import (
     PhaseFlows,
@@ -101,35 +100,11 @@ class MovedPhases:
             found.append((flow[..., :-1] @ start[..., None])[..., 0] + flow[..., -1])
         return np.array(found).reshape(len(found), *self.changes.shape[:0:-1]).swapaxes(0, 1)
 
-    def turned(self, directions: np.ndarray) -> MovedPhases:
-        """The phases as they move in r directions, of which the q ones have the shares (q, r)."""
-        fields, rows, resets = (
-            stepped(real_parts(part[0]), np.tensordot(directions.T, moved, axes=1), self.lib)
-            for part in self.numbers[:3]
-            for moved in (imaginary_parts(part, self.lib),)
-        )
-        numbers = Numbers(fields, rows, resets)
-        rates = np.swapaxes(np.swapaxes(self.rates, 1, 2) @ directions, 1, 2)
-        return replace(self, numbers=numbers, changes=self.changes @ directions, rates=rates)
-
-    @cached_property
-    def starts(self) -> np.ndarray:
-        """States (q, P, N), with steps, at which the phases begin."""
-        fields = real_parts(self.numbers.fields[0])[self.phases.configurations]
-        starts = self.phases.starts
-        velocities = (fields[..., :-1] @ starts[..., None])[..., 0] + fields[..., -1]
-        moved = np.moveaxis(self.changes, -1, 0) + velocities * self.rates[0][..., None]
-        return stepped(starts, moved, self.lib)
-
-    @cached_property
-    def ends(self) -> np.ndarray:
-        """States (q, P, N), with steps, at which the phases end."""
-        return self.at(np.arange(len(self.phases.begins)), self.phases.durations, self.rates[1])
-
     def arrival(self, phase: int, row: int) -> tuple[np.ndarray, np.ndarray]:
         """Rate (q,) and its rate (q,), with steps, of a row of the tables at the end of a phase."""
         field = self.numbers.fields[:, self.phases.configurations[phase]]
-        state = self.ends[:, phase, :, None]
+        end = np.array([phase]), self.phases.durations[[phase]], self.rates[1][:, [phase]]
+        state = self.at(*end)[:, 0, :, None]
         velocity = (field[..., :-1] @ state)[..., 0] + field[..., -1]
         normal = self.numbers.rows[:, row, :-1]
         turned = (field[..., :-1] @ velocity[..., None])[..., 0]

@@ -1,25 +1,434 @@
-"""Where a motion has one-sided derivatives alone, and on which side it is differentiated.
+"""Where a motion has one-sided derivatives alone, and those that it has on each side.
 
 At a grazing, at a start on a boundary and at a time that is that of a transition the motion goes
 on smoothly on one side: where the touched boundary function falls, or the transition comes
 earlier. What a number does not move has a derivative all the same.
+
+Boundaries that a motion reaches together come apart when it is moved by e d: at times that are
+linear in e. Which of them comes first, and what follows then, is what the engine does from a
+start shortly in front of them, moved by a small e. The derivative in the direction d is that of
+this sequence at e = 0, with no time between its transitions: the product of their saltation
+matrices (S. A. Burden, S. S. Sastry, D. E. Koditschek and S. Revzen, SIAM J. Appl. Dyn. Syst. 15,
+2016). It holds if the sequence comes to where the motion itself goes on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.coming_apart import DirectedMotion, along, told_direction
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.table_derivatives import relative_rates
+from nonsmooth.runtime.shooting.shooting_map import Numbers
+from nonsmooth.runtime.simulation.motion_linearisation import (
+    MotionChanges,
+    MotionLinearisation,
+    extended,
+    field_at,
+    fitting_resets,
+    nearest_start,
+    turned,
+)
+from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from nonsmooth.runtime.simulation.transition_derivatives import extended, field_at
 
-__all__ = ["CUT", "check_sides", "check_times"]
+__all__ = [
+    "CUT",
+    "DirectedMotion",
+    "check_sides",
+    "check_times",
+    "directed_motions",
+    "gathered",
+    "scattered",
+    "told_direction",
+]
+
+
+_NONE = np.empty(0)
+_TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
+_NEAR = 1e-8  # relative: within which a sequence comes to where the motion is
+_STEPS = (1e-5, 1e-7)  # of the time to the neighbouring transitions: how far events come apart
+_FRONT, _BEHIND, _MOST = 20.0, 1e3, 64  # where to look, in these steps; how many transitions
+
+
+@dataclass(frozen=True, eq=False)
+class DirectedMotion:
+    """A motion with the transitions that the motion moved in some directions makes in turn."""
+
+    trajectory: Trajectory  # with an entry for each transition of the moved motion
+    columns: np.ndarray  # (k,) indices of the directions that it holds for
+    settled: float  # time up to which no boundaries come apart any more
+    apart: np.ndarray  # (m - 1,) bool: later than the transition before it to first order only
+    # (n - 1,) for each transition of the original motion the first that replaces it
+    first: np.ndarray
+    last: np.ndarray  # (n - 1,) and the last
+    # (n - 1,) bool: transitions of the original motion whose times have no derivative
+    open: np.ndarray
+
+    def linearisation(self, times: np.ndarray) -> MotionLinearisation:
+        """The linearisation of this motion, also at `times` (m,), which are held fixed."""
+        return MotionLinearisation(self.trajectory, times, self.apart)
+
+    def moved(
+        self, by: tuple[str, ...], directions: np.ndarray, times: np.ndarray = _NONE
+    ) -> tuple[MotionLinearisation, Numbers, MotionChanges]:
+        """The linearisation, and what changes along directions: the tables, and the motion.
+
+        The columns of `directions` (numbers, k) are changes of the numbers `by`.
+        """
+        linear = self.linearisation(times)
+        tables, starts = turned(*linear.directions(by), directions)
+        return linear, tables, linear.forward(tables, starts)
+
+
+def directed_motions(
+    trajectory: Trajectory, by: tuple[str, ...], directions: np.ndarray, side: str | None
+) -> tuple[DirectedMotion, ...]:
+    """The motions that replace one whose coincident boundaries come apart when it is moved.
+
+    The columns of `directions` (numbers, q) are changes of the numbers `by`. The motion
+    moves along them for the side "+", against them for "-"; for None both ways have to
+    agree. The motions returned have each direction once. An `InputError` names the
+    boundaries, the time and the direction if a moved motion goes on elsewhere, or if both
+    sides differ.
+    """
+    count = len(trajectory.times) - 1
+    same, none = np.arange(count), np.zeros(count, dtype=bool)
+    todo = [
+        DirectedMotion(trajectory, np.arange(directions.shape[1]), -1.0, none, same, same, none)
+    ]
+    done = []
+    while todo:
+        motion = todo.pop()
+        moment = _next_moment(motion, by, directions[:, motion.columns])
+        if moment is None:
+            done.append(motion)
+        else:
+            todo.extend(_split(motion, moment, by, directions[:, motion.columns], side))
+    return tuple(done)
+
+
+def gathered(
+    parts: Sequence[DirectedMotion], found: Sequence[MotionChanges], directions: int
+) -> MotionChanges:
+    """Derivatives of the original motion along all directions, from those of its parts.
+
+    `found` has those of each part. They are NaN where a transition of the original motion has
+    no derivative, but for the beginnings of phases.
+    """
+    part, count = parts[0], len(parts[0].first)
+    if len(parts) == 1 and len(part.apart) == count and not part.open.any():
+        return found[0]
+    pieces = [_kept(part, own) for part, own in zip(parts, found, strict=True)]
+    every = MotionChanges(*(np.empty((*piece.shape[:-1], directions)) for piece in pieces[0]))
+    for part, own in zip(parts, pieces, strict=True):
+        for whole, piece in zip(every, own, strict=True):
+            whole[..., part.columns] = piece
+    return every
+
+
+def _kept(part: DirectedMotion, found: MotionChanges) -> MotionChanges:
+    """The derivatives of a part at the original motion's transitions, NaN where it has none."""
+    first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
+    states, events, before, behind, beginnings = found
+    kept = MotionChanges(states, events[part.first], before[first], behind[last], beginnings[last])
+    for whole, skipped in zip(kept[1:4], (0, 1, 1), strict=True):
+        whole[np.flatnonzero(part.open) + skipped] = np.nan
+    return kept
+
+
+def scattered(
+    part: DirectedMotion,
+    states: np.ndarray,
+    event_times: np.ndarray,
+    before: np.ndarray,
+    behind: np.ndarray,
+) -> tuple[np.ndarray, ...]:
+    """Factors of the original motion's results, at the transitions that replace its own in a part.
+
+    The shapes are (m, N) of `states`, (n - 1,) of `event_times`, (n, N) of `before` and
+    `behind`. A factor that is not zero becomes NaN where the result has no derivative.
+    """
+    count, size = part.trajectory.states.shape
+    times, front, back = np.zeros(count - 1), np.zeros((count, size)), np.zeros((count, size))
+    first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
+    for whole, places, given, skipped in (
+        (times, part.first, event_times, 0),
+        (front, first, before, 1),
+        (back, last, behind, 1),
+    ):
+        entries = np.flatnonzero(part.open) + skipped
+        taken = given.copy()
+        taken[entries] = np.where(taken[entries] == 0, 0.0, np.nan)
+        np.add.at(whole, places, taken)
+    return states, times, front, back
+
+
+class _Meeting(NamedTuple):
+    """Transitions at one instant that become several in some moved motions."""
+
+    begin: int  # entry of the first transition
+    end: int  # entry of the last one
+    apart: np.ndarray  # (k,) bool: directions in which the boundaries come apart
+    change: np.ndarray  # (N, k) of the state before the transitions, at their fixed time
+    size: np.ndarray  # (N, k) of the terms that the change is a sum of
+    shift: np.ndarray  # (k,) largest change of the time at which a boundary is reached
+    told: str  # text for a message
+
+
+def _next_moment(
+    motion: DirectedMotion, by: tuple[str, ...], directions: np.ndarray
+) -> _Meeting | None:
+    """The first instant after `settled` at which boundaries come apart; None if there is none."""
+    trajectory = motion.trajectory
+    system, run = trajectory.system, trajectory.run
+    several = np.flatnonzero(((run.sets & (run.sets - 1)) != 0) & (run.times > motion.settled))
+    if not several.size:
+        return None
+    linear, tables, changes = motion.moved(by, directions)
+    events, before = changes.event_times, changes.before
+    found = linear.transitions
+    for entry in several.tolist():
+        source = int(run.configurations[entry - 1])
+        state, velocity = extended(run.before[entry]), found.velocities[entry - 1]
+        change = before[entry] - velocity[:, None] * events[entry - 1]
+        apart, shift = np.zeros((2, directions.shape[1]))
+        for place, shape in enumerate(system.structure.boundaries[source]):
+            if not int(run.sets[entry]) >> place & 1:
+                continue
+            row = system.rows[shape.row]
+            own = tables.rows[:, shape.row].T * state[:, None]
+            parts = row[:-1, None] * before[entry], own
+            size = sum(np.abs(part).sum(axis=0) for part in parts)
+            size = size + np.abs(row[:-1]) @ np.abs(velocity) * np.nanmax(np.abs(events))
+            left = np.abs(sum(part.sum(axis=0) for part in parts))
+            apart = apart + ~(left <= _TOGETHER * size)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                later = np.abs((row[:-1] @ change + own.sum(axis=0)) / (row[:-1] @ velocity))
+            shift = np.fmax(shift, later)
+        if apart.any():
+            names, at = " and ".join(trajectory.boundaries[entry]), float(run.times[entry])
+            begin = max(1, int(np.searchsorted(run.times, at)))
+            end = int(np.searchsorted(run.times, at, side="right")) - 1
+            told = f"{names} are reached together at t = {at!r}"
+            late = found.velocities[begin - 1][:, None] * events[begin - 1]
+            usual = np.abs(run.states[[begin - 1, end]]).max(axis=0)
+            size = np.abs(before[begin]) + np.abs(late) + usual[:, None] * shift / run.end
+            return _Meeting(begin, end, apart > 0, before[begin] - late, size, shift, told)
+    return None
+
+
+def _split(
+    motion: DirectedMotion,
+    moment: _Meeting,
+    by: tuple[str, ...],
+    directions: np.ndarray,
+    side: str | None,
+) -> Iterator[DirectedMotion]:
+    """Yield the motions that replace one at a moment: one for each sequence of transitions.
+
+    Each of them has the directions that pass the moment in its sequence.
+    """
+    settled = float(motion.trajectory.times[moment.begin])
+    groups: dict[object, tuple[DirectedMotion, list[int]]] = {}
+    for k in range(directions.shape[1]):
+        if not moment.apart[k]:
+            groups.setdefault(None, (replace(motion, settled=settled), []))[1].append(k)
+            continue
+        signs = {"+": (1.0,), "-": (-1.0,), None: (1.0, -1.0)}[side]
+        ways = [
+            _MovedPassage(motion, moment, by, directions[:, k], k, sign).passed() for sign in signs
+        ]
+        if side is None:
+            one, other = (behind for _, behind in ways)
+            sizes = np.maximum(np.abs(one), moment.size[:, k])
+            if not (np.abs(one - other) <= _TOGETHER * sizes).all():
+                label = told_direction(by, directions[:, k])
+                raise InputError(f"{moment.told}: the motion has no derivative by {label} there")
+            inside = (motion.first >= moment.begin - 1) & (motion.last < moment.end)
+            ways = [(replace(way, open=way.open | inside), behind) for way, behind in ways]
+        found = replace(ways[0][0], settled=settled)
+        run = found.trajectory.run
+        key = run.configurations.tobytes(), tuple(run.sets.tolist())
+        groups.setdefault(key, (found, []))[1].append(k)
+    for found, members in groups.values():
+        yield replace(found, columns=motion.columns[members])
+
+
+@dataclass(frozen=True, eq=False)
+class _MovedPassage:
+    """How a motion that is moved along one direction, or against it, passes a moment."""
+
+    motion: DirectedMotion
+    moment: _Meeting
+    by: tuple[str, ...]
+    direction: np.ndarray
+    column: int
+    sign: float
+
+    def passed(self) -> tuple[DirectedMotion, np.ndarray]:
+        """The motion with the moved one's transitions, and its change (N,) behind the moment."""
+        trajectory, moment = self.motion.trajectory, self.moment
+        run, begin, end = trajectory.run, moment.begin, moment.end
+        if not np.isfinite([*moment.change[:, self.column], moment.shift[self.column]]).all():
+            raise self._refused("one of them is touched, and the order is open")
+        if run.times[begin] == run.times[begin - 1]:
+            raise self._refused("no time passes in front of them")
+        moved = [self._moved(step) for step in _STEPS]
+        found, other = ((m.run.configurations.tolist(), m.run.sets.tolist()) for m in moved)
+        if found != other:
+            raise self._refused("the order is open to first order")
+        local = moved[0]
+        kernels = local.structure.kernels
+        assert kernels is not None
+        system = piecewise(kernels, trajectory.parameters)
+        before, states = [], [run.before[begin]]
+        for entry in range(1, len(local.times)):
+            source, target = local.run.configurations[entry - 1 : entry + 1].tolist()
+            reached = int(local.run.sets[entry])
+            sides = local.before[entry : entry + 1], local.states[entry : entry + 1]
+            (reset,) = fitting_resets(local.system, source, target, reached, *sides).tolist()
+            before.append(states[-1])
+            states.append(system.resets[reset] @ extended(states[-1]))
+            for place, shape in enumerate(system.structure.boundaries[source]):
+                terms = system.rows[shape.row] * extended(before[-1])
+                missed = abs(terms.sum()) > _NEAR * np.abs(terms).sum()
+                if missed and reached >> place & 1 and local.times[entry] > local.times[entry - 1]:
+                    raise self._refused(f"{shape.name} follows")
+        name = local.configurations[-1]
+        order = ", then ".join(" and ".join(names) for names in local.boundaries[1:])
+        behind = run.states[end]
+        if name != trajectory.configurations[end] or not len(before):
+            raise self._refused(f"{order} leads to {name}")
+        if np.abs(states[-1] - behind).max() > _NEAR * np.abs(behind).max():
+            raise self._refused(f"{order} leads to another state")
+        found_run = replace(
+            run,
+            times=_put(run.times, begin, end, np.full(len(before), run.times[begin])),
+            configurations=_put(run.configurations, begin, end, local.run.configurations[1:]),
+            before=_put(run.before, begin, end, np.array(before)),
+            states=_put(run.states, begin, end, np.array([*states[1:-1], behind])),
+            sets=_put(run.sets, begin, end, local.run.sets[1:]),
+        )
+        way = self._inserted(Trajectory(system, found_run), np.diff(local.times) > 0)
+        return way, self._checked(way, len(before))
+
+    def _moved(self, step: float) -> Trajectory:
+        """The moved motion near the moment, simulated with a small change of the numbers.
+
+        The boundaries come apart by at most `step` times the time to the neighbouring
+        transitions.
+        """
+        trajectory, moment = self.motion.trajectory, self.moment
+        run, begin, end = trajectory.run, moment.begin, moment.end
+        now, shift = float(run.times[begin]), float(moment.shift[self.column])
+        waits = [now - float(run.times[begin - 1])]
+        later = float(run.times[end + 1]) if end + 1 < len(run.times) else run.end
+        waits += [later - now] * (later > now)
+        width = step * min(waits)
+        given = {name: float(value) for name, value in trajectory.parameters.items()}
+        rates = {n: float(r) for n, r in zip(self.by, self.direction, strict=True) if n in given}
+        size = self.sign * min(width / shift, step / self._rate if self._rate else np.inf)
+        width = abs(size) * shift
+        parameters = trajectory.parameters | {n: given[n] + size * r for n, r in rates.items() if r}
+        source = int(run.configurations[begin - 1])
+        front = _FRONT * width
+        start = flow_states(
+            trajectory.system, source, np.array([waits[0] - front]), run.states[begin - 1 : begin]
+        )[0]
+        start = start + size * moment.change[:, self.column]
+        kernels = trajectory.structure.kernels
+        assert kernels is not None
+        start = nearest_start(piecewise(kernels, parameters), source, start)
+        name = trajectory.structure.configurations[source]
+        try:
+            found = simulate(
+                kernels, parameters, start.tolist(), name,
+                until=front + _BEHIND * width, transitions=_MOST,
+            )  # fmt: skip
+        except InputError as error:
+            raise self._refused(str(error)) from None
+        if found.status != Status.UNTIL:
+            raise self._refused(found.message)
+        return found
+
+    @cached_property
+    def _rate(self) -> float:
+        """Largest relative change of the system's numbers along the direction."""
+        linear, moved, _ = self.motion.moved(self.by, self.direction[:, None])
+        system, motion = linear.trajectory.system, linear.trajectory
+        ways = linear.transitions.velocities * np.diff(motion.times)[:, None]
+        sizes = np.abs(np.concatenate([motion.before, ways])).max(axis=0)
+        (found,) = relative_rates((system.fields, system.rows), (moved.fields, moved.rows), sizes)
+        return float(found)
+
+    def _inserted(self, trajectory: Trajectory, later: np.ndarray) -> DirectedMotion:
+        """The motion with the transitions of `trajectory` in the moment.
+
+        `later` marks those of them that come later than the one before (bool).
+        """
+        motion, begin, end = self.motion, self.moment.begin, self.moment.end
+        first, last, opened = motion.first.copy(), motion.last.copy(), motion.open.copy()
+        inside = (first >= begin - 1) & (last < end)
+        more = len(later) - (end - begin + 1)
+        behind = first >= end
+        first[behind] += more
+        last[behind] += more
+        first[inside], last[inside] = begin - 1, begin + len(later) - 2
+        opened[inside] |= inside.sum() > 1
+        apart = np.concatenate([motion.apart[: begin - 1], [False], later[1:], motion.apart[end:]])
+        return DirectedMotion(trajectory, motion.columns, 0.0, apart, first, last, opened)
+
+    def _checked(self, way: DirectedMotion, count: int) -> np.ndarray:
+        """The change (N,) behind the moment at a fixed time.
+
+        An order of transitions that is not decided to first order is refused.
+        """
+        try:
+            linear, _, changes = way.moved(self.by, self.direction[:, None])
+        except InputError as error:
+            raise self._refused(str(error)) from None
+        found, events, behind = linear.transitions, changes.event_times, changes.behind
+        begin = self.moment.begin
+        places = np.arange(begin - 1, begin - 1 + count)
+        times = self.sign * events[places, 0]
+        size = np.abs(times).max()
+        sudden = ~found.smooth[places] & ~linear.instants[places]
+        units = np.append(np.abs(way.trajectory.states).max(axis=0), way.trajectory.times[-1])
+        units = np.where(units > 0, units, 1.0)
+        passages = linear.saltations[0][places] * units / units[:, None]
+        steep = np.abs(passages).max(axis=(1, 2)) > 1 / _NEAR
+        if not (np.diff(times) >= -_NEAR * size).all() or (sudden & steep).any():
+            raise self._refused("the order is open to first order")
+        last = places[-1]
+        return np.asarray(behind[last + 1, :, 0] - found.behind[last] * events[last, 0])
+
+    def _refused(self, why: str) -> InputError:
+        side = "+" if self.sign > 0 else "-"
+        label = told_direction(self.by, self.direction)
+        return InputError(
+            f"{self.moment.told}: {why}; the motion has no derivative on the side {side}"
+            f" by {label} there"
+        )
+
+
+def _put(array: np.ndarray, begin: int, end: int, new: np.ndarray) -> np.ndarray:
+    """The array with the entries from `begin` to `end`, both included, replaced by others."""
+    return np.concatenate([array[:begin], new.astype(array.dtype), array[end + 1 :]])
+
+
+def told_direction(by: tuple[str, ...], direction: np.ndarray) -> str:
+    """The name of a direction for a message: that of its number if it changes only one."""
+    moving = np.flatnonzero(direction)
+    return by[moving[0]] if len(moving) == 1 else "the direction"
+
 
 CUT = (Status.UNDECLARED, Status.IMMEDIATE, Status.OVERFLOW, Status.AMBIGUOUS)
 _ERROR = 64 * np.finfo(float).eps
@@ -67,9 +476,7 @@ def check_sides(
         return
     own = directions[:, motion.columns]
     at = np.array([touch.time for touch in touches])
-    linearisation = motion.linearisation(at)
-    tables, starts = along(linearisation, by, own)
-    changes = linearisation.forward(tables, starts)
+    linearisation, tables, changes = motion.moved(by, own, at)
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
     smooth = linearisation.transitions.smooth
     for touch, change, state in zip(touches, changes.states, trajectory(at), strict=True):

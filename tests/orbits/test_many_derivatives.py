@@ -14,14 +14,13 @@ import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.model.kernels import compiled_engine, load_system, uncompiled
-from nonsmooth.runtime.model.piecewise import tables_at
+from nonsmooth.runtime.model.kernels import compiled_engine, uncompiled
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import stepped_tables, table_rates
 from nonsmooth.runtime.orbits import many_derivatives as many
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
-from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from tests.places import GALLERY
 
 KERNELS = [
@@ -43,6 +42,14 @@ CAPSULE = oscillator(
     ],
 )  # fmt: skip
 SHAKEN = {"A": 1.0, "w": 1.0, "u": 0.3, "k": 0.5, "g": 0.5, "r": 0.5, "c": 0.1}
+# two wheels with a spring and a stop between their teeth: how they turn together depends on i
+_I = sp.Symbol("i")
+GEARED = oscillator(
+    "geared-wheels", ["x", "y"], mass=sp.diag(1, 2), damping=_C * sp.eye(2),
+    stiffness=_K * sp.Matrix([[1, -_I], [-_I, _I**2]]), forcing=[Harmonic(_W, cosine=[_A, 0])],
+    elements=[RigidStop({"x": 1, "y": -_I}, at=_G, restitution=_R, name="tooth")],
+)  # fmt: skip
+TURNED = {"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5, "k": 0.6, "A": 1.0, "w": 1.1}
 
 
 def chain() -> tuple[ns.derive.System, dict[str, float]]:
@@ -88,9 +95,14 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
         values = {key: float(value) for key, value in tables.parameters.items()}
         given = {"period": float(tables.period)} if tables.evaluation.family else None
         found.append((name.split("/")[0], values, tables, given))
-    shaken = ns.simulate(CAPSULE, SHAKEN, [0, 0, 0, 0, 1, 0], transitions=800)
-    crawling = ns.solve(CAPSULE, SHAKEN, itinerary=ns.itinerary_of(shaken))
-    return [*found, (CAPSULE, SHAKEN, crawling, None)]
+    freely = ((CAPSULE, SHAKEN), (GEARED, TURNED))
+    return [*found, *((system, data, settled(system, data), None) for system, data in freely)]
+
+
+def settled(system: ns.derive.System, data: dict[str, float]) -> ns.Orbit:
+    """The orbit of a forced system of two coordinates on which a motion from rest settles."""
+    motion = ns.simulate(system, data, [0, 0, 0, 0, 1, 0], transitions=800)
+    return ns.solve(system, data, itinerary=ns.itinerary_of(motion))
 
 
 @pytest.mark.slow
@@ -121,24 +133,27 @@ def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None
         assert alone.maps.size == alone.rates.size == 0
 
 
-def test_a_direction_that_changes_with_a_parameter_is_seen() -> None:
-    c, g, i, r = sp.symbols("c g i r")
-    geared = oscillator(
-        "geared-wheels", ["x", "y"], mass=sp.diag(1, 2), stiffness=sp.zeros(2),
-        damping=c * sp.eye(2),
-        elements=[RigidStop({"x": 1, "y": -i}, at=g, restitution=r, name="tooth")],
-    )  # fmt: skip
-    kernels = load_system(geared)
-    structure = structure_of(kernels)
-    boundary = structure.boundaries[0][0].name
-    cycle = itinerary_shape(structure, [(structure.configurations[0], boundary)])
-    names = [table.name for table in kernels.parameters]
-    point = [{"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5}[name] for name in names]
-    points = np.array([point, point])
-    numbers = Numbers(*tables_at(kernels, points))
-    for name in names:
-        rates = table_rates(kernels, points, [names.index(name)])
-        assert (many._closed(cycle, numbers, rates) is None) == (name == "i")
+@pytest.mark.compiled  # its orbit is found by simulation
+def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
+    """Wheels with teeth turn freely along (i, 1), where i is the ratio of their gear."""
+    orbit = settled(GEARED, TURNED)
+    data, guess = {"i": TURNED["i"]}, [*orbit.dwell_times, *orbit.states[0]]
+
+    def solved(i: float) -> ns.Orbit:
+        return ns.solve(GEARED, {**TURNED, "i": i}, guess, itinerary=orbit.itinerary)
+
+    values = {**TURNED, "i": [TURNED["i"]]}
+    options: Any = {"itinerary": orbit.itinerary, "multipliers": True}
+    found = ns.solve_many(GEARED, values, guess, derivatives=list(data), **options).derivatives
+    assert found is not None
+    above, below = solved(TURNED["i"] + 1e-5), solved(TURNED["i"] - 1e-5)
+    pairs = {name: (above.unknowns[name], below.unknowns[name]) for name in orbit.unknowns}
+    pairs["trace"] = above.trace, below.trace
+    for side in (above, below):
+        assert side.shift == pytest.approx(dict.fromkeys(side.shift, 0), abs=1e-12)
+    for name, (one, other) in pairs.items():
+        assert found[name]["i"][0] == pytest.approx((one - other) / 2e-5, abs=1e-8), name
+    assert abs(found["trace"]["i"][0]) > 0.1
 
 
 @pytest.mark.compiled  # its orbits are found by simulation

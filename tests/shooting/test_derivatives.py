@@ -8,8 +8,12 @@ import pytest
 
 from nonsmooth.runtime.model.kernels import compiled_engine, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, tables_at
-from nonsmooth.runtime.shooting.derivatives import dependent_variational, shooting_derivatives
-from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import (
+    Numbers,
+    dependent_variational,
+    itinerary_shape,
+    shooting_derivatives,
+)
 from tests.declared_documents import chain
 from tests.engines import with_both
 

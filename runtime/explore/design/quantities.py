@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.orbits.motion_derivatives import KINDS
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
-    from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
     "MULTIPLIER",
@@ -28,7 +28,6 @@ __all__ = [
 
 RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
 _PURE = (RADIUS, MULTIPLIER, "trace", "determinant")
-_IMAGINARY = 1e-30  # of a derivative by a complex step
 _LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that begins near zero
 
 
@@ -47,13 +46,12 @@ class QuantityValues(NamedTuple):
         return float(found[np.abs(found - wanted).argmin()].real)
 
 
-def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValues:
-    """The quantities named in `of` at an orbit, with derivatives by the given parameters `by`.
+def measure(found: OrbitDerivatives, of: Sequence[str]) -> QuantityValues:
+    """The quantities named in `of` at an orbit, with their derivatives.
 
     The names are those of `OrbitDerivatives.quantity`. A quantity that is unknown or does not
-    exist is refused, and so is an orbit without derivatives.
+    exist is refused.
     """
-    found = orbit.derivatives(list(by))
     values, slopes = {}, {}
     for name in of:
         if is_extreme(name):  # also where several extremes tie
@@ -110,6 +108,6 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
     beside, unit = len(matrix) - rank, np.eye(len(matrix))
     scale, shifted = wanted**beside, wanted * unit - matrix
     value = float(np.linalg.det(shifted)) / scale
-    moved = np.linalg.det(shifted - 1j * _IMAGINARY * rates).imag / _IMAGINARY
-    by_wanted = float(np.linalg.det(shifted + 1j * _IMAGINARY * unit).imag) / _IMAGINARY
-    return Gap(value, moved / scale, by_wanted / scale - beside * value / wanted)
+    moving = np.concatenate([-rates, unit[None]])
+    *moved, by_wanted = imaginary_parts(np.linalg.det(stepped(shifted, moving, None)), None) / scale
+    return Gap(value, np.array(moved), float(by_wanted) - beside * value / wanted)

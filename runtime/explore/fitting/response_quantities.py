@@ -40,7 +40,8 @@ class ResponseQuantity(NamedTuple):
 
         Raises `InputError` if there is no derivative.
         """
-        return KINDS[self.kind](derivatives.along, self.output, self.text)
+        value, rates = KINDS[self.kind](derivatives.along, self.output, self.text)
+        return float(value), rates
 
 
 def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
@@ -70,28 +71,21 @@ def _row(along: OrbitMotionDerivatives, output: Output) -> np.ndarray:
     return output.in_configurations(along.structure, along.numbers.fields, along.numbers.rows)
 
 
-def _extremes(along: OrbitMotionDerivatives, output: Output) -> tuple[Value, Value]:
-    """The largest and the smallest value, with derivatives."""
-    high, low = along.extremes(_row(along, output))
-    return (float(high.value), high.rates), (float(low.value), low.rates)
-
-
 def _maximum(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
-    return _extremes(along, output)[0]
+    return along.extremes(_row(along, output))[0][:2]
 
 
 def _minimum(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
-    return _extremes(along, output)[1]
+    return along.extremes(_row(along, output))[1][:2]
 
 
 def _peak(along: OrbitMotionDerivatives, output: Output, text: str) -> Value:
-    found = along.peak(_row(along, output), text)
-    return float(found.value), found.rates
+    return along.peak(_row(along, output), text)[:2]
 
 
 def _amplitude(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
-    high, low = _extremes(along, output)
-    return (high[0] - low[0]) / 2, (high[1] - low[1]) / 2
+    high, low = along.extremes(_row(along, output))
+    return (high.value - low.value) / 2, (high.rates - low.rates) / 2
 
 
 def _mean(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
