@@ -13,7 +13,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.eigenvalue_clusters import smallest_distances
 from nonsmooth.runtime.model.factored_flows import Flows
 from nonsmooth.runtime.model.natural_units import balanced, dependence
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
@@ -61,7 +60,7 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         scaled, units = balanced(whole)
         values, right = np.linalg.eig(scaled)
         scale = np.abs(values).max(axis=-1)
-        apart = np.flatnonzero(smallest_distances(values) > _APART * scale)
+        apart = np.flatnonzero(_smallest_distances(values) > _APART * scale)
         values, right = values[apart].astype(complex), right[apart].astype(complex)
         scaled, units, scale = scaled[apart], units[apart], scale[apart]
         try:
@@ -137,3 +136,10 @@ def _snapped(values: np.ndarray, tiny: np.ndarray) -> np.ndarray:
     """Eigenvalues with a real or imaginary part set to zero if it is only a rounding error."""
     real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
     return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
+
+
+def _smallest_distances(values: np.ndarray) -> np.ndarray:
+    """Smallest distances (n,) between two of the eigenvalues (n, N); inf for a single one."""
+    gaps = np.abs(values[:, :, None] - values[:, None, :])
+    gaps[:, range(values.shape[1]), range(values.shape[1])] = np.inf
+    return np.asarray(gaps.min(axis=(-2, -1)))
