@@ -21,6 +21,7 @@ from nonsmooth.runtime.events.quasi_polynomials import UNIT
 from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.piecewise import cut_tables
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 
 __all__ = [
@@ -251,22 +252,13 @@ def batch_decider(
     ordered = any(t.order for found in structure.transitions for t in found)
     if structure.law is None and not ordered and not structure.unvisited:
         return None
-    size, count = len(structure.states), len(structure.configurations)
-    cut = count * size * (size + 1)
     known: dict[int, Decider] = {}
 
     def decide(
         point: int, source: int, reached: frozenset[int], state: bytes, sizes: bytes, error: float
     ) -> tuple[int, int, int]:
         if point not in known:
-            flat = numbers[point]
-            fields = flat[:cut].reshape(count, size, size + 1)
-            ends = np.cumsum(
-                [cut, structure.rows * (size + 1), structure.resets * size * (size + 1)]
-            )
-            rows = flat[ends[0] : ends[1]].reshape(-1, size + 1)
-            resets = flat[ends[1] : ends[2]].reshape(-1, size, size + 1)
-            known[point] = Decider(structure, fields, rows, resets)
+            known[point] = Decider(structure, *cut_tables(structure, numbers[point]))
         extended, above = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
         at = known[point].located(source, extended, error, above)
         found = known[point].choice(source, reached, at)

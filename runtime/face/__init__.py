@@ -60,12 +60,13 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
     from nonsmooth.runtime.proof.motion.validate import validate
+    from nonsmooth.runtime.simulation.engines import Trajectories
     from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
     from nonsmooth.runtime.simulation.lyapunov import lyapunov
     from nonsmooth.runtime.simulation.motion_function import motion_function
     from nonsmooth.runtime.simulation.observables import observe
     from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
-    from nonsmooth.runtime.simulation.simulate import Trajectories, simulate, simulate_many
+    from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
     __version__: str
@@ -167,7 +168,7 @@ _HOMES = {
     "Proof": "proof.motion.motion_proof",
     "Recurrence": "simulation.last_cycle",
     "Sweep": "explore.finding.sweep",
-    "Trajectories": "simulation.simulate",
+    "Trajectories": "simulation.engines",
     "Trajectory": "simulation.trajectory",
     "certify": "proof.certify_orbit",
     "certify_box": "proof.boxes.certify_box",

@@ -7,7 +7,7 @@ v; of a pair of complex ones, with right and left eigenvectors r and l,
     u_0, u_1 = 2 Re r, -2 Im r,    v_0, v_1 = Re l, Im l.
 
 N states have about N functions of time, so that factors are 2 N^2 numbers, and matrices N^3. They
-are what `large_modes` gives.
+are what `subspace_modes` gives.
 """
 
 from __future__ import annotations

@@ -64,7 +64,7 @@ class SystemKernels:
     # a System declared in Python
     name: str
     module: ModuleType  # the emitted tables and kernels
-    compiled: ModuleType | None  # the same kernels in C, as many as there are
+    compiled: ModuleType | None = None  # the same kernels in C, as many as there are
 
     def __hash__(self) -> int:
         """Hash that is computed once: caches are keyed by systems on every path."""

@@ -32,7 +32,6 @@ from nonsmooth.runtime.model.kernel_records import (
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.model.loading.growing import Visit
 from nonsmooth.runtime.model.loading.load import (
-    Loaded,
     library_of,
     load_declared,
     load_grown,
@@ -237,11 +236,10 @@ def kernels_of_many(orbit: OrbitKernels, key: str | None) -> OrbitKernels | None
     """
     if orbit.derived or orbit.saved is not None or _chosen() == "numpy":
         return None
-    system = orbit.system
-    found = load_many_points(Loaded(system.name, system.module), orbit.orbit, key)
+    found = load_many_points(orbit.system, orbit.orbit, key)
     if found is None or not found.module.ORBITS[orbit.orbit]["derived"]:
         return None
-    own = _orbit(SystemKernels(found.name, found.module, found.compiled), orbit.orbit)
+    own = _orbit(found, orbit.orbit)
     return own if own.solver is not None and own.admissible is not None else None
 
 
@@ -291,8 +289,7 @@ def grown(kernels: SystemKernels, visits: Iterable[Visit] = ()) -> SystemKernels
     that is listed whole, the same kernels come back. Raises `InputError` if there is no such
     configuration.
     """
-    before = Loaded(kernels.name, kernels.module, kernels.compiled)
-    found = load_grown(before, visits)
+    found = load_grown(kernels, visits)
     return kernels if found.module is kernels.module else _kernels(found)
 
 
@@ -302,12 +299,12 @@ def _text(name: Any, kind: str) -> str:
     return str(os.fspath(name))
 
 
-def _located(name: str) -> Loaded | Path | None:
+def _located(name: str) -> SystemKernels | Path | None:
     """What a user declared under a name, or the path of it; None for any other name."""
     return load_named(name) or located(name)
 
 
-def _declared(origin: Loaded | Path, orbit: str | None = None) -> SystemKernels | None:
+def _declared(origin: SystemKernels | Path, orbit: str | None = None) -> SystemKernels | None:
     """The system that a user declared, with an orbit; None if there is no such orbit."""
     if isinstance(origin, Path):
         loaded = load_path(origin, orbit, compiled=_chosen() != "numpy")
@@ -318,14 +315,14 @@ def _declared(origin: Loaded | Path, orbit: str | None = None) -> SystemKernels 
     return _kernels(origin) if orbit is None or orbit in origin.module.ORBITS else None
 
 
-def _orbits(origin: Loaded | Path) -> tuple[str, ...]:
+def _orbits(origin: SystemKernels | Path) -> tuple[str, ...]:
     return orbits_of(origin) if isinstance(origin, Path) else tuple(origin.module.ORBITS)
 
 
-def _kernels(loaded: Loaded) -> SystemKernels:
+def _kernels(loaded: SystemKernels) -> SystemKernels:
+    """The system with the compiled kernels of its declaration, if they exist by now."""
     library = None if _chosen() == "numpy" else library_of(loaded.module)
-    compiled = loaded.compiled if library is None else library.module()
-    return SystemKernels(loaded.name, loaded.module, compiled)
+    return loaded if library is None else replace(loaded, compiled=library.module())
 
 
 @cache

@@ -9,55 +9,35 @@ single eigenvalue wherever its projector is small enough to be known well; eigen
 equal, or so near each other that their projectors cancel, are taken together. The powers of a
 cluster end at its size where its eigenvalues are equal, and a little later where they are not.
 
-The sum is compared with the exponential. Where it misses more than rounding (clusters of very
-different sizes, eigenvalues neither equal nor apart) the clusters are found in many digits, and
-rounded once. A cluster of few eigenvalues is then Newton's interpolation of the exponential,
+The first of four ways that succeeds is taken:
 
-    sum_k e[p_0, ..., p_k] (B - p_0) ... (B - p_(k-1)) P,
-
-a chain of modes that is exact at all times; one of more is the series.
-
-The first of these ways that succeeds is taken: `simple_modes`, for a whole stack of fields at once;
-`driven_modes`, where only what drives the structure has equal eigenvalues; from `LARGE` states on
-`large_modes` in place of both; `eigenvalue_clusters` in doubles, and last in the many digits of
-`projectors`.
+- `simple_modes` where all eigenvalues are apart, for a whole stack of fields: it serves sweeps.
+- `driven_modes` where only what drives a structure has equal eigenvalues, as a held coordinate and
+  a constant: it costs half of the next, and a forcing may be faster than the structure by any
+  factor.
+- `subspace_modes` where other eigenvalues are equal, and always from `LARGE` states on.
+- `precise_modes`, in many digits, where eigenvalues are neither equal nor apart.
 """
 
 from __future__ import annotations
 
-import math
 from functools import cache, lru_cache
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.driven_modes import driven_modes
-from nonsmooth.runtime.model.eigenvalue_clusters import (
-    Cluster,
-    eigenvectors_apart,
-    precise_candidates,
-    real_parts_of,
-    smallest_projectors,
-)
 from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
-from nonsmooth.runtime.model.large_modes import LARGE, large_modes
-from nonsmooth.runtime.model.natural_units import balanced, dependence, fall_rates, natural_units
-from nonsmooth.runtime.model.projectors import exponentials_at
-from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, simple_modes
+from nonsmooth.runtime.model.natural_units import dependence, fall_rates, natural_units
+from nonsmooth.runtime.model.precise_modes import best_modes
+from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, is_moderate, simple_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
-from nonsmooth.runtime.model.time_functions import functions_at
+from nonsmooth.runtime.model.subspace_modes import LARGE, subspace_modes
 
 __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 
 _ONE = mode_shapes([(1, False)])
 _FEW = 4  # for fewer fields it pays to remember their modes
-_CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
-_LARGEST = 1e-7
-_MODERATE = 1e3  # term of the flow beside which no digits are lost that count
-_ANGLES = (1 / 64, 1.0, 16.0)  # radians of the fastest at which sums are compared
-_LONG = 1024.0  # the same where eigenvalues were taken for equal that turn
-_TURNED = 32.0  # radians in which an exponent's rounding grows to that of the sum
-_GROWTH = 100.0  # exponent beyond which nothing is compared
 
 
 def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericModes:
@@ -163,7 +143,7 @@ def _found(field: np.ndarray, rate: float) -> NumericModes:
 
 
 def _found_in_natural_units(field: np.ndarray) -> NumericModes:
-    """Modes of one motion by the fast methods if they succeed, else by clusters of eigenvalues."""
+    """Modes of one motion by the first way that succeeds."""
     size = len(field)
     if size < LARGE:
         for group in simple_modes(field[None]):
@@ -171,135 +151,9 @@ def _found_in_natural_units(field: np.ndarray) -> NumericModes:
         if (driven := driven_modes(field, numeric_modes)) is not None:
             return driven
     whole = np.vstack([field, np.zeros(size + 1)])
-    # a change of units keeps powers of two exact
-    scaled, units = (part[0] for part in balanced(whole[None]))
-    if size >= LARGE and (large := large_modes(scaled, units, dependence(whole[None])[0])):
-        return large
-    shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
-    flows = np.where(dependence(whole[None])[0], units[:, None] * terms / units, 0.0)[:, :size]
-    return NumericModes(shapes, exponents, flows)
-
-
-def _modes_of(clusters: list[Cluster]) -> NumericModes:
-    """Modes of clusters, with a square matrix for each function of time."""
-    shapes: list[tuple[int, bool, bool, bool]] = []
-    exponents, terms = [], []
-    for cluster in clusters:
-        assert cluster.terms is not None
-        if cluster.poles:
-            modes, factors = _chained(cluster.poles, cluster.terms)
-            shapes += [shape for shape, _ in modes]
-            exponents += [pole for _, pole in modes]
-            terms += factors
-            continue
-        oscillates = cluster.centre.imag > 0
-        terms += real_parts_of(cluster.terms, oscillates=oscillates)
-        exponents.append(cluster.centre)
-        shapes.append((len(cluster.terms), oscillates, False, False))
-    pairs = np.array([(pole.real, pole.imag) for pole in exponents])
-    return NumericModes(mode_shapes(shapes), pairs, np.array(terms))
-
-
-def _chained(
-    poles: tuple[complex, ...], products: list[np.ndarray]
-) -> tuple[list[tuple[tuple[int, bool, bool, bool], complex]], list[np.ndarray]]:
-    """Modes of a chain of poles with their exponents, and a matrix for each function of time.
-
-    Newton's products go on pole by pole; a pair of conjugate poles is one mode.
-    """
-    real = any(pole.imag <= 0 for pole in poles)
-    head = 1 if poles[0].imag else sum(pole == poles[0] for pole in poles)
-    modes: list[tuple[tuple[int, bool, bool, bool], complex]] = []
-    terms: list[np.ndarray] = []
-    if head > 1 or not poles[0].imag:
-        modes.append(((head, False, False, False), poles[0]))
-        terms += [products[k].real / math.factorial(k) for k in range(head)]
-    place = len(terms)
-    while place < len(poles):
-        pole, term = poles[place], products[place]
-        paired = real and pole.imag > 0
-        modes.append(((1, pole.imag > 0, bool(modes), paired), pole))
-        if paired:  # (B - p) = (B - s) - iw, and the second pole leaves the real part
-            terms += [term.real, products[place + 1].real]
-            place += 2
-            continue
-        terms += [2 * term.real, -2 * term.imag] if pole.imag else [term.real]
-        place += 1
-    return modes, terms
-
-
-def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[Cluster]:
-    """Clusters whose sum is the exponential of a matrix, given in units of its coordinates.
-
-    They are in double precision if their sum is then right to rounding, else the best of those
-    in more digits.
-    """
-    values, right = np.linalg.eig(matrix)
-    scale = float(np.abs(values).max())
-    found = eigenvectors_apart(values, right, scale)
-    largest = _largest_term(found, units) if found is not None else 0.0
-    # where terms are large they cancel most while the motion is still small
-    small = np.geomspace(1 / max(largest, _MODERATE), _ANGLES[0], 8).tolist()
-    angles = (*_ANGLES, *small) if largest > _MODERATE else _ANGLES
-    found = found or smallest_projectors(matrix, values, scale)
-    if not scale and found is not None:
-        return _sorted(found)
-    # eigenvalues taken for zero that are not have grown too little to be told from a rounding
-    if any(cluster.centre != 0 and len(cluster.terms or ()) > 1 for cluster in found or ()):
-        angles = (*angles, _LONG)
-    if found is not None and _missed(matrix, units, found, scale, angles) <= _CLOSE:
-        return _sorted(found)
-    best, least = found, math.inf
-    for candidate in (found, *precise_candidates(matrix, values.tolist(), scale)):
-        if candidate is not None:
-            missed = _missed(matrix, units, candidate, scale, angles)
-            if missed < least:
-                best, least = candidate, missed
-            if least <= _CLOSE:
-                break
-    if best is None or not least <= _LARGEST:
-        raise InputError(
-            "eigenvalues of a vector field are neither equal nor apart: double precision does not"
-            f" tell them from each other ({', '.join(f'{v:.6g}' for v in values)})"
-        )
-    return _sorted(best)
-
-
-def _largest_term(clusters: list[Cluster], units: np.ndarray) -> float:
-    """Largest entry of the clusters' matrices in the coordinates' own units."""
-    return max(
-        float(np.abs(units[:, None] * term / units).max())
-        for cluster in clusters
-        for term in cluster.terms or ()
-    )
-
-
-def _missed(
-    matrix: np.ndarray,
-    units: np.ndarray,
-    clusters: list[Cluster],
-    scale: float,
-    angles: tuple[float, ...],
-) -> float:
-    """Largest error of the clusters' sum in the coordinates' own units, relative to the flow."""
-    shapes, exponents, flows = _modes_of(_sorted(clusters))
-    terms = matrices_of(flows)
-    worst, growth = 0.0, max(exponents[:, 0].max(), 0.0)
-    # products with powers of two are exact
-    times = [(angle, 2.0 ** round(math.log2(angle / scale))) for angle in angles]
-    times = [(angle, t) for angle, t in times if growth * t <= _GROWTH]
-    exact = exponentials_at(matrix, {t for _, t in times}) if times else {}
-    for angle, t in times:
-        wanted = units[:, None] * exact[t] / units
-        with np.errstate(over="ignore", invalid="ignore"):  # of candidates that are far off
-            total = np.tensordot(np.array(functions_at(shapes, exponents, t)), terms, axes=1)
-            missed = float(np.abs(units[:, None] * total / units - wanted).max())
-        if not math.isfinite(missed):
-            return math.inf
-        allowed = max(1.0, np.abs(wanted).max()) * max(1.0, angle / _TURNED)
-        worst = max(worst, float(missed / allowed))
-    return worst
-
-
-def _sorted(clusters: list[Cluster]) -> list[Cluster]:
-    return sorted(clusters, key=lambda c: (c.centre != 0, c.centre.imag, c.centre.real))
+    depends = dependence(whole[None])[0]
+    found, sure = subspace_modes(whole, depends) or (None, False)
+    # small terms do not cancel while the motion is small
+    if found and (size >= LARGE or (sure and is_moderate(matrices_of(found.flows), field))):
+        return found
+    return best_modes(whole, depends, found)

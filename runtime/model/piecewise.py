@@ -7,6 +7,7 @@ system's own: positions, then velocities, for motions of second order.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -33,6 +34,7 @@ from nonsmooth.runtime.model.structure import Structure, structure_of
 __all__ = [
     "PiecewiseLinear",
     "PointGroup",
+    "cut_tables",
     "numbers_at",
     "piecewise",
     "piecewise_at",
@@ -148,6 +150,22 @@ def numbers_at(
         shapes = tuple(modes.shapes for modes in own)
         result.append(PointGroup(structure.with_modes(shapes), places, flat))
     return result
+
+
+def cut_tables(structure: Structure, flat: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Fields, rows and resets as views of the numbers (..., size) of `PointGroup`."""
+    size, lead = len(structure.states), flat.shape[:-1]
+    shapes = [
+        (len(structure.configurations), size, size + 1),
+        (structure.rows, size + 1),
+        (structure.resets, size, size + 1),
+    ]
+    ends = np.cumsum([math.prod(shape) for shape in shapes])
+    parts = np.split(flat[..., : ends[2]], ends[:2], axis=-1)
+    fields, rows, resets = (
+        part.reshape(*lead, *shape) for part, shape in zip(parts, shapes, strict=True)
+    )
+    return fields, rows, resets
 
 
 def _everywhere(modes: NumericModes, places: np.ndarray) -> ModeGroup:

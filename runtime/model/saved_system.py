@@ -31,7 +31,7 @@ from nonsmooth.runtime.model.kernels import (
     orbit_names,
     system_names,
 )
-from nonsmooth.runtime.model.loading.load import Loaded, remember
+from nonsmooth.runtime.model.loading.load import remember
 
 __all__ = [
     "SAVED_VERSION",
@@ -295,8 +295,7 @@ def kernels_of_saved(saved: SavedSystem) -> SystemKernels:
         "DERIVATION": saved.derivation,
     }
     vars(module).update(contents)
-    loaded = remember(Loaded(saved.name, module))
-    return load_system(loaded.name)
+    return load_system(remember(SystemKernels(saved.name, module)).name)
 
 
 def _check(saved: SavedSystem) -> None:

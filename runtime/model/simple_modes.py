@@ -13,9 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.eigenvalue_clusters import smallest_distances
 from nonsmooth.runtime.model.factored_flows import Flows
-from nonsmooth.runtime.model.natural_units import balanced, dependence
+from nonsmooth.runtime.model.natural_units import dependence
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
 __all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes"]
@@ -58,18 +57,17 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
     count, size, columns = fields.shape
     whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)
     with np.errstate(all="ignore"):
-        scaled, units = balanced(whole)
-        values, right = np.linalg.eig(scaled)
+        values, right = np.linalg.eig(whole)
         scale = np.abs(values).max(axis=-1)
-        apart = np.flatnonzero(smallest_distances(values) > _APART * scale)
+        apart = np.flatnonzero(_smallest_distances(values) > _APART * scale)
         values, right = values[apart].astype(complex), right[apart].astype(complex)
-        scaled, units, scale = scaled[apart], units[apart], scale[apart]
+        scale = scale[apart]
         try:
             left = np.linalg.inv(right)
         except np.linalg.LinAlgError:  # one is singular: all go the other way
             return []
         values = _snapped(values, 8 * columns * _EPSILON * scale[:, None])
-        sound = _sound(scaled, values, right, left, scale)
+        sound = _sound(whole[apart], values, right, left, scale)
     result = []
     order = np.lexsort((values.real, values.imag, values != 0), axis=-1)
     reals = (values.imag == 0).sum(axis=-1)
@@ -82,8 +80,7 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         columns_of = np.take_along_axis(right[group], kept[:, None, :], axis=-1)
         rows_of = np.take_along_axis(left[group], kept[:, :, None], axis=-2)
         terms = _terms(count, np.swapaxes(columns_of, -1, -2), rows_of)
-        unit = units[group]
-        terms = (unit[:, None, :, None] * terms / unit[:, None, None, :])[:, :, :size]
+        terms = terms[:, :, :size]
         places = apart[group]
         small = is_moderate(terms, fields[places])
         places, terms, poles = places[small], terms[small], poles[small]
@@ -137,3 +134,10 @@ def _snapped(values: np.ndarray, tiny: np.ndarray) -> np.ndarray:
     """Eigenvalues with a real or imaginary part set to zero if it is only a rounding error."""
     real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
     return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
+
+
+def _smallest_distances(values: np.ndarray) -> np.ndarray:
+    """Smallest distances (n,) between two of the eigenvalues (n, N); inf for a single one."""
+    gaps = np.abs(values[:, :, None] - values[:, None, :])
+    gaps[:, range(values.shape[1]), range(values.shape[1])] = np.inf
+    return np.asarray(gaps.min(axis=(-2, -1)))

@@ -258,11 +258,11 @@ def first_limits(
                 1,
                 2,
             )
-            reached, when = ends.kept_sets[:, 1], ends.kept_times[:, 1]
+            reached, when = ends.last_sets[:, 1], ends.last_times[:, 1]
             own = mask_of(cycle.transitions[place].boundaries)
             moved = ends.status == Status.TRANSITIONS
             expected = moved & (reached == own) & (np.abs(when - times) <= _CLOSE * times)
-            expected &= ends.kept_configurations[:, 1] == cycle.configurations[(place + 1) % count]
+            expected &= ends.last_configurations[:, 1] == cycle.configurations[(place + 1) % count]
             if cycle.boundaries[place] is None:  # the forcing's phase begins anew: none is reached
                 expected = np.isin(ends.status, (Status.UNTIL, Status.QUIET))
             close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times

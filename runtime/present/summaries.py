@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
+    from nonsmooth.runtime.simulation.engines import Trajectories
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
     from nonsmooth.runtime.simulation.returns import PoincareMap
-    from nonsmooth.runtime.simulation.simulate import Trajectories
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["summary_html", "summary_text"]

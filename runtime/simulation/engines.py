@@ -6,12 +6,15 @@ NONSMOOTH_BACKEND chooses, as it does for the kernels.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
 from types import ModuleType
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.events.transition_choice import batch_decider
 from nonsmooth.runtime.model.boundary_sets import mask_type, masks_of, no_words
@@ -22,8 +25,9 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
 __all__ = [
-    "MotionEnds",
+    "Trajectories",
     "entry_size",
+    "in_order",
     "no_ends",
     "run_compiled",
     "run_motions",
@@ -33,22 +37,81 @@ __all__ = [
 _FIRST_ENTRIES, _GRAZINGS = 4096, 64
 
 
-class MotionEnds(NamedTuple):
-    """Ends and last entries of many motions.
+@dataclass(frozen=True, eq=False, repr=False)
+class Trajectories(Shown):
+    """Ends of many motions; arrays have the common shape of what was given.
 
-    Entry k of a motion, where its start is entry 0, is at place k modulo `kept`.
+    Attributes
+    ----------
+    structure : Structure
+    times : array (...)
+        At which each motion ended.
+    states : array (..., N)
+        At that time, behind the last transition.
+    configurations : array (...) of int32
+        Indices of `structure.configurations`; -1 where the start belongs to none.
+    transitions : array (...) of int64
+    grazings : array (...) of int64
+        How many boundaries were touched and not crossed.
+    status : array (...) of int64
+        Members of `nonsmooth.runtime.model.engine_run.Status`; -1 where nothing was simulated.
+    last_times : array (..., kept)
+    last_configurations : array (..., kept) of int32
+    last_sets : array (..., kept)
+        Boundaries that were reached together, as a mask.
+    last_states : array (..., kept, N)
+        The last entries in their order, behind the transitions; NaN and -1 in front of the
+        start.
     """
 
-    states: np.ndarray  # (count, N)
-    configurations: np.ndarray  # (count,) int32
-    times: np.ndarray  # (count,)
-    transitions: np.ndarray  # (count,) int64
-    grazings: np.ndarray  # (count,) int64
-    status: np.ndarray  # (count,) int64, members of Status
-    kept_times: np.ndarray  # (count, kept)
-    kept_configurations: np.ndarray  # (count, kept) int32
-    kept_sets: np.ndarray  # (count, kept) masks of boundaries
-    kept_states: np.ndarray  # (count, kept, N)
+    structure: Structure
+    times: np.ndarray
+    states: np.ndarray
+    configurations: np.ndarray
+    transitions: np.ndarray
+    grazings: np.ndarray
+    status: np.ndarray
+    last_times: np.ndarray
+    last_configurations: np.ndarray
+    last_sets: np.ndarray
+    last_states: np.ndarray
+
+    def at(self, places: Any) -> Trajectories:
+        """Select motions by their places on the first axis.
+
+        Parameters
+        ----------
+        places : int, slice or array
+            What indexes an array.
+
+        Returns
+        -------
+        Trajectories
+        """
+        return self._with(lambda array: array[places])
+
+    def reshaped(self, *shape: int) -> Trajectories:
+        """Give the same motions in another common shape.
+
+        Parameters
+        ----------
+        *shape : int
+            Lengths of its axes.
+
+        Returns
+        -------
+        Trajectories
+        """
+        inner = self.status.ndim
+        return self._with(lambda array: array.reshape((*shape, *array.shape[inner:])))
+
+    @property
+    def arrays(self) -> list[np.ndarray]:
+        """All arrays, in the order of the fields."""
+        return [getattr(self, field.name) for field in fields(self)[1:]]
+
+    def _with(self, change: Callable[[np.ndarray], np.ndarray]) -> Trajectories:
+        return Trajectories(self.structure, *map(change, self.arrays))
 
 
 def run_compiled(
@@ -129,17 +192,18 @@ def entry_size(size: int) -> int:
     return BYTES * (2 + size)
 
 
-def no_ends(structure: Structure, count: int, kept: int) -> MotionEnds:
+def no_ends(structure: Structure, count: int, kept: int) -> Trajectories:
     """Ends of `count` motions that were not simulated: arrays of NaN, -1 and 0.
 
     They have the shapes that the compiled engine fills, with `kept` entries for each
     motion.
     """
     size = len(structure.states)
-    return MotionEnds(
+    return Trajectories(
+        structure,
+        np.full(count, np.nan),
         np.full((count, size), np.nan),
         np.full(count, -1, dtype=np.int32),
-        np.full(count, np.nan),
         np.zeros(count, dtype=np.int64),
         np.zeros(count, dtype=np.int64),
         np.full(count, -1, dtype=np.int64),
@@ -150,12 +214,27 @@ def no_ends(structure: Structure, count: int, kept: int) -> MotionEnds:
     )
 
 
-def store_end(ends: MotionEnds, place: int, system: PiecewiseLinear, run: Run) -> None:
+def in_order(ends: Trajectories) -> Trajectories:
+    """The ends, with the last entries in the order of time instead of that of the ring buffer."""
+    kept = ends.last_times.shape[1]
+    if kept == 0:
+        return ends
+    first = ends.transitions + 1 - kept
+    places = (first[:, None] + np.arange(kept)) % kept
+
+    def turned(array: np.ndarray) -> np.ndarray:
+        index = places.reshape(*places.shape, *[1] * (array.ndim - 2))
+        return np.take_along_axis(array, index, axis=1)
+
+    return Trajectories(ends.structure, *ends.arrays[:6], *map(turned, ends.arrays[6:]))
+
+
+def store_end(ends: Trajectories, place: int, system: PiecewiseLinear, run: Run) -> None:
     """Write the end and the last entries of one motion as the compiled engine writes them.
 
     They go to index `place` of `ends`; the system is in double precision.
     """
-    kept, last = ends.kept_times.shape[1], len(run.times) - 1
+    kept, last = ends.last_times.shape[1], len(run.times) - 1
     where = int(run.configurations[-1])
     since = np.array([run.end - run.times[-1]])
     with np.errstate(over="ignore", invalid="ignore"):  # of a motion that has escaped
@@ -164,10 +243,10 @@ def store_end(ends: MotionEnds, place: int, system: PiecewiseLinear, run: Run) -
     ends.transitions[place], ends.grazings[place] = last, len(run.grazings)
     ends.status[place] = run.status
     for entry in range(max(0, last + 1 - kept), last + 1):
-        ends.kept_times[place, entry % kept] = run.times[entry]
-        ends.kept_configurations[place, entry % kept] = run.configurations[entry]
-        ends.kept_sets[place, entry % kept] = run.sets[entry]
-        ends.kept_states[place, entry % kept] = run.states[entry]
+        ends.last_times[place, entry % kept] = run.times[entry]
+        ends.last_configurations[place, entry % kept] = run.configurations[entry]
+        ends.last_sets[place, entry % kept] = run.sets[entry]
+        ends.last_states[place, entry % kept] = run.states[entry]
 
 
 def run_motions(
@@ -181,7 +260,7 @@ def run_motions(
     transitions: int | None,
     kept: int = 0,
     missing: list[tuple[int, int]] | None = None,
-) -> MotionEnds:
+) -> Trajectories:
     """Follow many motions in the compiled engine, one after the other, without the GIL.
 
     The parameter points `numbers` (p, size) are those of
@@ -203,17 +282,18 @@ def run_motions(
         ends.configurations,
         ends.times,
         np.iinfo(np.int64).max if transitions is None else transitions,
-        ends.kept_times,
-        ends.kept_configurations,
+        ends.last_times,
+        ends.last_configurations,
         np.empty(0),
-        ends.kept_states,
+        ends.last_states,
         sets,
         np.empty((count, 0, 4)),
         counts,
         batch_decider(structure, numbers, [], [] if missing is None else missing),
     )
-    return ends._replace(
-        kept_sets=masks_of(structure, sets),
+    return replace(
+        ends,
+        last_sets=masks_of(structure, sets),
         status=counts[:, 0],
         transitions=counts[:, 1],
         grazings=counts[:, 2],

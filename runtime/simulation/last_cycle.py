@@ -11,8 +11,8 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, scales_of
-from nonsmooth.runtime.simulation.simulate import Trajectories
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Recurrence", "itinerary_of"]

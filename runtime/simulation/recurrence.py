@@ -15,7 +15,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from nonsmooth.runtime.model.boundary_sets import numbered
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.simulation.simulate import Trajectories
+from nonsmooth.runtime.simulation.engines import Trajectories
 
 __all__ = [
     "Candidate",

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
@@ -13,7 +12,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.parallel import thread_pool
-from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, grown, kernels_of
@@ -22,14 +20,16 @@ from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     PointGroup,
+    cut_tables,
     numbers_at,
     piecewise,
     piecewise_at,
 )
-from nonsmooth.runtime.model.structure import Structure, structure_of
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.engines import (
-    MotionEnds,
+    Trajectories,
     entry_size,
+    in_order,
     no_ends,
     run_compiled,
     run_motions,
@@ -45,7 +45,7 @@ from nonsmooth.runtime.simulation.starting import (
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.visiting import visits_behind, with_starts
 
-__all__ = ["LARGEST_COUNT", "Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
+__all__ = ["LARGEST_COUNT", "checked_count", "follow", "simulate", "simulate_many"]
 
 _LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
 LARGEST_COUNT = 2**62
@@ -146,80 +146,6 @@ def follow(
     return run(system, state, configuration, until, transitions)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Trajectories(Shown):
-    """Ends of many motions; arrays have the common shape of what was given.
-
-    Attributes
-    ----------
-    structure : Structure
-    times : array (...)
-        At which each motion ended.
-    states : array (..., N)
-        At that time, behind the last transition.
-    configurations : array (...) of int32
-        Indices of `structure.configurations`; -1 where the start belongs to none.
-    transitions : array (...) of int64
-    grazings : array (...) of int64
-        How many boundaries were touched and not crossed.
-    status : array (...) of int64
-        Members of `nonsmooth.runtime.model.engine_run.Status`; -1 where nothing was simulated.
-    last_times : array (..., kept)
-    last_configurations : array (..., kept) of int32
-    last_sets : array (..., kept)
-        Boundaries that were reached together, as a mask.
-    last_states : array (..., kept, N)
-        The last entries in their order, behind the transitions; NaN and -1 in front of the
-        start.
-    """
-
-    structure: Structure
-    times: np.ndarray
-    states: np.ndarray
-    configurations: np.ndarray
-    transitions: np.ndarray
-    grazings: np.ndarray
-    status: np.ndarray
-    last_times: np.ndarray
-    last_configurations: np.ndarray
-    last_sets: np.ndarray
-    last_states: np.ndarray
-
-    def at(self, places: Any) -> Trajectories:
-        """Select motions by their places on the first axis.
-
-        Parameters
-        ----------
-        places : int, slice or array
-            What indexes an array.
-
-        Returns
-        -------
-        Trajectories
-        """
-        return self._with(lambda array: array[places])
-
-    def reshaped(self, count: int) -> Trajectories:
-        """Give all motions in one row.
-
-        Parameters
-        ----------
-        count : int
-            How many there are.
-
-        Returns
-        -------
-        Trajectories
-            With one axis.
-        """
-        inner = self.status.ndim
-        return self._with(lambda array: array.reshape(count, *array.shape[inner:]))
-
-    def _with(self, change: Callable[[np.ndarray], np.ndarray]) -> Trajectories:
-        names = [field.name for field in fields(self) if field.name != "structure"]
-        return Trajectories(self.structure, **{n: change(getattr(self, n)) for n in names})
-
-
 def simulate_many(
     system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, Any],
@@ -306,7 +232,7 @@ def simulate_many(
     elif given is None:
         kernels = with_starts(kernels, points, which, flat)
 
-    def part(begin: int) -> MotionEnds:
+    def part(begin: int) -> Trajectories:
         here = slice(begin, begin + chunk)
         used, places = np.unique(which[here], return_inverse=True)
         states, limits = flat[here], until_each[here]
@@ -341,37 +267,20 @@ def simulate_many(
         parts = list(pool.map(part, begins))
     if not parts:
         parts = [no_ends(structure, 0, kept)]
-    joined = _ordered(MotionEnds(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
-    shaped = MotionEnds(*(array.reshape((*common, *array.shape[1:])) for array in joined))
-    return Trajectories(
-        structure_of(grown(kernels)),
-        times=shaped.times,
-        states=shaped.states,
-        configurations=shaped.configurations,
-        transitions=shaped.transitions,
-        grazings=shaped.grazings,
-        status=shaped.status,
-        last_times=shaped.kept_times,
-        last_configurations=shaped.kept_configurations,
-        last_sets=shaped.kept_sets,
-        last_states=shaped.kept_states,
-    )
+    arrays = zip(*(each.arrays for each in parts), strict=True)
+    joined = in_order(Trajectories(structure_of(grown(kernels)), *map(np.concatenate, arrays)))
+    return joined.reshaped(*common)
 
 
 def _configurations(
     group: PointGroup, rows_of: np.ndarray, states: np.ndarray, wanted: str | None
 ) -> np.ndarray:
     """Configuration of each start for the numbers in its row; -1 if there is none."""
-    structure, numbers = group.structure, group.flat
-    size, count = len(structure.states), len(structure.configurations)
-    cut = count * size * (size + 1)
-    fields = numbers[:, :cut].reshape(-1, count, size, size + 1)
-    rows = numbers[:, cut : cut + structure.rows * (size + 1)]
-    rows = rows.reshape(-1, structure.rows, size + 1)
-    if len(numbers) > 1:
+    fields, rows, _ = cut_tables(group.structure, group.flat)
+    if len(rows) > 1:
         fields, rows = fields[rows_of], rows[rows_of]
-    found = configurations_of(structure, fields, rows, states, wanted)
-    found[~np.isfinite(numbers).all(axis=1)[rows_of]] = -1
+    found = configurations_of(group.structure, fields, rows, states, wanted)
+    found[~np.isfinite(group.flat).all(axis=1)[rows_of]] = -1
     return found
 
 
@@ -386,7 +295,7 @@ def _follow_many(
     configurations: np.ndarray,
     until: np.ndarray,
     most: int | None,
-    ends: MotionEnds,
+    ends: Trajectories,
     missing: list[tuple[int, int]],
 ) -> None:
     """Follow the motions `members` of a chunk, each with the numbers in its row of a group.
@@ -397,9 +306,9 @@ def _follow_many(
     if engine is not None:
         found = run_motions(
             engine, group.structure, group.flat, rows_of, states[members], configurations,
-            until[members], most, ends.kept_times.shape[1], missing,
+            until[members], most, ends.last_times.shape[1], missing,
         )  # fmt: skip
-        for whole, piece in zip(ends, found, strict=True):
+        for whole, piece in zip(ends.arrays, found.arrays, strict=True):
             whole[members] = piece
         return
     systems: dict[int, PiecewiseLinear] = {}
@@ -412,26 +321,6 @@ def _follow_many(
         store_end(ends, i, systems[row], run)
         if run.missing:
             missing.append((int(run.configurations[-1]), run.missing))
-
-
-def _ordered(ends: MotionEnds) -> MotionEnds:
-    """The ends, with the kept entries in the order of time instead of that of the ring buffer."""
-    kept = ends.kept_times.shape[1]
-    if kept == 0:
-        return ends
-    first = ends.transitions + 1 - kept
-    places = (first[:, None] + np.arange(kept)) % kept
-
-    def turned(array: np.ndarray) -> np.ndarray:
-        index = places.reshape(*places.shape, *[1] * (array.ndim - 2))
-        return np.take_along_axis(array, index, axis=1)
-
-    return ends._replace(
-        kept_times=turned(ends.kept_times),
-        kept_configurations=turned(ends.kept_configurations),
-        kept_sets=turned(ends.kept_sets),
-        kept_states=turned(ends.kept_states),
-    )
 
 
 def _real(label: str, given: Any) -> np.ndarray:

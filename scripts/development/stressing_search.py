@@ -82,7 +82,7 @@ def search(sums: Sums, until: np.ndarray, reached: bool) -> tuple[np.ndarray, np
     found = ends.transitions == 1
     if not np.isin(ends.status, (Status.TRANSITIONS, Status.UNTIL)).all():
         raise RuntimeError(f"status {np.unique(ends.status)}")
-    return np.where(found, ends.kept_times[:, 1], until), found
+    return np.where(found, ends.last_times[:, 1], until), found
 
 
 def _modes(

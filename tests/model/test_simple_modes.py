@@ -65,7 +65,7 @@ def test_a_held_mass_and_a_forcing_drive_the_rest(
 ) -> None:
     """They are no reason to search for clusters in many digits."""
     numeric_modes(held(2, 1))  # whose held mass and forcing are those of the others
-    monkeypatch.setattr("nonsmooth.runtime.model.modes._decomposed", None)
+    monkeypatch.setattr("nonsmooth.runtime.model.modes.best_modes", None)
     field = held(count, which)
     modes = numeric_modes(field)
     assert modes.shapes[0].length == 2  # the held mass keeps its velocity

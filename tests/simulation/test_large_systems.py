@@ -100,7 +100,7 @@ def test_what_is_kept_of_many_motions() -> None:
     assert engine is not None
     numbers = numbers_of(system)[None]
     ends = run_motions(engine, system.structure, numbers, zeros, states, zeros, until, 44, kept)
-    for state, sets in zip(states, ends.kept_sets, strict=True):
+    for state, sets in zip(states, ends.last_sets, strict=True):
         known = with_engine("numpy", follow, system, state, 0, transitions=44)
         assert [sets[k % kept] for k in range(40, 45)] == known.sets[40:].tolist()
 

@@ -35,7 +35,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
-from nonsmooth.runtime.simulation.engines import entry_size
+from nonsmooth.runtime.simulation.engines import Trajectories, entry_size
 from nonsmooth.runtime.simulation.recurrence import (
     Candidate,
     Itinerary,
@@ -46,7 +46,7 @@ from nonsmooth.runtime.simulation.recurrence import (
     recurrent_lengths,
     scales_of,
 )
-from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
 __all__ = ["find_orbits", "mirror_places", "mirrors", "short_cycles"]

@@ -26,8 +26,8 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import SINGULAR
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import scales_of
-from nonsmooth.runtime.simulation.simulate import Trajectories
 
 __all__ = [
     "Attractors",

@@ -25,8 +25,8 @@ from nonsmooth.runtime.model.piecewise import (
     piecewise_at,
 )
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, sizes_of
-from nonsmooth.runtime.simulation.simulate import Trajectories
 
 __all__ = ["EQUILIBRIUM", "PERIODIC", "UNINTERRUPTED", "Settled", "settled", "settled_texts"]
 

@@ -17,7 +17,8 @@ import numpy as np
 
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
+from nonsmooth.runtime.simulation.engines import Trajectories
+from nonsmooth.runtime.simulation.simulate import simulate_many
 
 __all__ = ["Stretching", "stretching"]
 

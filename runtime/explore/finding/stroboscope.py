@@ -17,8 +17,9 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import sizes_of
-from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
+from nonsmooth.runtime.simulation.simulate import simulate_many
 
 __all__ = ["Returns", "stroboscopic_returns"]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
@@ -16,11 +17,40 @@ from nonsmooth.runtime.core.files import (
 from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.compiling import extension_in
 
-__all__ = ["COMMAND", "check_own_folder", "write_folder"]
+__all__ = ["COMMAND", "PROVENANCE", "FolderRecord", "check_own_folder", "recorded", "write_folder"]
 
 COMMAND = "nonsmooth generate"
-_PROVENANCE = "PROVENANCE.json"
+PROVENANCE = "PROVENANCE.json"
 _LARGEST = 1 << 24  # bytes of it
+
+
+@dataclass(frozen=True)
+class FolderRecord:
+    """What a run of the derivation says of the files that it wrote into a folder."""
+
+    command: str
+    systems: tuple[str, ...]
+    hashes: Mapping[str, str]  # by the names of the files
+
+    @property
+    def own(self) -> bool:
+        """Whether `nonsmooth generate` wrote the folder."""
+        return self.command.startswith(COMMAND)
+
+
+def recorded(folder: Path) -> FolderRecord | None:
+    """The record of a folder of kernels; None if it is missing, cut or foreign."""
+    try:
+        record = parsed(read_file(folder / PROVENANCE, _LARGEST, "record"))
+        if not all(isinstance(name, str) for name in record["systems"]):
+            return None
+        return FolderRecord(
+            str(record["command"]),
+            tuple(record["systems"]),
+            {str(name): str(entry["sha256"]) for name, entry in record["files"].items()},
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
 
 
 def check_own_folder(folder: Path) -> None:
@@ -29,7 +59,8 @@ def check_own_folder(folder: Path) -> None:
     This is asked before the work, so that a folder with other things in it is refused early.
     """
     check_folder(folder)
-    if not folder.exists() or _recorded(folder) is not None:
+    known = recorded(folder)
+    if not folder.exists() or (known is not None and known.own):
         return
     try:
         foreign = any(path.suffix != PARTIAL for path in folder.iterdir())
@@ -52,10 +83,11 @@ def write_folder(
     `InputError` as `check_own_folder` does, and for a file of another origin in the way.
     """
     check_own_folder(folder)
-    before = set(_recorded(folder) or ()) if folder.is_dir() else set()
+    known = recorded(folder)
+    before = {*known.hashes, PROVENANCE} if known is not None and known.own else set()
     changed: dict[str, bytes] = {}
     try:
-        for name, text in sorted(files.items(), key=lambda item: item[0] == _PROVENANCE):
+        for name, text in sorted(files.items(), key=lambda item: item[0] == PROVENANCE):
             path = folder / name
             if path.is_file() and path.read_bytes() == text.encode():
                 continue
@@ -74,13 +106,3 @@ def write_folder(
     except OSError as problem:
         raise unwritable(folder, problem) from None
     return [folder / name for name in changed]
-
-
-def _recorded(folder: Path) -> list[str] | None:
-    """Names of the files that a run wrote into a folder; None if no run did."""
-    try:
-        record = parsed(read_file(folder / _PROVENANCE, _LARGEST, "record"))
-        ours = str(record["command"]).startswith(COMMAND)
-        return [*map(str, record["files"]), _PROVENANCE] if ours else None
-    except (OSError, ValueError, KeyError, TypeError):
-        return None

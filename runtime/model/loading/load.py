@@ -7,7 +7,6 @@ import math
 import os
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
@@ -16,7 +15,7 @@ from weakref import WeakKeyDictionary
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
-from nonsmooth.runtime.core.result_files import parsed
+from nonsmooth.runtime.model.kernel_records import SystemKernels
 from nonsmooth.runtime.model.loading.background import KernelLibrary
 from nonsmooth.runtime.model.loading.caching import Modules, cached, module_of_text, stored
 from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
@@ -26,6 +25,7 @@ from nonsmooth.runtime.model.loading.declared import (
     DeclaredSystem,
     declaration_in,
 )
+from nonsmooth.runtime.model.loading.folder import COMMAND, PROVENANCE, recorded
 from nonsmooth.runtime.model.loading.growing import (
     GrowingDeclaration,
     Growth,
@@ -35,7 +35,6 @@ from nonsmooth.runtime.model.loading.growing import (
 )
 
 __all__ = [
-    "Loaded",
     "library_of",
     "load_declared",
     "load_grown",
@@ -50,22 +49,12 @@ __all__ = [
 
 _KEY = re.compile(r"[0-9a-f]{16}")
 _ADDRESS = re.compile(rf"(?P<name>[\w-]+)@(?P<key>{_KEY.pattern})")
-_PROVENANCE = "PROVENANCE.json"
 _MOST_MODULES = 128  # of 15 kB each; more are kept as packed text
 _LARGEST = 1 << 28  # bytes of a file that is read
-_REMEDY = "run `nonsmooth generate` again"
+_REMEDY = f"run `{COMMAND}` again"
 
 
-@dataclass(frozen=True)
-class Loaded:
-    """A system after loading."""
-
-    name: str  # what loads it again: a whole path, or ``NAME@HASH`` of a declaration
-    module: ModuleType  # tables and kernels
-    compiled: ModuleType | None = None  # the same kernels, compiled beside them in a folder
-
-
-def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
+def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> SystemKernels:
     """Derive a declared system with some orbits, or reuse that of an equal declaration."""
     if isinstance(system, GrowingDeclaration):
         return _joined(system.name, growth_for(system), (), orbits)
@@ -76,17 +65,17 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
     module = _MODULES[key]
     for library in _libraries(key, module):
         library.declare(system, tuple(orbits))
-    return Loaded(name, module)
+    return SystemKernels(name, module)
 
 
 def _joined(
     name: str, growth: Growth, visits: Iterable[Visit], orbits: Sequence[Any] = ()
-) -> Loaded:
+) -> SystemKernels:
     key, module = growth.joined(visits, orbits)
-    return remember(Loaded(f"{name}@{key}", module))
+    return remember(SystemKernels(f"{name}@{key}", module))
 
 
-def load_grown(loaded: Loaded, visits: Iterable[Visit]) -> Loaded:
+def load_grown(loaded: SystemKernels, visits: Iterable[Visit]) -> SystemKernels:
     """A system whose configurations are made at their first visit, with the given visits added.
 
     A visit is a configuration and the boundaries that are reached together in it. All other
@@ -124,7 +113,7 @@ def many_points_key(module: ModuleType) -> str | None:
     return None if library is None else library.key
 
 
-def load_many_points(loaded: Loaded, orbit: str, key: str | None) -> Loaded | None:
+def load_many_points(loaded: SystemKernels, orbit: str, key: str | None) -> SystemKernels | None:
     """Compiled kernels that solve a composed orbit at many points.
 
     If they do not exist yet it waits while they are derived and compiled. `loaded` is the
@@ -145,7 +134,9 @@ def load_many_points(loaded: Loaded, orbit: str, key: str | None) -> Loaded | No
         _MODULES.add(library.key, text, f"<{loaded.name}, many points>")
     module = _MODULES[library.key]
     whole = getattr(compiled, f"derivation_{library.stem}") == module.DERIVATION
-    return Loaded(loaded.name, module, compiled) if whole and orbit in module.ORBITS else None
+    return (
+        SystemKernels(loaded.name, module, compiled) if whole and orbit in module.ORBITS else None
+    )
 
 
 def _stem(module: ModuleType) -> str:
@@ -164,7 +155,7 @@ def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
     return [library for library in found if library is not None]
 
 
-def remember(loaded: Loaded) -> Loaded:
+def remember(loaded: SystemKernels) -> SystemKernels:
     """Keep a system with a name ``NAME@HASH`` for as long as the process lives.
 
     Records hold that name alone, so none may be forgotten. A system that a file brings along
@@ -172,10 +163,10 @@ def remember(loaded: Loaded) -> Loaded:
     The result has the module that was kept first under this hash.
     """
     _, _, key = loaded.name.rpartition("@")
-    return Loaded(loaded.name, _MODULES.setdefault(key, loaded.module))
+    return SystemKernels(loaded.name, _MODULES.setdefault(key, loaded.module))
 
 
-def load_named(name: str) -> Loaded | None:
+def load_named(name: str) -> SystemKernels | None:
     """The system with the name ``NAME@HASH``; None for a name of another form.
 
     Raises `InputError` if that declaration is no longer known.
@@ -195,7 +186,7 @@ def load_named(name: str) -> Loaded | None:
     module = _MODULES[key]
     if not hasattr(module, "SAVED"):
         _libraries(key, module)
-    return Loaded(name, module)
+    return SystemKernels(name, module)
 
 
 def located(name: str) -> Path | None:
@@ -211,7 +202,7 @@ def located(name: str) -> Path | None:
     return None
 
 
-def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> Loaded | None:
+def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> SystemKernels | None:
     """Load a file that declares a system, or a folder that `nonsmooth generate` wrote.
 
     Of a file only the system is derived, with the orbit of the given name. With `compiled` the
@@ -221,14 +212,14 @@ def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> Loaded
     """
     if path.is_dir():
         library = extension_in(path) if compiled else None
-        stamps = (_stamp(path / _PROVENANCE), *map(_stamp, path.glob("*.py")))
+        stamps = (_stamp(path / PROVENANCE), *map(_stamp, path.glob("*.py")))
         found = _folder(path, stamps, library, library and _stamp(library))
         return found if orbit is None or orbit in found.module.ORBITS else None
     declared = _file(path, _stamp(path))
     wanted = tuple(o for o in declared.orbits if o.name == orbit)
     if orbit is not None and not wanted:
         return None
-    return Loaded(str(path), _derived(path, _stamp(path), wanted))
+    return SystemKernels(str(path), _derived(path, _stamp(path), wanted))
 
 
 def orbits_of(path: Path) -> tuple[str, ...]:
@@ -272,36 +263,25 @@ _FILES: dict[tuple[Any, ...], ModuleType] = {}  # what files declare, each file 
 @lru_cache(maxsize=64)
 def _folder(
     path: Path, stamps: tuple[_Stamp, ...], library: Path | None, linked: _Stamp | None
-) -> Loaded:
-    name, expected = _recorded(path)
+) -> SystemKernels:
+    known = recorded(path)
+    if known is None:
+        raise InputError(
+            f"{path} is no folder of `{COMMAND}`: its {PROVENANCE} is missing, cut or foreign"
+        )
+    if len(known.systems) != 1:
+        raise InputError(f"{path} holds {len(known.systems)} systems, not one")
+    (name,) = known.systems
     file = path / f"{name.replace('-', '_')}.py"
     try:
         content = read_file(file, _LARGEST, "system")
     except InputError as problem:
         raise InputError(f"{file} {problem}: {_REMEDY}") from None
-    if hashlib.sha256(content).hexdigest() != expected.get(file.name):
-        raise InputError(f"{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
+    if hashlib.sha256(content).hexdigest() != known.hashes.get(file.name):
+        raise InputError(f"{file} is not the file that {PROVENANCE} records: {_REMEDY}")
     module = module_of_text(content.decode("utf-8"), str(file))
     compiled = None if library is None else load_extension(library)
     stem = file.name.removesuffix(".py")
     if getattr(compiled, f"derivation_{stem}", None) != module.DERIVATION:
         compiled = None
-    return Loaded(str(path), module, compiled)
-
-
-def _recorded(folder: Path) -> tuple[str, dict[str, str]]:
-    """Name of a folder's system, and the recorded hashes of its files."""
-    try:
-        record = parsed(read_file(folder / _PROVENANCE, _LARGEST, "record"))
-        names = record["systems"]
-        hashes = {str(name): str(entry["sha256"]) for name, entry in record["files"].items()}
-        if not all(isinstance(name, str) for name in names):
-            raise TypeError
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        raise InputError(
-            f"{folder} is no folder of `nonsmooth generate`:"
-            f" its {_PROVENANCE} is missing, cut or foreign"
-        ) from None
-    if len(names) != 1:
-        raise InputError(f"{folder} holds {len(names)} systems, not one")
-    return names[0], hashes
+    return SystemKernels(str(path), module, compiled)

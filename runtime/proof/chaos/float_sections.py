@@ -13,7 +13,8 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.proof.sets.sections import MapSection
-from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
+from nonsmooth.runtime.simulation.engines import Trajectories
+from nonsmooth.runtime.simulation.simulate import simulate_many
 
 __all__ = ["FloatSection", "Mapped"]
 
