@@ -22,7 +22,7 @@ __all__ = ["Border", "Margin", "admissibility", "time_of_touch"]
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
 _CLOSE = "{}: it comes closer to zero than the digits tell"
-_SHARE = 3 / 4  # of its distance from zero, at least, that is found of a function
+_SHARE = 3 / 4  # of its distance from zero, at least, that is looked for: any share gives a bound
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
 
 

@@ -61,6 +61,20 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     return InputError(f"unknown {kind} {name!r}{separator}{hint}{listing}")
 
 
+def listed_names(chosen: Any) -> tuple[Any, ...]:
+    """Names that are asked for, one or several: what is no collection is one of them.
+
+    Examples
+    --------
+    >>> listed_names("eta"), listed_names({"chi", "chi"}), listed_names({})
+    (('eta',), ('chi',), ())
+    """
+    try:
+        return (chosen,) if isinstance(chosen, str) else tuple(chosen)
+    except TypeError:
+        return (chosen,)
+
+
 def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...]:
     """Names that are asked for, one or several, each of which has to be known.
 
@@ -72,8 +86,7 @@ def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...
     >>> chosen_names("parameter", "eta", ["chi", "eta", "V"])
     ('eta',)
     """
-    listed = (chosen,) if isinstance(chosen, str) or not isinstance(chosen, Iterable) else chosen
-    names, every = tuple(listed), tuple(known)
+    names, every = listed_names(chosen), tuple(known)
     if not names:
         raise InputError(f"no {kind} is named; known: {', '.join(every)}")
     for name in names:

@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, listed_names
 from nonsmooth.runtime.model.kernel_records import ParameterTable, SavedTable
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
@@ -415,9 +415,9 @@ def solve_many(
         known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
         points, values = _named_points(known, values)
         found = points.solve(values, chunk=chunk, **options)
-    if not np.size(derivatives):
+    if not (by := listed_names(derivatives)):
         return found
-    return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
+    return replace(found, derivatives=derivatives_of_many(found, by, threads))
 
 
 def _named_points(

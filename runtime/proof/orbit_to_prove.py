@@ -177,6 +177,8 @@ def closing_of(
         sum(near(energy[i][j]) * centre[j] for j in range(size)) + near(energy[i][size])
         for i in range(size)
     ]
+    if not all(map(math.isfinite, slopes)):
+        raise NotCovered("the slopes of its energy are not finite where it starts")
     # the first of those that are as large but for rounding, in whatever arithmetic it is
     least = _NEARLY * max(abs(slope) for slope in slopes)
     largest = next(i for i, slope in enumerate(slopes) if abs(slope) >= least)
