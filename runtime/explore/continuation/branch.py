@@ -12,7 +12,7 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_nam
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.energy import energy_of
-from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.event import Event, checked_event
 from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.switching import other_branch
@@ -97,10 +97,10 @@ class Branch(Kept):
         """
         if isinstance(place, Event):
             z = np.array([*place.unknowns.values(), place.value])
-        elif -len(self) <= place < len(self):
+        elif isinstance(place, int | np.integer) and -len(self) <= place < len(self):
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
-            raise InputError(f"the branch has {len(self)} points, no point {place}")
+            raise InputError(f"the branch has {len(self)} points, no point {place!r}")
         return OrbitFamily(self.orbit, self.parameter).at(z)
 
     def _motion_at(self, place: int) -> Motion | Trajectory:
@@ -132,7 +132,7 @@ class Branch(Kept):
         InputError
             If the event is no border collision.
         """
-        return next_itineraries(self, event, parameters)
+        return next_itineraries(self, checked_event(event), parameters)
 
     def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> Orbit:
         """Find an orbit on the branch that meets this one at an event.
@@ -160,7 +160,7 @@ class Branch(Kept):
         NoConvergence
             If no such orbit is found.
         """
-        return other_branch(self, event, parameters)
+        return other_branch(self, checked_event(event), parameters)
 
     def quantity(self, name: str) -> np.ndarray:
         """Give the values of a quantity over the branch.
@@ -184,11 +184,12 @@ class Branch(Kept):
         InputError
             For another name, or the energy where none is kept.
         """
+        known = ("period", "frequency", "energy", "trace", self.parameter, *self.unknown_names)
         if name == self.parameter:
             return self.parameter_values
         if name == "frequency":
             return np.asarray(2 * np.pi / self.period)
-        if name.startswith("amplitude_"):
+        if isinstance(name, str) and name.startswith("amplitude_"):
             state = name.removeprefix("amplitude_")
             return np.array([amplitude_of(self._motion_at(k), state) for k in range(len(self))])
         if name == "energy":
@@ -198,7 +199,6 @@ class Branch(Kept):
             found: np.ndarray = getattr(self, name)
             return found
         if name not in self.unknown_names:
-            known = ("period", "frequency", "energy", "trace", self.parameter, *self.unknown_names)
             raise unknown_name("quantity", name, known)
         return np.asarray(self.unknowns[:, self.unknown_names.index(name)])
 

@@ -17,7 +17,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import STEP, check_steps
-from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.event import Event, checked_event
 from nonsmooth.runtime.explore.continuation.locus import Locus
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
@@ -170,7 +170,7 @@ def continue_event(
     >>> locus.parameters, locus.ends
     (('V', 'eta'), ('end of the interval', 'end of the interval'))
     """
-    if event.kind == "admissibility":
+    if checked_event(event).kind == "admissibility":
         raise InputError("an event that no boundary explains cannot be followed")
     if parameter == branch.parameter:
         raise unknown_name(

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
+from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
-__all__ = ["Event"]
+__all__ = ["Event", "checked_event"]
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -63,3 +64,10 @@ class Event(Shown):
     def switches(self) -> bool:
         """Whether another branch meets this one here: `Branch.switch` leads to it."""
         return KINDS[self.kind].switches and not self.touching
+
+
+def checked_event(given: object) -> Event:
+    """What is given, where it is an event; `InputError` otherwise."""
+    if not isinstance(given, Event):
+        raise InputError(f"{one_line(repr(given))} is no event: a branch has them as .events")
+    return given

@@ -141,7 +141,7 @@ def check_interval(orbit: Orbit, parameter: str, interval: Any) -> tuple[float, 
     Refused are an unknown name, and an interval that is empty, leaves the domain or does not
     hold the orbit.
     """
-    if parameter not in orbit.given:
+    if not isinstance(parameter, str) or parameter not in orbit.given:
         raise unknown_name("given parameter", parameter, orbit.given)
     try:
         lower, upper = (float(end) for end in interval)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import by_name
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 
 __all__ = ["start_box"]
@@ -35,7 +36,7 @@ def start_box(
     largest = _balanced(np.abs(system.fields), largest)
     limits = np.stack([-2 * largest, 2 * largest], axis=1)
     limits[forced] = -1.0, 1.0  # of starts on a circle
-    for name, bounds in (given or {}).items():
+    for name, bounds in by_name("box", given).items():
         if name not in structure.states:
             raise unknown_name("state", str(name), structure.states)
         try:
