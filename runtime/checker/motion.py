@@ -173,7 +173,10 @@ def admissibility(
     undecided, kept = "", list[Margin]()
     for place, phase in enumerate(orbit.declared.phases(vanishing(orbit))):
         name = f"phase {place + 1}, {orbit.declared.steps[place].name}"
-        found = _phase(orbit, place, phase, assumed, window, kept if margins else None)
+        measured = list[Margin]() if margins else None
+        found = _phase(orbit, place, phase, assumed, window, measured)
+        declared = [watched.name for watched in phase.watched]
+        kept += sorted(measured or (), key=lambda margin: declared.index(margin.boundary))
         for told in found:
             if told.sign == 1:
                 return Verdict("refuted", f"{name}: {told.false}")

@@ -62,8 +62,8 @@ class JudgedOrbit:
                 return step()
         except Failure as failure:
             return Verdict("undecided", str(failure))
-        except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
-            return Verdict("undecided", f"{type(problem).__name__}: {problem}")
+        except (ArithmeticError, ValueError) as problem:
+            return Verdict("undecided", f"its numbers cannot be enclosed: {problem}")
 
     def _located(self) -> Verdict:
         """Prove that the box holds one orbit, and enclose it, its period and its trace."""

@@ -119,6 +119,11 @@ class Orbits(Shown):
         Returns
         -------
         str
+
+        Raises
+        ------
+        InputError
+            If no status is such a number.
         """
         try:
             return self.problem.message(status, timed=self.timed)

@@ -26,6 +26,7 @@ import nonsmooth as ns
 from nonsmooth import Certificate, InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
+from nonsmooth.runtime.checker.__main__ import judged
 from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.points import JudgedOrbit
@@ -700,6 +701,30 @@ def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert (done.returncode, done.stdout) == (0, "every claim is proved\n"), done.stderr
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "told"),
+    [
+        (lambda text: text, 0, "every claim is proved"),
+        (lambda text: text[:-20], 2, "it cannot be read"),
+        (lambda text: "[" * 10**5, 2, "it cannot be read"),
+        (lambda text: "[]", 2, "it is no certificate"),
+        (lambda text: text.replace('"margins"', '"margin"', 1), 2, "it is malformed"),
+        (lambda text: text.replace('"bits": 128', '"bits": 129', 1), 1, "not proved: edited"),
+    ],
+)
+def test_the_checker_says_what_is_wrong_in_one_line(
+    change: Callable[[str], str], code: int, told: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "certificate.json"
+    certificate("kicked").save(path)
+    path.write_text(change(path.read_text()))
+    found, said = judged(str(path))
+    assert found == code
+    assert told in said
+    assert "\n" not in said
+    assert judged(str(tmp_path / "none.json"))[0] == 2
 
 
 @pytest.mark.parametrize(

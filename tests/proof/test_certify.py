@@ -333,6 +333,15 @@ def test_margins_are_true() -> None:
     motion = composed.trajectory()
     system = composed.tables.piecewise
     begins = np.concatenate([[0], np.cumsum(composed.dwell_times)])
+    shapes = system.structure.boundaries
+    declared = [
+        (place + 1, boundary.name)
+        for place, (name, _) in enumerate(composed.itinerary)
+        for boundary in shapes[system.structure.configuration(name)]
+    ]
+    order = [declared.index((m["phase"], m["boundary"])) for m in certificate.margins]
+    assert order == sorted(order)
+    assert {*order} == {*range(len(declared))}
     for margin in certificate.margins:
         place = margin["phase"] - 1
         index = system.structure.configuration(margin["configuration"])
