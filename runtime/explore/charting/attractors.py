@@ -22,9 +22,9 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 
-__all__ = ["LONGEST", "AttractorProblem", "attractor_problem", "held_attractor_problem"]
+__all__ = ["AttractorProblem", "attractor_problem", "held_attractor_problem"]
 
-LONGEST = 32  # phases of a cycle that is looked for
+_LONGEST = 32  # phases of a cycle that is looked for
 _POINTS = 1 << 11  # of a chunk: about a second
 
 
@@ -132,7 +132,7 @@ class AttractorProblem:
             parameters,
             np.array(self.start),
             transitions=self.transitions,
-            keep=2 * LONGEST + 1,
+            keep=2 * _LONGEST + 1,
             threads=1,
         )
         found = settled(self.kernels, parameters, motions, threads=1)
@@ -160,10 +160,10 @@ def attractor_problem(
     """
     kernels = load_system(system)
     most = checked_count("transitions", transitions, 1)
-    if most <= 2 * LONGEST:
+    if most <= 2 * _LONGEST:
         raise InputError(
-            f"transitions = {most}: cycles of up to {LONGEST} are looked for, which takes more"
-            f" than {2 * LONGEST}"
+            f"transitions = {most}: cycles of up to {_LONGEST} are looked for, which takes more"
+            f" than {2 * _LONGEST}"
         )
     fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
     begin = start_state(structure_of(kernels), start)

@@ -21,7 +21,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "amplitude_of"]
+__all__ = ["Branch"]
 
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
 
@@ -191,7 +191,7 @@ class Branch(Kept):
             return np.asarray(2 * np.pi / self.period)
         if isinstance(name, str) and name.startswith("amplitude_"):
             state = name.removeprefix("amplitude_")
-            return np.array([amplitude_of(self._motion_at(k), state) for k in range(len(self))])
+            return np.array([_amplitude_of(self._motion_at(k), state) for k in range(len(self))])
         if name == "energy":
             places = range(len(self))
             return np.array([energy_of(composed_family(self, place)[0]) for place in places])
@@ -262,7 +262,7 @@ class Branch(Kept):
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
 
 
-def amplitude_of(motion: Motion | Trajectory, state: str) -> float:
+def _amplitude_of(motion: Motion | Trajectory, state: str) -> float:
     """Half of the difference between the largest and the smallest value of a state, in its unit.
 
     The extremes of a `Trajectory` (of one period) are guaranteed, those of a `Motion` are
@@ -272,7 +272,7 @@ def amplitude_of(motion: Motion | Trajectory, state: str) -> float:
     --------
     >>> import nonsmooth as ns
     >>> motion = ns.solve("dry-friction/global-stick").motion()
-    >>> round(amplitude_of(motion, "z1"), 4)
+    >>> round(_amplitude_of(motion, "z1"), 4)
     2.3313
     """
     if isinstance(motion, Motion):

@@ -16,10 +16,10 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
 
-__all__ = ["forcing_frequencies", "is_forced", "system_of", "usual_quantities"]
+__all__ = ["forcing_frequencies", "system_of", "usual_quantities"]
 
 
-def is_forced(branch: Branch) -> bool:
+def _is_forced(branch: Branch) -> bool:
     """Whether the system of a branch is under harmonic forcing."""
     return bool(structure_of(system_of(branch.orbit)).forcing)
 
@@ -34,7 +34,7 @@ def forcing_frequencies(branch: Branch) -> np.ndarray | None:
 
     It is None unless the frequency is proportional to the branch's parameter.
     """
-    if not is_forced(branch):
+    if not _is_forced(branch):
         return None
     orbit, name = branch.orbit, branch.parameter
     kernels = system_of(orbit)
@@ -59,7 +59,7 @@ def usual_quantities(branch: Branch) -> tuple[str, ...]:
     They are the amplitudes of all coordinates of a forced system, which over the frequency of
     the forcing are the frequency response, and the period of any other system.
     """
-    if not is_forced(branch):
+    if not _is_forced(branch):
         return ("period",)
     structure = structure_of(system_of(branch.orbit))
     return tuple(f"amplitude_{structure.states[place]}" for place, _ in structure.coordinates)

@@ -20,9 +20,9 @@ from nonsmooth.runtime.explore.design.solving import solve_conditions
 from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["METHODS", "design"]
+__all__ = ["design"]
 
-METHODS: tuple[str, ...] = get_args(Method)
+_METHODS: tuple[str, ...] = get_args(Method)
 MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
 _SOLVED = 1e-9
@@ -251,8 +251,8 @@ def _solved(
 
 
 def _check_options(method: str, iterations: int) -> None:
-    if method not in METHODS:
-        raise unknown_name("method", method, METHODS)
+    if method not in _METHODS:
+        raise unknown_name("method", method, _METHODS)
     if isinstance(iterations, bool) or not isinstance(iterations, int) or iterations < 1:
         raise InputError(f"iterations = {iterations} is not a positive integer")
 

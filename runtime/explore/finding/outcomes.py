@@ -29,14 +29,7 @@ from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.recurrence import scales_of
 from nonsmooth.runtime.simulation.simulate import Trajectories
 
-__all__ = [
-    "Attractors",
-    "Outcome",
-    "attractors_of",
-    "labels_of_ends",
-    "pursued_outcomes",
-    "quiet_outcomes",
-]
+__all__ = ["Attractors", "Outcome", "attractors_of", "labels_of_ends", "pursued_outcomes"]
 
 _ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its size
 _NOTHING = 1e-9  # of a state's size: a part of a motion that is none
@@ -101,7 +94,7 @@ class Attractors:
         quiet &= motions.configurations < known
         for configuration in np.unique(motions.configurations[quiet]).tolist():
             here = quiet & (motions.configurations == configuration)
-            labels[here] = quiet_outcomes(
+            labels[here] = _quiet_outcomes(
                 self.system,
                 configuration,
                 motions.states[here],
@@ -246,7 +239,7 @@ def _arrivals(motions: Trajectories, orbits: Sequence[Orbit]) -> np.ndarray:
     return labels
 
 
-def quiet_outcomes(
+def _quiet_outcomes(
     system: PiecewiseLinear,
     configuration: int,
     states: np.ndarray,
