@@ -15,15 +15,14 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 from nonsmooth.runtime.core.files import check_folder, folder_made
 from nonsmooth.runtime.core.workload import BYTES, check_memory
-from nonsmooth.runtime.explore.charting.attractors import attractor_problem, held_attractor_problem
-from nonsmooth.runtime.explore.charting.basins import (
+from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
+from nonsmooth.runtime.explore.charting.motions import (
+    attractor_problem,
     basin_problem,
+    held_attractor_problem,
     held_basin_problem,
     is_found,
 )
-from nonsmooth.runtime.explore.charting.cluster import connected, run_cluster
-from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
-from nonsmooth.runtime.explore.charting.lock import locked
 from nonsmooth.runtime.explore.charting.orbits import held_orbit_chart, orbit_chart
 from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import (
@@ -37,7 +36,7 @@ from nonsmooth.runtime.explore.charting.store import (
     reader,
     write_chunk,
 )
-from nonsmooth.runtime.explore.charting.threads import run_threads
+from nonsmooth.runtime.explore.charting.workers import connected, locked, run_cluster, run_threads
 
 if TYPE_CHECKING:
     from xarray import Dataset

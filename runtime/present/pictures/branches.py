@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import one_or_several, unknown_name
-from nonsmooth.runtime.explore.continuation.response import (
+from nonsmooth.runtime.explore.continuation.branch import (
     forcing_frequencies,
     system_of,
     usual_quantities,
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
     from nonsmooth.runtime.explore.continuation.event import Event
-    from nonsmooth.runtime.explore.continuation.locus import Locus
 
 __all__ = ["draw_branch", "draw_locus"]
 
