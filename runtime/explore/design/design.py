@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, get_args
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys, is_largest_of_several
 from nonsmooth.runtime.explore.design.objective import (
@@ -19,17 +18,17 @@ from nonsmooth.runtime.explore.design.objective import (
     optimality,
     watched_margins,
 )
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, Method, optimise
+from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, is_extreme, is_pure, unit_of
 from nonsmooth.runtime.explore.design.question import design_question
 from nonsmooth.runtime.explore.design.solving import solve_conditions
 from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.simulation.simulate import checked_count
 
 __all__ = ["along", "along_branch", "design"]
 
-_METHODS: tuple[str, ...] = get_args(Method)
 MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
 _SOLVED = 1e-9
@@ -47,7 +46,6 @@ def design(
     worst_over: Mapping[str, tuple[float, float]] | None = None,
     subject_to: Iterable[str] = (),
     admissible: bool = True,
-    method: str = "SLSQP",
     iterations: int = MOST_ITERATIONS,
     resume: Design | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -90,8 +88,6 @@ def design(
         Conditions such as ``period<=6.5``, ``trace>=0`` or ``multiplier=-1``.
     admissible : bool
         Whether each orbit has to be a motion of the real system.
-    method : "SLSQP" or "trust-constr"
-        The optimiser of SciPy.
     iterations : int
         At most so many in each round.
     resume : Design, optional
@@ -124,7 +120,7 @@ def design(
     >>> found.message, round(found.after["V"], 4)
     ('an optimum', 2.7457)
     """
-    _check_options(method, iterations)
+    checked_count("iterations", iterations, 1)
     question = design_question(orbit, minimise, maximise, solve, over, worst_over, subject_to)
     if resume is not None:
         question.check_resumed(resume)
@@ -165,20 +161,18 @@ def design(
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
     trials: DesignPoints | BranchPoints = points
-    chosen: Any = method
     if branch is not None:
         aim, trials = spread(points, aim)
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
     if question.aim == "solve":
         ended = solve_conditions(points, aim, iterations, history)
-        method = "least-squares"
         left, status = _solved(aim, ended.point, names, bounds)
     else:
         if isinstance(trials, BranchPoints):
-            ended, trials = optimise_worst(trials, aim, chosen, iterations, history)
+            ended, trials = optimise_worst(trials, aim, iterations, history)
         else:
-            ended = optimise(points, aim, chosen, iterations, history)
+            ended = optimise(points, aim, iterations, history)
         where = trials.where if isinstance(trials, BranchPoints) else _nowhere
         left = optimality(aim, ended.point, names, bounds, where)
         met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET
@@ -196,7 +190,7 @@ def design(
         bounds=bounds,
         worst_over=question.worst_over,
         conditions=question.conditions,
-        method=method,
+        method="least-squares" if question.aim == "solve" else "SLSQP",
         quantities=asked,
         before=_values_of(names, aim, begin, asked) if resume is None else resume.before,
         after=_values_of(names, aim, ended.point, asked),
@@ -255,13 +249,6 @@ def _solved(
     left = aim.missed(point)
     status = CONVERGED if left <= _SOLVED else NOT_REACHED
     return Optimality(bounds_met(point, names, bounds), left, ""), status
-
-
-def _check_options(method: str, iterations: int) -> None:
-    if method not in _METHODS:
-        raise unknown_name("method", method, _METHODS)
-    if isinstance(iterations, bool) or not isinstance(iterations, int) or iterations < 1:
-        raise InputError(f"iterations = {iterations} is not a positive integer")
 
 
 def _values_of(
