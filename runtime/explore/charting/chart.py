@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +36,7 @@ from nonsmooth.runtime.explore.charting.store import (
     write_chunk,
 )
 from nonsmooth.runtime.explore.charting.workers import connected, locked, run_cluster, run_threads
+from nonsmooth.runtime.simulation.simulate import checked_count
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -367,20 +367,13 @@ def _in_memory(
 
 
 def _usual(problem: ChartProblem, axes: tuple[Axis, ...], chunk: int | None) -> tuple[int, ...]:
-    if chunk is not None and not _positive(chunk):
-        raise InputError(f"chunk = {chunk} is not a positive integer")
-    found = chunk_shape([axis.count for axis in axes], chunk or problem.points)
+    points = problem.points if chunk is None else checked_count("chunk", chunk, 1)
+    found = chunk_shape([axis.count for axis in axes], points)
     chunks = Grid(axes, found).chunks
     check_memory(f"the numbers of {chunks} chunks", 5 * BYTES * chunks)
     return found
 
 
 def _check_threads(threads: int | None) -> None:
-    if threads is not None and not _positive(threads):
-        raise InputError(f"threads = {threads} is not a positive integer")
-    if threads is not None and threads > MOST_THREADS:
+    if threads is not None and checked_count("threads", threads, 1) > MOST_THREADS:
         raise InputError(f"threads = {threads} is more than {MOST_THREADS}")
-
-
-def _positive(number: object) -> bool:
-    return not isinstance(number, bool) and isinstance(number, Integral) and int(number) > 0

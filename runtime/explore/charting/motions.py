@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -53,8 +53,47 @@ _POINTS = 1 << 11  # of a chunk: about a second
 _FOUND = "nonsmooth found orbits"
 
 
+class _MotionsProblem:
+    """What charts have in common whose points do not depend on each other."""
+
+    @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        raise NotImplementedError
+
+    @property
+    def points(self) -> int:
+        """Usual number of points of a chunk."""
+        return _POINTS
+
+    def axis_attributes(self, name: str) -> dict[str, str]:
+        """Unit of a parameter or a state as an attribute; empty where the system states none."""
+        return units_of(self.kernels).attributes(name)
+
+    def prepare(self, grid: Grid) -> np.ndarray:
+        """An empty array (0,)."""
+        return np.empty(0)
+
+    def _identity(
+        self, kind: str, method: int, parameters: Mapping[str, str], start: Iterable[float]
+    ) -> dict[str, Any]:
+        """The system and the kernels by which its motions are followed, as data for JSON."""
+        kernels = self.kernels
+        compiled = kernels.compiled is not None and compiled_engine() is not None
+        return {
+            "kind": kind,
+            "method": method,
+            "system": named(kernels)[0],  # of a user's own the hash of its table, too
+            "derivation": str(kernels.module.DERIVATION),
+            "table": table_hash(kernels.table) if kernels.built_in else "",
+            "kernels": "c" if compiled else "numpy",
+            "parameters": parameters,
+            "start": [repr(value) for value in start],
+        }
+
+
 @dataclass(frozen=True)
-class AttractorProblem:
+class AttractorProblem(_MotionsProblem):
     """The chart problem of the motions from one start over a grid of parameters."""
 
     system: str
@@ -69,30 +108,15 @@ class AttractorProblem:
         return load_system(self.system) if self.data is None else kernels_held(self.data).system
 
     @property
-    def points(self) -> int:
-        """Usual number of points of a chunk."""
-        return _POINTS
-
-    @property
     def seconds(self) -> float:
         """Processor time for one point in seconds, as a lower bound."""
         return self.transitions * SECONDS["transition"]
 
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
-        kernels = self.kernels
-        compiled = kernels.compiled is not None and compiled_engine() is not None
-        return {
-            "kind": "attractors",
-            "method": 3,
-            "system": named(kernels)[0],  # of a user's own the hash of its table, too
-            "derivation": str(kernels.module.DERIVATION),
-            "table": table_hash(kernels.table) if kernels.built_in else "",
-            "kernels": "c" if compiled else "numpy",
-            "parameters": {name: repr(value) for name, value in self.fixed},
-            "start": [repr(value) for value in self.start],
-            "transitions": self.transitions,
-        }
+        fixed = {name: repr(value) for name, value in self.fixed}
+        found = self._identity("attractors", 3, fixed, self.start)
+        return {**found, "transitions": self.transitions}
 
     def held(self) -> dict[str, Any]:
         """Further data that a store holds: the system as text."""
@@ -137,14 +161,6 @@ class AttractorProblem:
                 },
             ),
         )
-
-    def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter as an attribute; empty where the system states none."""
-        return units_of(self.kernels).attributes(name)
-
-    def prepare(self, grid: Grid) -> np.ndarray:
-        """An empty array (0,), because the points do not depend on each other."""
-        return np.empty(0)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
         """All variables at the points of a chunk, by name and in the chunk's shape.
@@ -210,7 +226,7 @@ def held_attractor_problem(
 
 
 @dataclass(frozen=True)
-class BasinProblem:
+class BasinProblem(_MotionsProblem):
     """The chart problem of starts over a grid of states and the attractors that they lead to."""
 
     data: str  # the attractors, as `held_found` writes them
@@ -227,11 +243,6 @@ class BasinProblem:
         return _known(self.data)[1]
 
     @property
-    def points(self) -> int:
-        """Usual number of points of a chunk."""
-        return _POINTS
-
-    @property
     def seconds(self) -> float:
         """Processor time for one point in seconds, as a lower bound.
 
@@ -241,18 +252,10 @@ class BasinProblem:
 
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
-        kernels = self.kernels
-        compiled = kernels.compiled is not None and compiled_engine() is not None
+        given = {name: str(value) for name, value in self.found.parameters.items()}
         return {
-            "kind": "basins",
-            "method": 1,
-            "system": named(kernels)[0],
-            "derivation": str(kernels.module.DERIVATION),
-            "table": table_hash(kernels.table) if kernels.built_in else "",
-            "kernels": "c" if compiled else "numpy",
-            "parameters": {name: str(value) for name, value in self.found.parameters.items()},
+            **self._identity("basins", 1, given, self.start),
             "attractors": table_hash({"found": self.data}),
-            "start": [repr(value) for value in self.start],
             "transitions": self.found.transitions,
         }
 
@@ -282,14 +285,6 @@ class BasinProblem:
             Variable("status", "|i1", MISSING, status),
             Variable("attractor", "<i2", 0, attractor),
         )
-
-    def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a state as an attribute; empty where the system states none."""
-        return units_of(self.kernels).attributes(name)
-
-    def prepare(self, grid: Grid) -> np.ndarray:
-        """An empty array (0,), because the starts do not depend on each other."""
-        return np.empty(0)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
         """All variables at the points of a chunk, by name and in the chunk's shape.
