@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.explore.finding.steady import forcing_turns
+from nonsmooth.runtime.explore.finding.steady import forcing_period
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -310,7 +310,8 @@ def stroboscopic_returns(
 
     The last entries of the motions have to be kept. `threads` None takes all processors.
     """
-    values, periods = numbers_of(systems).items(), np.array([_period(each) for each in systems])
+    values = numbers_of(systems).items()
+    periods = np.array([forcing_period(system) or np.nan for system in systems])
     directions = [translations_of(system) for system in systems]
     sizes = sizes_of(motions.structure, motions.last_states, motions.last_times)
     found = Returns(np.zeros(len(systems), dtype=int), np.full(len(systems), np.nan))
@@ -346,12 +347,3 @@ def stroboscopic_returns(
         going, first = going[stays], first.at(stays)
         states, configurations = now.states[stays], now.configurations[stays]
     return found
-
-
-def _period(system: PiecewiseLinear) -> float:
-    """Common period of all forcings; NaN without one."""
-    turns = forcing_turns(system)
-    if not turns:
-        return float("nan")
-    cosine, sine = system.structure.forcing[0]
-    return 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
