@@ -12,7 +12,7 @@ import nonsmooth.jax
 import nonsmooth.torch
 from nonsmooth.derive.codegen import derived
 from nonsmooth.derive.flows import resolvent
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
+from nonsmooth.runtime.explore.continuation.event import KINDS
 from nonsmooth.runtime.orbits.refine import MOST_DIGITS
 
 HERE = Path(__file__).parent

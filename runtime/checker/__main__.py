@@ -1,9 +1,14 @@
-"""Check one file: ``python -m nonsmooth.runtime.checker FILE``."""
+"""Check one file: ``python -m nonsmooth.runtime.checker FILE``.
+
+The exit code is 0 if every claim is proved, 1 if one is not, and 2 if the file is no certificate.
+"""
 
 import json
 import sys
 
 from nonsmooth.runtime.checker import (
+    Failure,
+    Malformed,
     check,
     check_basin,
     check_branch,
@@ -15,24 +20,44 @@ from nonsmooth.runtime.checker import (
     check_tiles,
 )
 
-with open(sys.argv[1], encoding="utf-8") as file:
-    content = json.load(file)
-if "edges" in content:
-    check_graph(content)
-elif "ranks" in content:
-    check_basin(content)
-elif "doubled" in content:
-    check_doubling(content)
-elif "unknown_names" in content:
-    check_branch(content)
-elif "tiles" in content:
-    check_tiles(content)
-elif "events" in content:
-    check_events(content)
-elif "h_sets" in content:
-    check_chaos(content)
-elif "orbits" in content:
-    check_census(content)
-else:
-    check(content)
-print("every claim is proved")
+CHECKS = {  # the first of these entries that a file has says of which kind it is
+    "edges": check_graph,
+    "ranks": check_basin,
+    "doubled": check_doubling,
+    "unknown_names": check_branch,
+    "tiles": check_tiles,
+    "events": check_events,
+    "h_sets": check_chaos,
+    "orbits": check_census,
+    "claims": check,
+}
+
+
+def judged(path: str) -> tuple[int, str]:
+    """Return the exit code for a file, and what is said of it."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            content = json.load(file)
+    except (OSError, ValueError, RecursionError) as problem:
+        return 2, f"it cannot be read: {problem}"
+    kinds = [name for name in CHECKS if isinstance(content, dict) and name in content]
+    if not kinds:
+        return 2, "it is no certificate"
+    try:
+        CHECKS[kinds[0]](content)
+    except Malformed as problem:
+        return 2, f"it is malformed: {problem}"
+    except Failure as problem:
+        return 1, f"a claim is not proved: {problem}"
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as problem:
+        return 1, f"no claim is proved, as the file is not in order: {problem!r}"
+    return 0, "every claim is proved"
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        print("python -m nonsmooth.runtime.checker takes one file", file=sys.stderr)
+        sys.exit(2)
+    code, told = judged(sys.argv[1])
+    print(told if code == 0 else f"{sys.argv[1]}: {told}", file=sys.stderr if code else sys.stdout)
+    sys.exit(code)

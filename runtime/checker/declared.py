@@ -139,6 +139,8 @@ class StatedSystem:
             )
             for entry in declared["transitions"]
         ]
+        along = {other for way in self.transitions for _, other, _ in way.conditions}
+        demand(along <= self.fields.keys(), "a condition is along no declared configuration")
         self.lawful: list[Any] = []
         if "law" in declared and self.rational:
             self._lawful(declared)
@@ -149,10 +151,14 @@ class StatedSystem:
         names = [phase["configuration"] for phase in self.itinerary]
         for phase, target in zip(self.itinerary, [*names[1:], *names[:1]], strict=True):
             number, name = phase["transition"], phase["configuration"]
+            demand(name in self.fields, "a configuration of the itinerary is not declared")
             if phase["boundaries"] == [_FORCING_PHASE]:
                 demand(len(self.itinerary) == 1, "a forcing's phase beside others")
                 self.steps.append(self._whole_turn(name))
                 continue
+            ends, stated = phase["boundaries"], self.configurations[name][0].keys()
+            demand(ends and {*ends} <= stated, "a phase ends at none of its boundaries")
+            demand(len({*ends}) == len(ends), "a phase ends twice at a boundary")
             demand(0 <= number < len(self.transitions), "there is no such transition")
             taken = self.transitions[number]
             ways = (name, *sorted(phase["boundaries"])), target

@@ -22,7 +22,7 @@ __all__ = ["Border", "Margin", "admissibility", "time_of_touch"]
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
 _CLOSE = "{}: it comes closer to zero than the digits tell"
-_SHARE = 3 / 4  # of its distance from zero, at least, that is found of a function
+_SHARE = 3 / 4  # of its distance from zero, at least, that is looked for: any share gives a bound
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
 
 
@@ -173,7 +173,10 @@ def admissibility(
     undecided, kept = "", list[Margin]()
     for place, phase in enumerate(orbit.declared.phases(vanishing(orbit))):
         name = f"phase {place + 1}, {orbit.declared.steps[place].name}"
-        found = _phase(orbit, place, phase, assumed, window, kept if margins else None)
+        measured = list[Margin]() if margins else None
+        found = _phase(orbit, place, phase, assumed, window, measured)
+        declared = [watched.name for watched in phase.watched]
+        kept += sorted(measured or (), key=lambda margin: declared.index(margin.boundary))
         for told in found:
             if told.sign == 1:
                 return Verdict("refuted", f"{name}: {told.false}")

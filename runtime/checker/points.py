@@ -29,9 +29,9 @@ from nonsmooth.runtime.checker.stability import (
     others_below,
 )
 
-__all__ = ["GUARD", "JudgedOrbit", "check"]
+__all__ = ["JudgedOrbit", "check"]
 
-GUARD = 96  # bits beyond those of the enclosures
+_GUARD = 96  # bits beyond those of the enclosures
 _ENOUGH = 128  # bits that do for admissibility
 _SINGULAR = (
     "Krawczyk's test fails: the equations are singular here, or nearly so, or more bits are needed"
@@ -58,12 +58,12 @@ class JudgedOrbit:
     def _judged(self, step: Callable[[], Verdict]) -> Verdict:
         """Return the verdict of a step; it is undecided where something cannot be shown."""
         try:
-            with ctx.workprec(self.bits + GUARD):
+            with ctx.workprec(self.bits + _GUARD):
                 return step()
         except Failure as failure:
             return Verdict("undecided", str(failure))
-        except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
-            return Verdict("undecided", f"{type(problem).__name__}: {problem}")
+        except (ArithmeticError, ValueError) as problem:
+            return Verdict("undecided", f"its numbers cannot be enclosed: {problem}")
 
     def _located(self) -> Verdict:
         """Prove that the box holds one orbit, and enclose it, its period and its trace."""
@@ -106,7 +106,7 @@ class JudgedOrbit:
         """Nontrivial multipliers that are clearly simple, the largest first; often not all."""
         if "trace" not in self.enclosures or not self.declared.alone:
             return ()
-        with ctx.workprec(self.bits + GUARD):
+        with ctx.workprec(self.bits + _GUARD):
             return tuple(multipliers(self.orbit))
 
     @cached_property
@@ -114,7 +114,7 @@ class JudgedOrbit:
         """A bound of all other nontrivial multipliers; None where nothing is known of them."""
         if "trace" not in self.enclosures or not self.declared.alone:
             return None
-        with ctx.workprec(self.bits + GUARD):
+        with ctx.workprec(self.bits + _GUARD):
             return others_below(self.orbit, self.multipliers)
 
     @cached_property
@@ -123,7 +123,7 @@ class JudgedOrbit:
         return self._judged(self._admissible)
 
     def _admissible(self) -> Verdict:
-        with ctx.workprec(min(self.bits, _ENOUGH) + GUARD):
+        with ctx.workprec(min(self.bits, _ENOUGH) + _GUARD):
             found = admissibility(self.orbit, margins=True)
         independent(self.declared, self.constants)  # of all that it was divided by since
         return found
@@ -171,7 +171,7 @@ def check(content: dict[str, Any]) -> None:
     demand(content["stability"] == found.kind, "stability of another kind")
     if exists == "refuted":
         return
-    with ctx.workprec(bits + GUARD):
+    with ctx.workprec(bits + _GUARD):
         without = {"trace"} if stable == "undecided" else set()
         stated, known = content["enclosures"].keys(), found.enclosures.keys()
         demand(known - without <= stated <= known, "the enclosures are not those of the unknowns")

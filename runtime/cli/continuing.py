@@ -32,7 +32,6 @@ from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -256,6 +255,8 @@ def chosen_event(branch: Branch, text: str) -> Event:
 
     InputError refuses an event that is missing or ambiguous, and names those there are.
     """
+    from nonsmooth.runtime.explore.continuation.event import KINDS
+
     kind, _, number = text.partition(":")
     kind = kind.strip().replace(" ", "-")
     there = ", ".join(f"{e.kind} ({e.parameter} = {e.value:.6g})" for e in branch.events)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -40,13 +39,6 @@ if TYPE_CHECKING:
 __all__ = ["design"]
 
 
-class Method(StrEnum):
-    """The optimisers of SciPy that `--method` takes."""
-
-    SLSQP = "SLSQP"
-    TRUST_CONSTR = "trust-constr"
-
-
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth design dry-friction/symmetric V=0.3:3 --minimise spectral_radius\n\n"
@@ -57,9 +49,7 @@ class Method(StrEnum):
     " --minimise peak:x --worst-over w=0.95:1.05"
 )
 @answering
-@resumable(
-    "orbit parameters minimise maximise solve worst_over subject inadmissible", anew="method"
-)
+@resumable("orbit parameters minimise maximise solve worst_over subject inadmissible")
 def design(
     orbit: OrbitName,
     parameters: Annotated[
@@ -115,9 +105,6 @@ def design(
         bool,
         typer.Option("--inadmissible", help="Take also orbits that are no motion."),
     ] = False,
-    method: Annotated[
-        Method, typer.Option("--method", help="The optimiser of SciPy.")
-    ] = Method.SLSQP,
     plot: Plot = None,
     save: SaveResult = None,
     resume: Resume = None,
@@ -160,7 +147,6 @@ def design(
                 worst_over=along or None,
                 subject_to=subject or (),
                 admissible=not inadmissible,
-                method=method.value,
                 resume=known,
                 progress=lambda iterates, _: show(iterates),
             )

@@ -14,7 +14,7 @@ from rich.text import Text
 from nonsmooth.runtime.cli.report_motions import largest_exponent
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
-from nonsmooth.runtime.explore.finding.settled import settled_texts
+from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedExperiment
 from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
@@ -27,7 +27,7 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.locus import Locus
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
 
 __all__ = [
     "Others",

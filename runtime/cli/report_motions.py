@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.finding.settled import settled_texts
+from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives

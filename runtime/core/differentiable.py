@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, one_or_several, unknown_name
 from nonsmooth.runtime.core.registry import Shown
+from nonsmooth.runtime.core.values import real_array
 
 __all__ = ["DifferentiableFunction"]
 
@@ -98,7 +99,7 @@ class DifferentiableFunction(Shown):
         -------
         array (..., m)
         """
-        along = np.asarray(direction, dtype=float)
+        along = real_array("direction", direction)
         return np.asarray((self.jacobian(x) @ along[..., None])[..., 0])
 
     def vjp(self, x: Any, cotangent: Any) -> np.ndarray:
@@ -114,7 +115,7 @@ class DifferentiableFunction(Shown):
         -------
         array (..., q)
         """
-        factors = np.asarray(cotangent, dtype=float)
+        factors = real_array("cotangent", cotangent)
         if self.pull is None:
             return np.asarray((factors[..., None, :] @ self.jacobian(x))[..., 0, :])
         points, lead = self._points(x)
@@ -171,13 +172,14 @@ class DifferentiableFunction(Shown):
         InputError
             The numbers are named.
         """
-        if shape[-1:] != (len(self.inputs),):
+        *_, last = ("no entries", *one_or_several(shape))
+        if last != len(self.inputs):
             raise InputError(
                 f"the function takes {len(self.inputs)} numbers: {', '.join(self.inputs)};"
-                f" the last axis has {shape[-1] if shape else 'no entries'}"
+                f" the last axis has {last}"
             )
 
     def _points(self, x: Any) -> tuple[np.ndarray, tuple[int, ...]]:
-        array = np.asarray(x, dtype=float)
+        array = real_array("x", x)
         self.check_shape(array.shape)
         return array.reshape(-1, len(self.inputs)), array.shape[:-1]

@@ -39,7 +39,7 @@ class Interrupted(KeyboardInterrupt):
         self.partial = partial
 
 
-def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
+def unknown_name(kind: str, name: object, known: Iterable[str]) -> InputError:
     """An `InputError` that a name is unknown, with the nearest one and all that exist.
 
     `kind` says what is named, such as ``"parameter"`` or ``"orbit"``; `known` is listed in
@@ -51,6 +51,8 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     InputError("unknown parameter 'etta'; did you mean 'eta'? known: chi, eta, V")
     """
     names = list(known)
+    if not isinstance(name, str):
+        return InputError(f"{kind}: {one_line(repr(name))} is no name; known: {', '.join(names)}")
     if len(name) > _LONGEST_NAME:
         name = f"{name[:_LONGEST_NAME]}..."
     lowered = {other.lower(): other for other in reversed(names)}
@@ -59,6 +61,20 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
     listing = f" known: {', '.join(names)}" if names else ""
     separator = ";" if hint or listing else ""
     return InputError(f"unknown {kind} {name!r}{separator}{hint}{listing}")
+
+
+def one_or_several(given: Any) -> tuple[Any, ...]:
+    """What is given, one thing or several; a text is one, as is all that holds nothing.
+
+    Examples
+    --------
+    >>> one_or_several("eta"), one_or_several(["chi", "V"]), one_or_several(3)
+    (('eta',), ('chi', 'V'), (3,))
+    """
+    try:
+        return (given,) if isinstance(given, str) else tuple(given)
+    except TypeError:
+        return (given,)
 
 
 def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...]:
@@ -72,13 +88,10 @@ def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...
     >>> chosen_names("parameter", "eta", ["chi", "eta", "V"])
     ('eta',)
     """
-    listed = (chosen,) if isinstance(chosen, str) or not isinstance(chosen, Iterable) else chosen
-    names, every = tuple(listed), tuple(known)
+    names, every = one_or_several(chosen), tuple(known)
     if not names:
         raise InputError(f"no {kind} is named; known: {', '.join(every)}")
     for name in names:
-        if not isinstance(name, str):
-            raise InputError(f"{kind}: {name!r} is no name; known: {', '.join(every)}")
         if name not in every:
             raise unknown_name(kind, name, every)
     return names

@@ -20,7 +20,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.matrices import eigenvalues
 
-__all__ = ["divided_differences", "exponential_difference", "farthest_pair", "roots_of"]
+__all__ = ["divided_differences", "exponential_difference"]
 
 _NEAR = 3.0  # distance times time up to which roots are taken together
 _TERMS = 34  # of an exponential series whose argument is at most that
@@ -45,7 +45,7 @@ def exponential_difference(k: int, t: Any, *factors: Sequence[Any]) -> Any:
     with np.errstate(all="ignore"):
         for place, degree in enumerate(degrees):
             begin = sum(degrees[:place])
-            roots += roots_of(flat[begin : begin + degree])
+            roots += _roots_of(flat[begin : begin + degree])
         return _derivative(k, np.stack(roots), flat[-1].astype(float)).reshape(lead)[()]
 
 
@@ -77,7 +77,7 @@ def _complete(roots: np.ndarray, degree: int) -> list[np.ndarray]:
     return found
 
 
-def roots_of(factor: Sequence[np.ndarray]) -> list[np.ndarray]:
+def _roots_of(factor: Sequence[np.ndarray]) -> list[np.ndarray]:
     """Complex roots of a monic polynomial at each point, one array (points,) a root.
 
     The factor holds the coefficients (points,) from the constant up, without the leading
@@ -89,7 +89,7 @@ def roots_of(factor: Sequence[np.ndarray]) -> list[np.ndarray]:
         return _quadratic_roots(*factor)
     if len(factor) % 2 == 0 and not any(np.any(odd) for odd in factor[1::2]):
         # undamped: roots of the squares, which stay real where they are
-        found = [np.sqrt(square + 0j) for square in roots_of(factor[::2])]
+        found = [np.sqrt(square + 0j) for square in _roots_of(factor[::2])]
         return [*found, *(-root for root in found)]
     return list(_companion_roots(np.stack(factor)))
 
@@ -131,7 +131,7 @@ def divided_differences(poles: np.ndarray, times: np.ndarray) -> list[np.ndarray
     return [table.at((2 << place) - 1, everywhere) for place in range(len(poles))]
 
 
-def farthest_pair(poles: Any) -> tuple[Any, Any, Any]:
+def _farthest_pair(poles: Any) -> tuple[Any, Any, Any]:
     """The largest distance of two poles, and the places of the two, arrays (points,).
 
     The poles are complex numbers, or arrays (points,) of them.
@@ -177,7 +177,7 @@ class _Differences:
         poles, times = self.poles[:, points][places], self.times[points]
         if len(places) == 1:
             return _exponential(poles[0], times)
-        distance, first, second = farthest_pair(poles)
+        distance, first, second = _farthest_pair(poles)
         far = distance * np.abs(times) > _NEAR
         found = np.empty(times.shape, dtype=complex)
         for i, j in combinations(range(len(places)), 2):

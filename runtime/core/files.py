@@ -23,6 +23,7 @@ __all__ = [
     "check_target",
     "fill_file",
     "folder_made",
+    "path_of",
     "read_file",
     "unwritable",
     "write_file",
@@ -30,6 +31,13 @@ __all__ = [
 ]
 
 PARTIAL = ".partial"  # ending of what a killed process left
+
+
+def path_of(given: object) -> Path:
+    """The path that is given, as a text or a path; an `InputError` refuses anything else."""
+    if not isinstance(given, str | os.PathLike):
+        raise InputError(f"{given!r} is no path of a file")
+    return Path(given)
 
 
 def check_target(out: Path) -> None:

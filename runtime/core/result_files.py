@@ -25,7 +25,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import read_file, write_file
+from nonsmooth.runtime.core.files import path_of, read_file, write_file
 from nonsmooth.runtime.core.json_codec import decode, encode
 
 __all__ = [
@@ -74,7 +74,7 @@ class FileFormat(Generic[Entries]):
         """
         content = self.content(entries, request=_REQUEST.get())
         text = json.dumps(content, indent=2, allow_nan=False) + "\n"
-        write_file(Path(path), text.encode())
+        write_file(path_of(path), text.encode())
 
     def content(
         self, entries: Entries, *numbers: bytes, request: Mapping[str, Any] | None = None

@@ -9,7 +9,7 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from decimal import MAX_EMAX, MIN_EMIN, Decimal, localcontext
@@ -19,9 +19,10 @@ from numbers import Rational, Real
 from threading import RLock
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, one_line, unknown_name
 
 if TYPE_CHECKING:
+    import numpy as np
     from flint import arb
 
 LONGEST_TEXT = 1000
@@ -156,6 +157,48 @@ def as_value(number: object) -> Value:
         return _value(str(exact), exact)
     except ValueError:  # Python refuses to print integers of more than 4300 digits
         raise InputError(f"a {type(number).__name__} has too many digits or is too large") from None
+
+
+def by_name(label: str, given: Any) -> dict[str, Any]:
+    """What is given by names, nothing for None; an `InputError` refuses what is no mapping.
+
+    Examples
+    --------
+    >>> by_name("parameters", {"eta": 1}), by_name("parameters", None)
+    ({'eta': 1}, {})
+    """
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        raise InputError(f"{label}: {one_line(repr(given), 60)} does not give values by names")
+    return dict(given)
+
+
+def real_array(label: str, given: Any) -> "np.ndarray":
+    """The array of real numbers that is given; an `InputError` refuses anything else.
+
+    Examples
+    --------
+    >>> real_array("times", [0, 1])
+    array([0., 1.])
+    """
+    import numpy as np
+
+    try:
+        array = np.asarray(given)
+        if array.dtype.kind not in "cmM":
+            return array.astype(float)
+    except (TypeError, ValueError):
+        pass
+    raise InputError(f"{label}: no array of real numbers")
+
+
+def real_number(label: str, given: Any) -> float:
+    """The real number that is given; an `InputError` refuses anything else."""
+    array = real_array(label, given)
+    if array.ndim:
+        raise InputError(f"{label}: {one_line(repr(given), 60)} is no real number")
+    return float(array)
 
 
 def parse_assignment(text: str) -> tuple[str, Value]:

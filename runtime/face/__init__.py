@@ -20,10 +20,9 @@ if TYPE_CHECKING:
     )
     from nonsmooth.runtime.explore.charting.chart import chart
     from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import continue_event
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus, continue_event
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.explore.continuation.event import Event
-    from nonsmooth.runtime.explore.continuation.locus import Locus
     from nonsmooth.runtime.explore.design.design import design
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.find import find_orbits
@@ -157,7 +156,7 @@ _HOMES = {
     "GraphCertificate": "proof.graphs.graph_certificate",
     "InputError": "core.errors",
     "Interrupted": "core.errors",
-    "Locus": "explore.continuation.locus",
+    "Locus": "explore.continuation.continue_event",
     "MissingExtra": "core.errors",
     "Motion": "orbits.motion",
     "NoConvergence": "core.errors",

@@ -166,9 +166,10 @@ class OrbitDerivatives:
         InputError
             For another name, and with many digits.
         """
-        if name not in self._extremes:
-            self._extremes[name] = self.along.local_extremes(name)
-        return self._extremes[name]
+        key = str(name)  # what is no name is refused
+        if key not in self._extremes:
+            self._extremes[key] = self.along.local_extremes(name)
+        return self._extremes[key]
 
     @cached_property
     def _extremes(self) -> dict[str, tuple[LocalExtreme, ...]]:
@@ -202,6 +203,8 @@ class OrbitDerivatives:
         InputError
             For an unknown name.
         """
+        if not isinstance(name, str):
+            raise unknown_name("quantity", name, self.names)
         if name in self.unknowns:
             return self.orbit.unknowns[name], self.unknowns[name]
         if name in ("period", "trace"):

@@ -15,7 +15,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several
+from nonsmooth.runtime.core.values import by_name
 from nonsmooth.runtime.model.kernel_records import ParameterTable, SavedTable
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
@@ -382,14 +383,14 @@ def solve_many(
     >>> found.derivatives["period"]["V"].shape
     (2,)
     """
-    values = {**(parameters or {}), **named}
+    values = {**by_name("parameters", parameters), **named}
     options: Any = {"admissibility": admissibility, "threads": threads}
     _check_positive("chunk", chunk)
     if threads is not None:
         _check_positive("threads", threads)
     system_or_orbit: Any = orbit
     if itinerary is not None:
-        system, period = kernels_of(system_or_orbit), period_in((), given)
+        system, period = kernels_of(system_or_orbit), period_in((), by_name("given", given))
         phases, dwell, start = guess_along(system, itinerary, guess)
         options |= {"multipliers": multipliers}
         found = solve_itineraries(system, phases, values, dwell, start, period, **options)
@@ -403,9 +404,9 @@ def solve_many(
         known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
         points, values = _named_points(known, values)
         found = points.solve(values, chunk=chunk, **options)
-    if not np.size(derivatives):
+    if not (by := one_or_several(derivatives)):
         return found
-    return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
+    return replace(found, derivatives=derivatives_of_many(found, by, threads))
 
 
 def _named_points(

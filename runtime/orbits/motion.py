@@ -9,6 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import Shown
+from nonsmooth.runtime.core.values import real_array
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -181,10 +182,7 @@ class Motion(Shown):
         )
 
     def _within(self, times: Any) -> np.ndarray:
-        try:
-            array = np.asarray(times, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError("the times are not real numbers") from None
+        array = real_array("times", times)
         if not np.isfinite(array).all():
             raise InputError("a time is not finite")
         return np.asarray(np.mod(array, self.period))

@@ -143,7 +143,10 @@ class OrbitMotionDerivatives:
         if len(self.orbit.tables.translations):
             raise InputError(f"{self.orbit.name} is periodic up to a shift: ask its motion()")
         number = float if self.cycles.lib is None else self.cycles.lib.mp.mpf
-        every = np.array([number(time) for time in times])
+        try:
+            every = np.array([number(time) for time in times])
+        except (TypeError, ValueError):
+            raise InputError("times: no array of real numbers") from None
         for time in every:
             if not 0 <= time <= self.period:
                 raise InputError(f"time = {float(time):g} is not within the period")
@@ -200,7 +203,7 @@ class OrbitMotionDerivatives:
         order of time. `InputError` is raised for another name, and for an orbit with many
         digits.
         """
-        kind, _, of = name.partition(":")
+        kind, _, of = str(name).partition(":")
         if kind not in KINDS or not of:
             raise unknown_name("quantity with extremes", name, self.names)
         if self.cycles.lib is not None:
@@ -349,7 +352,7 @@ class OrbitMotionDerivatives:
 
         `InputError` is raised for an unknown name.
         """
-        kind, _, of = name.partition(":")
+        kind, _, of = str(name).partition(":")
         if kind in KINDS and of:
             row, signs = self.row_of(kind, of), KINDS[kind]
             return self.peak(row, name) if len(signs) > 1 else self.extremes(row)[signs[0] < 0]

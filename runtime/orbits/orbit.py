@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.registry import Shown, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
@@ -310,6 +310,8 @@ class Orbit(Shown):
         """
         kernels, values = self.kernels, self.values
         for quantity in quantities:
+            if not isinstance(quantity, str):
+                raise unknown_name("quantity", quantity, kernels.of_equations)
             if quantity not in kernels.of_equations and kernels.has(quantity):
                 raise InputError(
                     f"{quantity!r} is of the reduced equations, which `kernels.evaluate` takes at"

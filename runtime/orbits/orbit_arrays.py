@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -118,8 +119,16 @@ class Orbits(Shown):
         Returns
         -------
         str
+
+        Raises
+        ------
+        InputError
+            If no status is such a number.
         """
-        return self.problem.message(status, timed=self.timed)
+        try:
+            return self.problem.message(status, timed=self.timed)
+        except (KeyError, TypeError):
+            raise InputError(f"{status!r} is no status") from None
 
 
 def changed(change: Callable[..., np.ndarray], found: Orbits, *others: Orbits) -> Orbits:

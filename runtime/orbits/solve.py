@@ -11,8 +11,8 @@ from typing import Any, cast
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several, unknown_name
+from nonsmooth.runtime.core.values import Value, as_value, by_name, parse
 from nonsmooth.runtime.model.completion import Point, complete, complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
@@ -127,12 +127,13 @@ def solve(
     ('stable', True)
     """
     check_digits(digits)
-    named, swapped = cast("Any", orbit), tuple(unknown)
+    named, swapped = cast("Any", orbit), one_or_several(unknown)
+    values, fixed = by_name("parameters", parameters), by_name("given", given)
     if itinerary is not None:
-        system, period = kernels_of(named), period_in(swapped, given)
+        system, period = kernels_of(named), period_in(swapped, fixed)
         phases, dwell, start = guess_along(system, itinerary, guess)
         found = solve_itinerary(
-            system, parameters or {}, phases, dwell, start, period=period, symmetry=symmetry
+            system, values, phases, dwell, start, period=period, symmetry=symmetry
         )
         if throw and not found.converged:
             raise NoConvergence(f"{found.name}: {found.message}")
@@ -140,12 +141,12 @@ def solve(
         raise InputError("a symmetry closes an itinerary: give that, and the system")
     else:
         kernels = named if isinstance(named, OrbitKernels) else load_orbit(named)
-        exchange: Any = {"unknown": swapped, "given": given, "throw": throw}
+        exchange: Any = {"unknown": swapped, "given": fixed, "throw": throw}
         if kernels.derived:
             label = orbit if isinstance(orbit, str) else ""
-            found = solve_kernels(kernels, parameters, guess, label=label, **exchange)
+            found = solve_kernels(kernels, values, guess, label=label, **exchange)
         else:
-            found = solve_declared(kernels, parameters or {}, guess, **exchange)
+            found = solve_declared(kernels, values, guess, **exchange)
     return refine(found, digits) if digits > DOUBLE and found.converged else found
 
 

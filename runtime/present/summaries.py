@@ -17,8 +17,8 @@ from nonsmooth.runtime.present.notebook import table_html
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.differentiable import DifferentiableFunction
     from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
     from nonsmooth.runtime.explore.continuation.event import Event
-    from nonsmooth.runtime.explore.continuation.locus import Locus
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep
@@ -200,7 +200,7 @@ def _locus(locus: Locus) -> Summary:
 
 
 def _sweep(sweep: Sweep) -> Summary:
-    from nonsmooth.runtime.explore.finding.settled import settled_texts
+    from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 
     texts = settled_texts()
     outcomes = _counts(texts[int(number)] for number in sweep.outcomes[: sweep.done])

@@ -111,8 +111,10 @@ def certify(
             if region.tables.exact and not found.declared.alone:
                 begin("admissibility")
                 found = _with_vanishing(found, nearly_vanishing(region))
-    except (NotCovered, ZeroDivisionError) as reason:
+    except NotCovered as reason:
         return _because(undecided, str(reason))
+    except ZeroDivisionError as problem:
+        return _because(undecided, f"its numbers cannot be enclosed: {problem}")
     undecided = replace(
         undecided,
         stability=found.kind,

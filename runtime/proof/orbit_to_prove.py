@@ -38,7 +38,6 @@ __all__ = [
     "physical_values",
     "subject_near",
     "system_of",
-    "translations_in",
     "unknown_names",
 ]
 
@@ -114,7 +113,7 @@ def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[s
         raise NotCovered(str(problem)) from None
 
 
-def translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:
+def _translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:
     """Return the exact directions along which the subject's system does not change.
 
     There are none if one of them cannot be shown by the tables.
@@ -137,7 +136,7 @@ def closing_of(
     where they have to be.
     """
     cycle, near = subject.cycle, partial(tables.near, values=at)
-    shifts = translations_in(subject, tables)
+    shifts = _translations_in(subject, tables)
     if cycle.structure.forcing:
         if not tables.exact:
             raise NotCovered(
@@ -177,6 +176,8 @@ def closing_of(
         sum(near(energy[i][j]) * centre[j] for j in range(size)) + near(energy[i][size])
         for i in range(size)
     ]
+    if not all(map(math.isfinite, slopes)):
+        raise NotCovered("the slopes of its energy are not finite where it starts")
     # the first of those that are as large but for rounding, in whatever arithmetic it is
     least = _NEARLY * max(abs(slope) for slope in slopes)
     largest = next(i for i, slope in enumerate(slopes) if abs(slope) >= least)

@@ -21,7 +21,7 @@ from nonsmooth.runtime.proof.expansion import Expansion
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["Crossed", "EventFunctions", "ExactZeros", "scales_of"]
+__all__ = ["Crossed", "EventFunctions", "ExactZeros"]
 
 _ORDER = 12
 _DEEPEST = 60  # halvings of a window
@@ -58,7 +58,7 @@ class EventFunctions:
         from flint import arb
 
         self.dwell = dwell
-        self.scales, norm = scales_of(middle_of(field))
+        self.scales, norm = _scales_of(middle_of(field))
         self.field = _diagonal([1 / s for s in self.scales]) * field * _diagonal(self.scales)
         self.end = range_of(dwell).upper()
         half = arb(2) ** (-math.ceil(math.log2(norm)) - 1) if norm else self.end
@@ -231,7 +231,7 @@ def _diagonal(entries: Sequence[float]) -> arb_mat:
     return found
 
 
-def scales_of(field: arb_mat) -> tuple[list[float], float]:
+def _scales_of(field: arb_mat) -> tuple[list[float], float]:
     """Return units of the states, powers of two, that make the field small, and its norm in them.
 
     The field is (N + 1, N + 1) on (y, 1), the units are N + 1, and the norm is per unit of time.

@@ -20,6 +20,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
+from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.shooting.shooting_map import Numbers
@@ -192,7 +193,7 @@ class MotionDerivatives:
                 if name not in self.by:
                     raise unknown_name("number", str(name), self.by)
             direction = [direction.get(name, 0.0) for name in self.by]
-        factors = np.asarray(direction, dtype=float)
+        factors = real_array("direction", direction)
         if factors.shape != (len(self.by),):
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
         plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
@@ -239,7 +240,7 @@ class MotionDerivatives:
         for (name, shape), given in zip(
             shapes.items(), (states, event_times, before, behind), strict=True
         ):
-            found = np.zeros(shape) if given is None else np.asarray(given, dtype=float)
+            found = np.zeros(shape) if given is None else real_array(name, given)
             if found.shape != shape:
                 raise InputError(f"factors of {name} have the shape {found.shape}, not {shape}")
             factors.append(found)
@@ -372,7 +373,7 @@ def motion_derivatives(
         chosen = (*names, *free)
     else:
         chosen = chosen_numbers(by, trajectory.names, names)
-    array = np.atleast_1d(np.asarray([] if times is None else times, dtype=float))
+    array = np.atleast_1d(real_array("times", [] if times is None else times))
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
     check_times(trajectory, array, one_sided)

@@ -10,6 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import real_number
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, scales_of
@@ -87,6 +88,8 @@ def itinerary_of(
     >>> solve("dry-friction", data, itinerary=recurrence).converged
     True
     """
+    since = real_number("since", since)
+    period = None if period is None else real_number("period", period)
     if not 0 <= since <= trajectory.end:
         raise InputError(
             f"since = {since!r} is not between 0 and the end of the motion, {trajectory.end!r}"

@@ -11,6 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
 from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
+from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -74,7 +75,7 @@ def motion_function(
     >>> found.outputs, found.jacobian([0.5]).shape
     (('event1', 'event2'), (2, 1))
     """
-    wanted = None if times is None else np.atleast_1d(np.asarray(times, dtype=float))
+    wanted = None if times is None else np.atleast_1d(real_array("times", times))
     if wanted is None:
         end, most = until, transitions
     else:

@@ -11,6 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.registry import Shown
+from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
@@ -107,10 +108,7 @@ class PoincareMap(Shown):
         raise NoConvergence(f"the motion does not come back within {most} transitions")
 
     def _checked(self, state: Any) -> np.ndarray:
-        try:
-            start = np.asarray(state, dtype=float)
-        except (TypeError, ValueError):
-            start = np.empty(0)
+        start = real_array("state", state)
         if start.shape != (len(self.system.structure.states),) or not np.isfinite(start).all():
             raise InputError("the state is no row of as many finite numbers as the system has")
         return start

@@ -12,6 +12,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.parallel import thread_pool
+from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, grown, kernels_of
@@ -102,7 +103,7 @@ def simulate(
     pieces = piecewise(kernels, parameters)
     start = start_state(pieces.structure, state)
     check_phases(pieces, start)
-    end = _real("until", until)
+    end = real_array("until", until)
     if end.ndim:
         raise InputError("until is no number")
     most = _most_transitions(end, transitions)
@@ -200,12 +201,12 @@ def simulate_many(
     kernels = grown(kernels_of(system))
     structure = structure_of(kernels)
     points, shape = parameter_points(kernels, parameters)
-    starts = _real("states", states)
+    starts = real_array("states", states)
     size = len(structure.states)
     if starts.ndim == 0 or starts.shape[-1] != size:
         raise InputError(f"the last axis of the states is not {size} long")
     check_forcing(structure, starts.reshape(-1, size))
-    limits = _real("until", until)
+    limits = real_array("until", until)
     most = _most_transitions(limits, transitions)
     kept = checked_count("keep", keep, 0)
     workers = (os.cpu_count() or 1) if threads is None else checked_count("threads", threads, 1)
@@ -321,17 +322,6 @@ def _follow_many(
         store_end(ends, i, systems[row], run)
         if run.missing:
             missing.append((int(run.configurations[-1]), run.missing))
-
-
-def _real(label: str, given: Any) -> np.ndarray:
-    """The array of real numbers that is given; anything else raises `InputError`."""
-    try:
-        array = np.asarray(given)
-        if array.dtype.kind not in "cmM":
-            return array.astype(float)
-    except (TypeError, ValueError):
-        pass
-    raise InputError(f"{label}: no array of real numbers")
 
 
 def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:

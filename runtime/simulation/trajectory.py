@@ -13,7 +13,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra
 from nonsmooth.runtime.core.registry import Shown, registered
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.values import Value, real_array
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -349,10 +349,7 @@ class Trajectory(Shown):
         registered("save_trajectory")(self, path)
 
     def _checked(self, times: Any) -> np.ndarray:
-        try:
-            array = np.asarray(times, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError("the times are not real numbers") from None
+        array = real_array("times", times)
         if not ((array >= 0) & (array <= self.end)).all():
             raise InputError(f"a time is not between 0 and the end of the motion, {self.end!r}")
         return array

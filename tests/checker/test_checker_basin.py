@@ -5,8 +5,10 @@ from math import prod
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.derive import Boundary, Configuration, FirstOrder, System, Transition
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.basin import _motions
 from nonsmooth.runtime.checker.grids import stated_grid
@@ -263,3 +265,42 @@ def test_false_tiles_are_not_followed_for_ever(content):
         followed.append(sum(portions))
         assert followed[-1] < motions.most * (len(chosen) / 4 + 2)
     assert followed[1] > followed[0]
+
+
+X, Z = sp.symbols("x z", real=True)
+RELAY = System(
+    "relay",
+    "x turns at 0 and 1; going up, it falls off beyond x = z",
+    (X, Z),
+    (),
+    (
+        Configuration("up", FirstOrder([[0, 0], [0, -1]], [1, "-1/2"]),
+                      (Boundary("top", X - 1), Boundary("beyond", Z - X))),
+        Configuration("down", FirstOrder([[0, 0], [0, -1]], [-1, "-1/2"]),
+                      (Boundary("bottom", -X),)),
+        Configuration("off", FirstOrder([[1, 0], [0, -1]], [1, 0]), ()),
+    ),
+    (
+        Transition("up", {"top"}, "down"),
+        Transition("down", {"bottom"}, "up"),
+        Transition("up", {"beyond"}, "off"),
+    ),
+)  # fmt: skip
+
+
+def test_boxes_from_which_nothing_arrives_have_no_rank(tmp_path):
+    """At the bottom with z > 0 a state is beyond already: it is in no motion."""
+    itinerary = [("down", "bottom"), ("up", "top")]
+    orbit = ns.solve(RELAY, guess=[1, 1], itinerary=itinerary)
+    box = {"x": (0.25, 0.75), "z": (-0.75, 0.75)}
+    ns.certify_basin(orbit, box=box, side=0.25).save(tmp_path / "basin.json")
+    content = json.loads((tmp_path / "basin.json").read_text())
+    first, exponent = (content["grid"][name][0] for name in ("first", "exponents"))
+    ranks = np.array(flat(content["ranks"]))
+    beyond = (first + np.arange(len(ranks))) * 2.0**exponent > 0
+    assert beyond.sum() > 1
+    assert (ranks[beyond] == -1).all()
+    ranks[beyond] = 1
+    refused(
+        {**content, "ranks": runs(ranks.tolist())}, tmp_path, "a box of the rank 1 has no image"
+    )

@@ -103,6 +103,12 @@ def test_people_see_why_there_is_no_derivative() -> None:
     assert "no derivatives by V: no orbit is proved to exist" in out
 
 
+def test_a_list_of_no_parameter_is_refused_by_the_name_of_its_option() -> None:
+    code, _, err = certify(STICK, "--derivatives", ",")
+    assert code == 2
+    assert "--derivatives: no parameter is named" in err
+
+
 def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
     declare(tmp_path)
     path = tmp_path / "certificate.json"

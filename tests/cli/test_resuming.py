@@ -71,9 +71,7 @@ QUESTIONS = {
         3,
         source="two_stops.py",
     ),
-    "design": Question(
-        f"design {SYMMETRIC} V=0.6:1.3 --minimise period --method trust-constr", "designing", 3
-    ),
+    "design": Question(f"design {SYMMETRIC} V=0.6:1.3 --minimise period", "designing", 3),
 }
 
 

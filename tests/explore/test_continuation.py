@@ -13,7 +13,7 @@ import pytest
 
 import nonsmooth
 from nonsmooth import Branch
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
+from nonsmooth.runtime.explore.continuation.event import KINDS
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.intervals import admissible_intervals
 from nonsmooth.runtime.orbits.admissible import boundary_curves

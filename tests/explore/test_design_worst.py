@@ -134,14 +134,6 @@ def test_to_maximise_the_least_is_to_minimise_the_largest_of_the_negative() -> N
     assert found.after["minimum:x"] == pytest.approx(-tuned().after["peak:x"], rel=1e-9)
 
 
-@pytest.mark.slow
-def test_both_optimisers_find_the_same() -> None:
-    other = ns.design(
-        damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over=WINDOW, method="trust-constr"
-    )
-    assert other.after["d"] == pytest.approx(tuned().after["d"], abs=1e-5)
-
-
 @pytest.mark.parametrize(
     ("options", "message"),
     [

@@ -8,9 +8,8 @@ import sympy as sp
 
 from nonsmooth import find_orbits, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.explore.finding.escape import natural_size
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
+from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settled
+from nonsmooth.runtime.explore.finding.unsettled import natural_size
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.starting import on_circles

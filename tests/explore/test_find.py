@@ -11,9 +11,8 @@ import sympy as sp
 from nonsmooth import InputError, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.explore.finding.basins import basins
+from nonsmooth.runtime.explore.finding.basins import basins, start_box
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.present.pictures.maps import draw_basins

@@ -12,8 +12,7 @@ from scipy.linalg import expm
 import nonsmooth as ns
 from nonsmooth import InputError, find_orbits, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
+from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settled
 from nonsmooth.runtime.model.kernels import kernels_of
 
 pytestmark = pytest.mark.compiled

@@ -187,6 +187,17 @@ def test_batches_judge_as_the_single_orbit(roots):
     assert np.isnan(bounds[~allowed]).all()
 
 
+def test_an_open_parameter_is_above_its_bound_to_the_last_bit():
+    """At the bound an orbit is not admissible, at the next number above it is."""
+    fast = dict(zip(PARAMETERS, (0.63, 0.66, 3.45, 3.16, 0.82), strict=True))
+    bounds = {name: float(bound) for name, bound in solve_many(ORBIT, fast).bounds.items()}
+    assert bounds["us1"] > 0.02
+    near = [np.nextafter(bounds["us1"], side) for side in (-np.inf, bounds["us1"], np.inf)]
+    found = solve_many(ORBIT, fast, us1=near, us2=bounds["us2"] + 1)
+    assert list(found.admissible) == [False, False, True]
+    assert {found.limits[number] for number in found.limit[:2]} == {"us1 is too small"}
+
+
 def test_an_orbit_is_never_refused_for_rounding():
     """Every phase ends on a boundary: that contact is no violation."""
     count = 3000 if backend() == "c" else 200

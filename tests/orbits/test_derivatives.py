@@ -159,6 +159,11 @@ def test_names_that_are_none_are_refused_wherever_they_are_asked_for(names, told
             asked()
 
 
+@pytest.mark.parametrize("none", [(), [], {}, set(), np.array([])])
+def test_no_names_are_no_derivatives_of_many(none):
+    assert ns.solve_many(KERNELS[0], eta=[1.0, 1.01], derivatives=none).derivatives is None
+
+
 ALONG = (
     f"{GALLERY}/two_belts.py:both-stick",
     f"{GALLERY}/piecewise_stiffness.py:doubled",

@@ -19,8 +19,7 @@ from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
+from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settled
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.model.structure import structure_of

@@ -22,7 +22,7 @@ from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import Exit, SwitchPart
 from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
 from nonsmooth.runtime.cli.options import AsJson
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, EventKind
+from nonsmooth.runtime.explore.continuation.event import KINDS, EventKind
 from nonsmooth.runtime.present.pictures.kinds import KINDS as PICTURES
 from nonsmooth.runtime.present.pictures.kinds import Kind
 from tests.places import CHECKOUT

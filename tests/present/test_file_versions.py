@@ -14,7 +14,7 @@ import pytest
 
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.explore.charting.held_orbits import HeldOrbit
+from nonsmooth.runtime.explore.charting.problem import HeldOrbit
 from nonsmooth.runtime.explore.charting.store import FORMAT
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails

@@ -155,6 +155,7 @@ def test_claims_hold(results: dict[str, Any]) -> None:
     assert abs(scaled[-1] / scaled[-2] - 1) < 1e-3
     assert "unstable" in portraits["evidence"]
     assert "stable" in criterion["evidence"]
+    assert "vanishes to 50 digits" in criterion["evidence"]
 
 
 @pytest.mark.slow

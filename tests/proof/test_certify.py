@@ -333,6 +333,15 @@ def test_margins_are_true() -> None:
     motion = composed.trajectory()
     system = composed.tables.piecewise
     begins = np.concatenate([[0], np.cumsum(composed.dwell_times)])
+    shapes = system.structure.boundaries
+    declared = [
+        (place + 1, boundary.name)
+        for place, (name, _) in enumerate(composed.itinerary)
+        for boundary in shapes[system.structure.configuration(name)]
+    ]
+    order = [declared.index((m["phase"], m["boundary"])) for m in certificate.margins]
+    assert order == sorted(order)
+    assert {*order} == {*range(len(declared))}
     for margin in certificate.margins:
         place = margin["phase"] - 1
         index = system.structure.configuration(margin["configuration"])
@@ -344,6 +353,7 @@ def test_margins_are_true() -> None:
         assert least > 0
         if margin["quantity"] == "distance":
             assert values_along.max() < -least
+            assert least > 0.74 * -values_along.max()
         elif margin["quantity"] == "speed":
             end = composed.tables.shooting.ends[place]
             rate = row[:-1] @ (system.fields[index][:, :-1] @ end + system.fields[index][:, -1])
@@ -395,6 +405,17 @@ def test_an_orbit_is_the_same_by_either_route() -> None:
     certificate = certified(composed)
     assert certificate.claims == derived.claims
     assert certificate.trace.ball.overlaps(derived.trace.ball)
+
+
+def test_an_orbit_whose_start_is_no_number_is_undecided() -> None:
+    derived = certified(ns.solve("elastic-stop/one-contact"))
+    values = {name: value.text for name, value in derived.parameters.items()}
+    dwell, given = [2.12, 4.16], {"period": "2*pi"}
+    orbit = ns.solve("elastic-stop", values, dwell, itinerary=derived.itinerary, given=given)
+    assert orbit.converged
+    lost = certified(replace(orbit, starts=np.full_like(orbit.states, np.nan)))
+    assert set(lost.claims.values()) == {"undecided"}
+    assert "slopes of its energy are not finite" in lost.reasons["existence"]
 
 
 # --- what no orbit tells ------------------------------------------------------------

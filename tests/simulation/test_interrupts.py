@@ -13,7 +13,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.parallel import check_called_off, thread_pool
-from nonsmooth.runtime.explore.charting.threads import run_threads
+from nonsmooth.runtime.explore.charting.workers import run_threads
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.two_masses import CHAIN, RUBBING
 

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth import InputError, Trajectory, lyapunov, simulate, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
-from nonsmooth.runtime.explore.finding.stretching import stretching
+from nonsmooth.runtime.explore.finding.unsettled import stretching
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise

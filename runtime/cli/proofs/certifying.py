@@ -256,6 +256,8 @@ def certify(
         told, code = certify_events(orbit, given, near, wanted, resume, save, as_json=as_json)
         return _judged(told, require, code)
     by = split(derivatives) if derivatives else None
+    if by == []:
+        raise InputError("--derivatives: no parameter is named, as in --derivatives eta,V")
     return _certify(orbit, parameters, near, wanted, by, require, save, as_json)
 
 

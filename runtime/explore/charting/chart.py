@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,15 +14,14 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 from nonsmooth.runtime.core.files import check_folder, folder_made
 from nonsmooth.runtime.core.workload import BYTES, check_memory
-from nonsmooth.runtime.explore.charting.attractors import attractor_problem, held_attractor_problem
-from nonsmooth.runtime.explore.charting.basins import (
+from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
+from nonsmooth.runtime.explore.charting.motions import (
+    attractor_problem,
     basin_problem,
+    held_attractor_problem,
     held_basin_problem,
     is_found,
 )
-from nonsmooth.runtime.explore.charting.cluster import connected, run_cluster
-from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
-from nonsmooth.runtime.explore.charting.lock import locked
 from nonsmooth.runtime.explore.charting.orbits import held_orbit_chart, orbit_chart
 from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import (
@@ -37,7 +35,8 @@ from nonsmooth.runtime.explore.charting.store import (
     reader,
     write_chunk,
 )
-from nonsmooth.runtime.explore.charting.threads import run_threads
+from nonsmooth.runtime.explore.charting.workers import connected, locked, run_cluster, run_threads
+from nonsmooth.runtime.simulation.simulate import checked_count
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -368,20 +367,13 @@ def _in_memory(
 
 
 def _usual(problem: ChartProblem, axes: tuple[Axis, ...], chunk: int | None) -> tuple[int, ...]:
-    if chunk is not None and not _positive(chunk):
-        raise InputError(f"chunk = {chunk} is not a positive integer")
-    found = chunk_shape([axis.count for axis in axes], chunk or problem.points)
+    points = problem.points if chunk is None else checked_count("chunk", chunk, 1)
+    found = chunk_shape([axis.count for axis in axes], points)
     chunks = Grid(axes, found).chunks
     check_memory(f"the numbers of {chunks} chunks", 5 * BYTES * chunks)
     return found
 
 
 def _check_threads(threads: int | None) -> None:
-    if threads is not None and not _positive(threads):
-        raise InputError(f"threads = {threads} is not a positive integer")
-    if threads is not None and threads > MOST_THREADS:
+    if threads is not None and checked_count("threads", threads, 1) > MOST_THREADS:
         raise InputError(f"threads = {threads} is more than {MOST_THREADS}")
-
-
-def _positive(number: object) -> bool:
-    return not isinstance(number, bool) and isinstance(number, Integral) and int(number) > 0

@@ -13,11 +13,11 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.problem import MISSING
 from nonsmooth.runtime.explore.charting.store import ATTRIBUTE
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.settled import (
+from nonsmooth.runtime.explore.finding.outcomes import (
     EQUILIBRIUM,
     PERIODIC,
     UNINTERRUPTED,
+    Outcome,
     settled_texts,
 )
 from nonsmooth.runtime.model.naming import shown_name

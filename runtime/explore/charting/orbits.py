@@ -17,11 +17,12 @@ from nonsmooth.runtime.explore.charting.anchors import (
     solve_block,
 )
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
-from nonsmooth.runtime.explore.charting.held_orbits import held_text, kernels_held
 from nonsmooth.runtime.explore.charting.problem import (
     MISSING,
     Variable,
     fixed_values,
+    held_text,
+    kernels_held,
     table_hash,
 )
 from nonsmooth.runtime.model.completion import default_parameters

@@ -1,7 +1,8 @@
-"""A branch of periodic orbits over one parameter, and what can be asked of it."""
+"""A branch of periodic orbits over one parameter: what can be asked of it and is drawn of it."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -10,18 +11,20 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
 from nonsmooth.runtime.core.registry import Kept, registered
-from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.energy import energy_of
-from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.event import Event, checked_event
 from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
+from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, composed_family
 from nonsmooth.runtime.explore.continuation.switching import other_branch
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "amplitude_of"]
+__all__ = ["Branch", "forcing_frequencies", "system_of", "usual_quantities"]
 
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
 
@@ -97,10 +100,10 @@ class Branch(Kept):
         """
         if isinstance(place, Event):
             z = np.array([*place.unknowns.values(), place.value])
-        elif -len(self) <= place < len(self):
+        elif isinstance(place, int | np.integer) and -len(self) <= place < len(self):
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
-            raise InputError(f"the branch has {len(self)} points, no point {place}")
+            raise InputError(f"the branch has {len(self)} points, no point {place!r}")
         return OrbitFamily(self.orbit, self.parameter).at(z)
 
     def _motion_at(self, place: int) -> Motion | Trajectory:
@@ -132,7 +135,7 @@ class Branch(Kept):
         InputError
             If the event is no border collision.
         """
-        return next_itineraries(self, event, parameters)
+        return next_itineraries(self, checked_event(event), parameters)
 
     def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> Orbit:
         """Find an orbit on the branch that meets this one at an event.
@@ -160,7 +163,7 @@ class Branch(Kept):
         NoConvergence
             If no such orbit is found.
         """
-        return other_branch(self, event, parameters)
+        return other_branch(self, checked_event(event), parameters)
 
     def quantity(self, name: str) -> np.ndarray:
         """Give the values of a quantity over the branch.
@@ -184,13 +187,14 @@ class Branch(Kept):
         InputError
             For another name, or the energy where none is kept.
         """
+        known = ("period", "frequency", "energy", "trace", self.parameter, *self.unknown_names)
         if name == self.parameter:
             return self.parameter_values
         if name == "frequency":
             return np.asarray(2 * np.pi / self.period)
-        if name.startswith("amplitude_"):
+        if isinstance(name, str) and name.startswith("amplitude_"):
             state = name.removeprefix("amplitude_")
-            return np.array([amplitude_of(self._motion_at(k), state) for k in range(len(self))])
+            return np.array([_amplitude_of(self._motion_at(k), state) for k in range(len(self))])
         if name == "energy":
             places = range(len(self))
             return np.array([energy_of(composed_family(self, place)[0]) for place in places])
@@ -198,7 +202,6 @@ class Branch(Kept):
             found: np.ndarray = getattr(self, name)
             return found
         if name not in self.unknown_names:
-            known = ("period", "frequency", "energy", "trace", self.parameter, *self.unknown_names)
             raise unknown_name("quantity", name, known)
         return np.asarray(self.unknowns[:, self.unknown_names.index(name)])
 
@@ -262,7 +265,7 @@ class Branch(Kept):
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
 
 
-def amplitude_of(motion: Motion | Trajectory, state: str) -> float:
+def _amplitude_of(motion: Motion | Trajectory, state: str) -> float:
     """Half of the difference between the largest and the smallest value of a state, in its unit.
 
     The extremes of a `Trajectory` (of one period) are guaranteed, those of a `Motion` are
@@ -272,7 +275,7 @@ def amplitude_of(motion: Motion | Trajectory, state: str) -> float:
     --------
     >>> import nonsmooth as ns
     >>> motion = ns.solve("dry-friction/global-stick").motion()
-    >>> round(amplitude_of(motion, "z1"), 4)
+    >>> round(_amplitude_of(motion, "z1"), 4)
     2.3313
     """
     if isinstance(motion, Motion):
@@ -284,3 +287,49 @@ def amplitude_of(motion: Motion | Trajectory, state: str) -> float:
     if state not in found.maxima:
         raise unknown_name("state", state, found.maxima)
     return (found.maxima[state].value - found.minima[state].value) / 2
+
+
+def _is_forced(branch: Branch) -> bool:
+    """Whether the system of a branch is under harmonic forcing."""
+    return bool(structure_of(system_of(branch.orbit)).forcing)
+
+
+def system_of(orbit: Orbit) -> SystemKernels:
+    """Tables and kernels of an orbit's system."""
+    return orbit.system
+
+
+def forcing_frequencies(branch: Branch) -> np.ndarray | None:
+    """Angular frequency (k,) of the first forcing, in radians over the unit of time, or None.
+
+    It is None unless the frequency is proportional to the branch's parameter.
+    """
+    if not _is_forced(branch):
+        return None
+    orbit, name = branch.orbit, branch.parameter
+    kernels = system_of(orbit)
+    values = branch.parameter_values
+    speeds = []
+    for value in (values.min(), values.max()):
+        try:
+            system = piecewise(kernels, {**orbit.parameters, name: float(value)})
+        except InputError:  # an orbit that leaves parameters of its system open
+            return None
+        (cosine, sine), *_ = system.structure.forcing
+        speeds.append(float(system.fields[0, sine, cosine]))
+    low, high = values.min(), values.max()
+    if low == high or low == 0 or not math.isclose(speeds[0] / low, speeds[1] / high):
+        return None
+    return np.asarray(values * (speeds[1] / high))
+
+
+def usual_quantities(branch: Branch) -> tuple[str, ...]:
+    """Names of the quantities that a picture of the branch draws by default.
+
+    They are the amplitudes of all coordinates of a forced system, which over the frequency of
+    the forcing are the frequency response, and the period of any other system.
+    """
+    if not _is_forced(branch):
+        return ("period",)
+    structure = structure_of(system_of(branch.orbit))
+    return tuple(f"amplitude_{structure.states[place]}" for place, _ in structure.coordinates)

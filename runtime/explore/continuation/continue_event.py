@@ -10,23 +10,112 @@ down but do not limit what it converges to.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from operator import itemgetter
+from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import STEP, check_steps
-from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.locus import Locus
+from nonsmooth.runtime.explore.continuation.event import Event, checked_event
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import INTERRUPTED, trace_both_ways
+from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["MOST_POINTS", "continue_event"]
+__all__ = ["MOST_POINTS", "Locus", "continue_event"]
 
 _DIFFERENCE = 1e-5  # in units of the sizes
 MOST_POINTS = 500
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Locus(Kept):
+    """A curve in the plane of two parameters along which an event happens.
+
+    Attributes
+    ----------
+    name : str
+        Of the orbit.
+    kind : str
+        A key of `nonsmooth.runtime.explore.continuation.event.KINDS`.
+    boundary : str
+        Empty where the event is no matter of one.
+    parameters : (str, str)
+    values : array (k, 2)
+        Of both parameters, in the order in which the points follow.
+    unknown_names : tuple of str
+    unknowns : array (k, n)
+    ends : tuple of str
+        Why it ends on either side.
+    start : int
+        Which of the points it was followed from.
+    orbit : Orbit
+        That the branch of the event was followed from.
+    """
+
+    _kept_by = "save_locus"
+
+    name: str
+    kind: str
+    boundary: str
+    parameters: tuple[str, str]
+    values: np.ndarray
+    unknown_names: tuple[str, ...]
+    unknowns: np.ndarray
+    ends: tuple[str, str]
+    start: int
+    orbit: Any = field(repr=False)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def title(self) -> str:
+        """The event and the orbit in words."""
+        kind = self.kind.replace("-", " ")
+        return f"{kind}{' of ' * bool(self.boundary)}{self.boundary}: {self.name}"
+
+    def orbit_at(self, place: int) -> Orbit:
+        """Give the orbit at a point of the curve.
+
+        Parameters
+        ----------
+        place : int
+            Number of the point, counted from 0.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        InputError
+            If the curve has no such point.
+        """
+        if not -len(self) <= place < len(self):
+            raise InputError(f"the curve has {len(self)} points, no point {place}")
+        first, second = self.values[place].tolist()
+        family = OrbitFamily(self.orbit, self.parameters[0]).moved(self.parameters[1], second)
+        return family.at(np.append(self.unknowns[place], first))
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the curve in the plane of its parameters.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+
+        Returns
+        -------
+        matplotlib Axes
+            What was drawn on.
+        """
+        return registered("draw_locus")(self, axes)
 
 
 class _EventCurve:
@@ -170,7 +259,7 @@ def continue_event(
     >>> locus.parameters, locus.ends
     (('V', 'eta'), ('end of the interval', 'end of the interval'))
     """
-    if event.kind == "admissibility":
+    if checked_event(event).kind == "admissibility":
         raise InputError("an event that no boundary explains cannot be followed")
     if parameter == branch.parameter:
         raise unknown_name(

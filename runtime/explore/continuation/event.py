@@ -1,16 +1,129 @@
-"""What happens at one point of a branch."""
+"""Events along a branch: what happens at a point, what each kind means, and what shows it.
+
+A new kind is one entry of `KINDS`. Kinds that the multipliers and the tangent show have a test
+function here; those of boundaries and conditions are watched phase by phase, by `monitors`.
+Functions of folds, flips and Neimark-Sacker bifurcations are the usual ones (Y. Kuznetsov, Elements
+of Applied Bifurcation Theory, 1995).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from itertools import combinations
+from typing import TYPE_CHECKING, Annotated
 
+from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
 from nonsmooth.runtime.core.registry import Shown
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 
-__all__ = ["Event"]
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["KINDS", "Event", "EventKind", "OrbitKind", "checked_event"]
+
+_NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
+_NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
+
+
+@dataclass(frozen=True)
+class OrbitKind:
+    """The properties common to all orbits of a branch that events depend on."""
+
+    count: int  # number of multipliers that may differ from zero, without trivial ones
+    symmetric: bool  # whether a symmetry maps one half of the orbit to the other
+    conservative: bool  # whether a first integral parametrises the orbits
+
+
+@dataclass(frozen=True)
+class EventKind:
+    """One kind of event."""
+
+    text: str  # what happens, in words
+    # function of multipliers (k, r), slopes (k,) and `OrbitKind` whose values (k,) change sign at
+    # the event; a slope is the parameter's part of the unit tangent; None where boundaries and
+    # conditions show the event
+    test: Callable[[np.ndarray, np.ndarray, OrbitKind], np.ndarray] | None = None
+    # whether the event can happen on such a branch
+    watched: Callable[[OrbitKind], bool] = lambda here: here.count > 0
+    # function of multipliers (r,): whether a sign change is the event, not a pole or a neutral
+    # saddle
+    holds: Callable[[np.ndarray], bool] = lambda multipliers: True
+    switches: bool = False  # whether another branch meets this one there
+    border_collision: bool = False  # whether the itinerary changes there
+
+
+def _turning(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    return slopes
+
+
+def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    found: np.ndarray = (1 + multipliers).prod(axis=-1).real
+    return found
+
+
+def _at_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    """The product of 1 - multiplier, divided by the slope, with which it changes sign at a fold."""
+    found: np.ndarray = (1 - multipliers).prod(axis=-1).real
+    return found if here.conservative else found / slopes
+
+
+def _pairs(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+    """The product of 1 - m1 m2 over all pairs of multipliers m1, m2."""
+    found: np.ndarray = 1 + 0 * multipliers[:, 0]
+    for i, j in combinations(range(multipliers.shape[-1]), 2):
+        found = found * (1 - multipliers[:, i] * multipliers[:, j])
+    return found.real
+
+
+def _near(target: float) -> Callable[[np.ndarray], bool]:
+    return lambda multipliers: bool((abs(multipliers - target) < _NEAR_ONE).any())
+
+
+def _on_unit_circle(multipliers: np.ndarray) -> bool:
+    near = abs(abs(multipliers) - 1) < _NEAR
+    return bool((near & (abs(multipliers.imag) > _NEAR)).any())
+
+
+KINDS = {
+    "fold": EventKind("the branch turns", _turning, lambda here: True),
+    "flip": EventKind(
+        "a multiplier is -1: an orbit of twice the period branches off",
+        _at_minus_one,
+        lambda here: here.count > 0 and not here.symmetric,
+        _near(-1),
+        switches=True,
+    ),
+    "neimark-sacker": EventKind(
+        "a pair of multipliers is on the unit circle: a torus branches off",
+        _pairs,
+        lambda here: here.count > 1 and not here.conservative,
+        _on_unit_circle,
+    ),
+    "branch-point": EventKind(
+        "a multiplier is 1: another branch crosses", _at_one, holds=_near(1), switches=True
+    ),
+    "symmetry-breaking": EventKind(
+        "a pair of orbits without the symmetry branches off",
+        _at_minus_one,
+        lambda here: here.count > 0 and here.symmetric,
+        _near(-1),
+        switches=True,
+    ),
+    "grazing": EventKind("a boundary is touched inside a phase", border_collision=True),
+    "tangent": EventKind(
+        "a phase leaves its boundary, or reaches it, without speed", border_collision=True
+    ),
+    "entry": EventKind("a boundary is already reached where a phase begins", border_collision=True),
+    "simultaneous": EventKind(
+        "another boundary is reached at the same instant", border_collision=True
+    ),
+    "condition": EventKind("a condition of a transition just holds", border_collision=True),
+    "vanishing-phase": EventKind("a dwell time shrinks to zero", border_collision=True),
+    "admissibility": EventKind(
+        "the orbit ceases to be a motion of the real system", border_collision=True
+    ),
+}
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -63,3 +176,10 @@ class Event(Shown):
     def switches(self) -> bool:
         """Whether another branch meets this one here: `Branch.switch` leads to it."""
         return KINDS[self.kind].switches and not self.touching
+
+
+def checked_event(given: object) -> Event:
+    """What is given, where it is an event; `InputError` otherwise."""
+    if not isinstance(given, Event):
+        raise InputError(f"{one_line(repr(given))} is no event: a branch has them as .events")
+    return given

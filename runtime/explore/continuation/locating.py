@@ -18,10 +18,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from nonsmooth.runtime.explore.continuation.between_points import BranchSamples, Track
-from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
-from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event
+from nonsmooth.runtime.explore.continuation.monitors import BranchSamples, Monitor, Monitors, Track
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import on_chord
 

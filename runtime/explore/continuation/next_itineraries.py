@@ -15,8 +15,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.orbit_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.finding.primitive import repeated_part
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise

@@ -1,12 +1,12 @@
-"""The family of orbits over one parameter, and the interval over which it is followed."""
+"""The family of orbits over one parameter, by their own equations or the tables of their system."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,14 +15,19 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.orbits.equations import equations_of
+from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.motion import Motion
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["OrbitFamily", "check_interval"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+
+__all__ = ["OrbitFamily", "SystemAt", "check_interval", "composed_family"]
 
 _LEAP = 1e-6  # of the difference of two parts before a step: what is left of it behind a leap
 _EVEN = 1e-15  # what rounding leaves of such a difference
+SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 
 
 class OrbitFamily:
@@ -141,7 +146,7 @@ def check_interval(orbit: Orbit, parameter: str, interval: Any) -> tuple[float, 
     Refused are an unknown name, and an interval that is empty, leaves the domain or does not
     hold the orbit.
     """
-    if parameter not in orbit.given:
+    if not isinstance(parameter, str) or parameter not in orbit.given:
         raise unknown_name("given parameter", parameter, orbit.given)
     try:
         lower, upper = (float(end) for end in interval)
@@ -160,3 +165,26 @@ def check_interval(orbit: Orbit, parameter: str, interval: Any) -> tuple[float, 
     if parameter == orbit.problem.period_name and lower <= 0:
         raise InputError(f"{parameter} = {lower:g} is not positive")
     return lower, upper
+
+
+def composed_family(
+    branch: Branch, place: int, beside: Mapping[str, Any] | None = None
+) -> tuple[Orbit, SystemAt]:
+    """The orbit at a point of a branch by the tables of its system, and a `SystemAt`.
+
+    The `SystemAt` gives the physical parameters, and the period if it is given, at other values
+    of the branch's parameter. Parameters that the orbit leaves open take the values in
+    `beside`, or are chosen once for the whole branch. Raises `InputError` if the branch's
+    parameter is none of the system's, or if the system does not take its values.
+    """
+    orbit, name = branch.orbit_at(place), branch.parameter
+    problem = orbit.problem
+    if name not in (PERIOD, *(table.name for table in problem.parameters)):
+        raise InputError(f"{name} is no parameter of {problem.name}: follow one that is")
+    orbit = replace(orbit, opened={**orbit.opened, **chosen_parameters(orbit, beside)})
+
+    def system_at(value: float) -> tuple[dict[str, Value], Value | None]:
+        moved = replace(orbit, given={**orbit.given, name: as_value(value)})
+        return problem.physical(moved, beside).values, problem.period(moved)
+
+    return problem.by_tables(orbit, beside), system_at

@@ -20,7 +20,6 @@ __all__ = [
     "scaled_rows",
     "tangent_at",
     "trace_both_ways",
-    "trace_path",
 ]
 
 MOST_ITERATIONS = 8
@@ -134,7 +133,7 @@ def trace_both_ways(
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
     known: Path | None = None,
 ) -> Path:
-    """The path of a branch, followed from its first point in both directions (`trace_path`).
+    """The path of a branch, followed from its first point in both directions (`_trace_path`).
 
     The parameter increases at first. Neighbouring points differ. Ctrl-C ends the path where it
     is: such an end is INTERRUPTED. A `known` path goes on at these ends, and where it had as
@@ -156,7 +155,7 @@ def trace_both_ways(
             steps=start if side == 0 else len(points) - 1 - start,
             length=float(np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1).sum()),
         )
-        steps, reason = _walked(trace_path(curve, end, limits, step, most, go_on))
+        steps, reason = _walked(_trace_path(curve, end, limits, step, most, go_on))
         ends[side] = reason
         if side == 0:
             steps.reverse()
@@ -200,7 +199,7 @@ class PathEnd(NamedTuple):
     length: float  # of the whole path, in the curve's units
 
 
-def trace_path(
+def _trace_path(
     curve: Curve,
     end: PathEnd,
     limits: tuple[float, float],

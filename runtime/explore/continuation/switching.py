@@ -14,9 +14,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
-from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
+from nonsmooth.runtime.explore.continuation.orbit_family import (
+    OrbitFamily,
+    SystemAt,
+    composed_family,
+)
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary

@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, get_args
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys, is_largest_of_several
-from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
-from nonsmooth.runtime.explore.design.objective import Aim, MarginKey, Trial, watched_margins
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, Method, optimise
+from nonsmooth.runtime.explore.design.objective import (
+    Aim,
+    MarginKey,
+    Optimality,
+    Trial,
+    bounds_met,
+    optimality,
+    watched_margins,
+)
+from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
-from nonsmooth.runtime.explore.design.quantities import is_extreme, is_pure, unit_of
+from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, is_extreme, is_pure, unit_of
 from nonsmooth.runtime.explore.design.question import design_question
 from nonsmooth.runtime.explore.design.solving import solve_conditions
 from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.simulation.simulate import checked_count
 
-__all__ = ["METHODS", "design"]
+__all__ = ["along", "along_branch", "design"]
 
-METHODS: tuple[str, ...] = get_args(Method)
 MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
 _SOLVED = 1e-9
@@ -40,7 +46,6 @@ def design(
     worst_over: Mapping[str, tuple[float, float]] | None = None,
     subject_to: Iterable[str] = (),
     admissible: bool = True,
-    method: str = "SLSQP",
     iterations: int = MOST_ITERATIONS,
     resume: Design | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -83,8 +88,6 @@ def design(
         Conditions such as ``period<=6.5``, ``trace>=0`` or ``multiplier=-1``.
     admissible : bool
         Whether each orbit has to be a motion of the real system.
-    method : "SLSQP" or "trust-constr"
-        The optimiser of SciPy.
     iterations : int
         At most so many in each round.
     resume : Design, optional
@@ -117,7 +120,7 @@ def design(
     >>> found.message, round(found.after["V"], 4)
     ('an optimum', 2.7457)
     """
-    _check_options(method, iterations)
+    checked_count("iterations", iterations, 1)
     question = design_question(orbit, minimise, maximise, solve, over, worst_over, subject_to)
     if resume is not None:
         question.check_resumed(resume)
@@ -158,20 +161,18 @@ def design(
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
     trials: DesignPoints | BranchPoints = points
-    chosen: Any = method
     if branch is not None:
         aim, trials = spread(points, aim)
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
     if question.aim == "solve":
         ended = solve_conditions(points, aim, iterations, history)
-        method = "least-squares"
         left, status = _solved(aim, ended.point, names, bounds)
     else:
         if isinstance(trials, BranchPoints):
-            ended, trials = optimise_worst(trials, aim, chosen, iterations, history)
+            ended, trials = optimise_worst(trials, aim, iterations, history)
         else:
-            ended = optimise(points, aim, chosen, iterations, history)
+            ended = optimise(points, aim, iterations, history)
         where = trials.where if isinstance(trials, BranchPoints) else _nowhere
         left = optimality(aim, ended.point, names, bounds, where)
         met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET
@@ -189,7 +190,7 @@ def design(
         bounds=bounds,
         worst_over=question.worst_over,
         conditions=question.conditions,
-        method=method,
+        method="least-squares" if question.aim == "solve" else "SLSQP",
         quantities=asked,
         before=_values_of(names, aim, begin, asked) if resume is None else resume.before,
         after=_values_of(names, aim, ended.point, asked),
@@ -245,13 +246,6 @@ def _solved(
     left = aim.missed(point)
     status = CONVERGED if left <= _SOLVED else NOT_REACHED
     return Optimality(bounds_met(point, names, bounds), left, ""), status
-
-
-def _check_options(method: str, iterations: int) -> None:
-    if method not in METHODS:
-        raise unknown_name("method", method, METHODS)
-    if isinstance(iterations, bool) or not isinstance(iterations, int) or iterations < 1:
-        raise InputError(f"iterations = {iterations} is not a positive integer")
 
 
 def _values_of(
@@ -322,3 +316,46 @@ def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) ->
     told = f"{', '.join(c.text for c in missed)} not reached" if missed else "no optimum"
     why = ended.reason or (f"within {acting}" if acting else "the optimiser found no better one")
     return f"{told}: {why}"
+
+
+def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Values (count,) of a parameter over its bounds, and the quantities (count, m) there.
+
+    The parameter is one that varied; the others are as where the design ended. The quantities
+    are NaN where the branch does not lead.
+    """
+    bounds = design.bounds[design.parameters.index(parameter)]
+    return _around(design, design.orbit, parameter, bounds, count)
+
+
+def along_branch(design: Design, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Values (count,) of the branch's parameter, and quantities (count, m) before and after.
+
+    The design needs `worst_over`; the orbits are those where it began and where it ended.
+    """
+    ((parameter, interval),) = design.worst_over.items()
+    values, before = _around(design, design.start, parameter, np.array(interval), count)
+    return values, before, _around(design, design.orbit, parameter, np.array(interval), count)[1]
+
+
+def _around(
+    design: Design, orbit: Orbit, parameter: str, interval: np.ndarray, count: int
+) -> tuple[np.ndarray, np.ndarray]:
+    wanted = [name for name in design.quantities if name != MULTIPLIER]
+    bounds = interval[None]
+    points = DesignPoints(orbit, (parameter,), bounds, wanted, rough=wanted, admissible=False)
+    begin = points.visited[0].place[0]
+    parts = np.linspace(0.0, 1.0, count)
+    found = np.full((count, len(design.quantities)), np.nan)
+    sides = np.flatnonzero(parts >= begin), np.flatnonzero(parts < begin)[::-1]
+    goals = [(c.quantity, float(c.value)) for c in design.conditions]
+    for side in sides:
+        for each in side:
+            try:
+                point = points.at(parts[each : each + 1])
+            except Beyond:
+                break
+            found[each] = [
+                point.quantities.quantity(name, dict(goals).get(name)) for name in design.quantities
+            ]
+    return bounds[0, 0] + parts * points.lengths[0], found

@@ -1,7 +1,7 @@
-"""SciPy's constrained optimisers along a branch of orbits.
+"""SciPy's constrained optimiser SLSQP along a branch of orbits.
 
 Where a trial lies beyond the branch the optimiser begins again at the best orbit that was
-visited, in a smaller box around it; where it ends at a side of such a box, in a larger one. SLSQP
+visited, in a smaller box around it; where it ends at a side of such a box, in a larger one. It
 also begins again where it ends, or at a better orbit that it has tried, until nothing is gained:
 where multipliers meet, what it has learned of the curvature can stop it early.
 """
@@ -10,27 +10,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from nonsmooth.runtime.explore.design.design_points import Beyond
 from nonsmooth.runtime.explore.design.objective import Aim, Rows, Trial
 
-__all__ = ["INTERRUPTED", "Ended", "Method", "Trials", "optimise"]
+__all__ = ["INTERRUPTED", "Ended", "Trials", "optimise"]
 
 INTERRUPTED = "interrupted"
-Method = Literal["SLSQP", "trust-constr"]
 _ROUNDS = 60
 _LEAST_BOX, _SIDE = 1e-8, 1e-9  # of the bounds
 _SETTLED = 1e-9  # of the aim: what is gained by beginning again at an optimum
-_NEAR = 1e-2  # of the bounds: how far an interior method stays off its limits at most
 _MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
-_PRECISION = {
-    "SLSQP": {"ftol": 1e-15},
-    "trust-constr": {"gtol": 1e-10, "xtol": 1e-12, "barrier_tol": 1e-12},
-}
+_PRECISION = 1e-15  # of the aim
 
 
 class Trials(Protocol):
@@ -51,14 +46,14 @@ class Ended(NamedTuple):
     reason: str  # why the branch leads no further, empty where that did not matter
 
 
-def optimise(points: Trials, aim: Aim, method: Method, most: int, history: list[Trial]) -> Ended:
+def optimise(points: Trials, aim: Aim, most: int, history: list[Trial]) -> Ended:
     """The trial that minimises the aim.
 
     `most` limits the iterations in each round of the optimiser; the iterates are appended to
     `history`. Ctrl-C ends it at the best trial until then, with the reason INTERRUPTED.
     """
     try:
-        return _optimised(points, aim, method, most, history)
+        return _optimised(points, aim, most, history)
     except KeyboardInterrupt:
         best = min(points.visited, key=lambda point: _merit(aim, point))
         return Ended(best, INTERRUPTED)
@@ -68,7 +63,7 @@ def _merit(aim: Aim, point: Trial) -> float:
     return aim.value(point) + _PENALTY * aim.missed(point)
 
 
-def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: list[Trial]) -> Ended:
+def _optimised(points: Trials, aim: Aim, most: int, history: list[Trial]) -> Ended:
     def merit(point: Trial) -> float:
         return _merit(aim, point)
 
@@ -77,7 +72,7 @@ def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: lis
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
         try:
-            place = _run(points, aim, method, best, (lower, upper), most, history)
+            place = _run(points, aim, best, (lower, upper), most, history)
             found = points.at(place)
         except Beyond as ended:
             reason = ended.reason
@@ -96,15 +91,11 @@ def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: lis
             box = min(1.0, 2 * box)
             continue
         reason = ""
-        if method != "SLSQP":
-            break
         if gained <= _SETTLED:
             tried = min(points.visited, key=merit)
             if merit(best) - merit(tried) <= _SETTLED:
                 break
             best = tried
-    if method == "trust-constr":
-        best = _sharpened(points, aim, best, most, history, merit)
     best = _snapped(points, best)
     if history[-1] is not best:
         history.append(best)
@@ -120,35 +111,15 @@ def _snapped(points: Trials, best: Trial) -> Trial:
         return best
 
 
-def _sharpened(
-    points: Trials,
-    aim: Aim,
-    best: Trial,
-    most: int,
-    history: list[Trial],
-    merit: Callable[[Trial], float],
-) -> Trial:
-    """The end of an interior method, moved to its active limits by SLSQP."""
-    box = np.maximum(best.place - _NEAR, 0.0), np.minimum(best.place + _NEAR, 1.0)
-    try:
-        found = points.at(_run(points, aim, "SLSQP", best, box, most, history))
-    except Beyond:
-        return best
-    return min((best, found), key=merit)
-
-
 def _run(
     points: Trials,
     aim: Aim,
-    method: Method,
     begin: Trial,
     box: tuple[np.ndarray, np.ndarray],
     most: int,
     history: list[Trial],
 ) -> np.ndarray:
     """The place where one round of the optimiser in a box ends."""
-    import warnings
-
     from scipy.optimize import Bounds, minimize
 
     count = len(aim.lengths)
@@ -174,19 +145,16 @@ def _run(
     if aim.missed(begin) > _MISSED:
         first = aim.variables(points.at(_nearer(points, aim, begin, box, most)))
     parts = [equal for equal in (True, False) if len(aim.rows(begin, 1.0, equal=equal).values)]
-    make = _old_constraint if method == "SLSQP" else _new_constraint
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "delta_grad == 0.0")  # of what is linear
-        found = minimize(
-            fun,
-            first,
-            jac=lambda x: aim.slope(at(x)),
-            method=method,
-            bounds=Bounds(lower, upper, keep_feasible=True),
-            constraints=[make(partial(rows, equal=equal), equal) for equal in parts],
-            callback=note,
-            options={"maxiter": most, **_PRECISION[method]},
-        )
+    found = minimize(
+        fun,
+        first,
+        jac=lambda x: aim.slope(at(x)),
+        method="SLSQP",
+        bounds=Bounds(lower, upper, keep_feasible=True),
+        constraints=[_constraint(partial(rows, equal=equal), equal) for equal in parts],
+        callback=note,
+        options={"maxiter": most, "ftol": _PRECISION},
+    )
     return np.asarray(np.clip(found.x[:count], box[0], box[1]))
 
 
@@ -221,27 +189,15 @@ def _nearer(
         jac=lambda _: slack,
         method="SLSQP",
         bounds=Bounds(np.append(box[0], 0.0), np.append(box[1], np.inf)),
-        constraints=[_old_constraint(rows, equal=False)],
-        options={"maxiter": most, **_PRECISION["SLSQP"]},
+        constraints=[_constraint(rows, equal=False)],
+        options={"maxiter": most, "ftol": _PRECISION},
     )
     return np.asarray(np.clip(found.x[:count], *box))
 
 
-def _old_constraint(rows: Callable[[np.ndarray], Rows], equal: bool) -> Any:
+def _constraint(rows: Callable[[np.ndarray], Rows], equal: bool) -> Any:
     return {
         "type": "eq" if equal else "ineq",
         "fun": lambda x: rows(x).values,
         "jac": lambda x: rows(x).slopes,
     }
-
-
-def _new_constraint(rows: Callable[[np.ndarray], Rows], equal: bool) -> Any:
-    from scipy.optimize import BFGS, NonlinearConstraint
-
-    return NonlinearConstraint(
-        lambda x: rows(x).values,
-        0.0,
-        0.0 if equal else np.inf,
-        jac=lambda x: rows(x).slopes,
-        hess=BFGS(),
-    )

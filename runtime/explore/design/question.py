@@ -10,7 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import check_same_question
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import as_value, by_name
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
 from nonsmooth.runtime.explore.design.largest import is_largest_of_several
 from nonsmooth.runtime.explore.design.optimum import Design, DesignCondition, condition_in
@@ -153,7 +153,7 @@ def _conditions_of(
         raise InputError("values that are solved for take no other conditions")
     wanted = tuple(
         DesignCondition(quantity=name, relation="=", value=as_value(value))
-        for name, value in solve.items()
+        for name, value in by_name("solve", solve).items()
     )
     if len(wanted) != count:
         raise InputError(

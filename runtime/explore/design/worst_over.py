@@ -21,7 +21,7 @@ from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys
 from nonsmooth.runtime.explore.design.objective import Aim, Trial, watched_margins
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, Method, optimise
+from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
@@ -336,14 +336,13 @@ def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
 def optimise_worst(
     points: BranchPoints,
     aim: Aim,
-    method: Method,
     most: int,
     history: list[Trial],
 ) -> tuple[Ended, BranchPoints]:
     """The trial that minimises the worst value along a branch, with its watched places.
 
     The optimiser works with the orbits at the watched places. After each of its rounds the
-    whole branch is _scanned, in the end four times as finely, and places that are worse are
+    whole branch is scanned, in the end four times as finely, and places that are worse are
     watched too. The point that results holds the orbits at the worst places of its branch.
     `most` limits the iterations in each round; the iterates are appended to `history`.
     """
@@ -352,7 +351,7 @@ def optimise_worst(
     ended = Ended(points.visited[0], "")
     try:
         for _ in range(_ROUNDS):
-            ended = optimise(points, aim, method, most, history)
+            ended = optimise(points, aim, most, history)
             if ended.reason == INTERRUPTED:
                 break
             place = ended.point.place

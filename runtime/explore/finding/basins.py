@@ -1,4 +1,4 @@
-"""Basins of attraction: where the starts of a plane lead."""
+"""Starts of motions: the box in which they are drawn, and where those of a plane lead."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.values import by_name
 from nonsmooth.runtime.explore.finding.found import Found
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
@@ -23,11 +24,86 @@ __all__ = [
     "labels_of_starts",
     "other_states",
     "plane_of_starts",
+    "start_box",
 ]
 
 _FIRST_LOOK = 60  # transitions, about
 _KEPT = 65  # entries at the end of a motion that is classified
 _LARGEST_PLANE = 4_000_000  # starts
+
+
+def start_box(
+    system: PiecewiseLinear, given: Mapping[str, tuple[float, float]] | None = None
+) -> np.ndarray:
+    """Bounds (N, 2) between which starts are drawn, the same in all units.
+
+    For each state they are twice the largest size at which a boundary or a constraint lies, on
+    both sides. For a state without one, they are twice the size at which the equations of
+    motion balance it with the others, the loads and the forcings, at the rate of the system.
+    `given` replaces the bounds of some states; unknown names and empty intervals are refused.
+    """
+    structure = system.structure
+    used = {b.row for boundaries in structure.boundaries for b in boundaries}
+    used |= {row for rows in structure.constraints for row in rows}
+    rows = system.rows[sorted(used)]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        sizes = np.abs(rows[:, -1:] / rows[:, :-1])
+    sizes[~np.isfinite(sizes)] = 0.0
+    largest = sizes.max(axis=0, initial=0.0)
+    forced = [state for pair in structure.forcing for state in pair]
+    largest[forced] = 1.0
+    largest = _balanced(np.abs(system.fields), largest)
+    limits = np.stack([-2 * largest, 2 * largest], axis=1)
+    limits[forced] = -1.0, 1.0  # of starts on a circle
+    for name, bounds in by_name("box", given).items():
+        if name not in structure.states:
+            raise unknown_name("state", str(name), structure.states)
+        try:
+            low, high = map(float, bounds)
+        except (TypeError, ValueError):
+            raise InputError(f"box of {name}: {bounds!r} is no pair of numbers") from None
+        if not (np.isfinite([low, high]).all() and low < high):
+            raise InputError(f"box of {name}: {low!r} to {high!r} is no interval")
+        limits[structure.states.index(name)] = low, high
+    return limits
+
+
+def _balanced(fields: np.ndarray, known: np.ndarray) -> np.ndarray:
+    """Sizes (N,) of states: the known ones, and sizes that balance these for states of size 0.
+
+    In a time 1 / rate a state moves by no less than its own size under those that are known,
+    and moves those by no less than theirs. Fields (configurations, N, N + 1) are absolute.
+    """
+    couplings = fields.max(axis=0)
+    sizes = np.append(known, 1.0)  # the last one is the constant's
+    rate = _rate(fields, sizes)
+    coupled = couplings[:, :-1] > 0
+    while rate > 0:
+        moving = np.zeros(coupled.shape)
+        with np.errstate(over="ignore", invalid="ignore"):
+            moved = couplings @ sizes / rate
+            np.divide(rate * sizes[:-1, None], couplings[:, :-1], out=moving, where=coupled)
+            found = np.maximum(moved, moving.max(axis=0))
+        found[(sizes[:-1] > 0) | ~np.isfinite(found)] = 0.0
+        if not found.any():
+            break
+        sizes[:-1] += found
+    return np.where(sizes[:-1] > 0, sizes[:-1], 1.0)
+
+
+def _rate(fields: np.ndarray, sizes: np.ndarray) -> float:
+    """The geometric mean over the configurations of the rate of the fastest motion in each.
+
+    That is an eigenvalue, or the fall under a load through the size of a state.
+    """
+    rates = []
+    for field in fields:
+        with np.errstate(over="ignore", invalid="ignore"):
+            fall = field[:, :-1] @ field[:, -1] / np.where(sizes[:-1] > 0, sizes[:-1], np.inf)
+        around = np.abs(np.linalg.eigvals(field[:, :-1])).max()
+        rates.append(max(float(around), float(fall.max()) ** 0.5))
+    moving = [rate for rate in rates if 0 < rate < np.inf]
+    return float(np.exp(np.mean(np.log(moving)))) if moving else 0.0
 
 
 @dataclass(frozen=True, eq=False)

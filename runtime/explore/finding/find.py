@@ -17,6 +17,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.workload import check_memory
+from nonsmooth.runtime.explore.finding.basins import start_box
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
 from nonsmooth.runtime.explore.finding.primitive import (
@@ -27,7 +28,6 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
-from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
@@ -49,7 +49,7 @@ from nonsmooth.runtime.simulation.recurrence import (
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = ["find_orbits", "mirror_places", "mirrors", "short_cycles"]
+__all__ = ["find_orbits"]
 
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled
@@ -144,7 +144,7 @@ def find_orbits(
 
     try:
         scales = scales_of(point, motions)
-        symmetries = mirrors(point)
+        symmetries = _mirrors(point)
         progress("solving the motions that recur")
         recurrent = _recurrent(motions, scales)
         attracting: list[Orbit] = []
@@ -226,13 +226,13 @@ def _found(
         tuple(
             FoundOrbit(orbit, of_orbits[i], of_orbits[i] / len(starts), mirror)
             for i, orbit, mirror in zip(
-                order, sorted_orbits, mirror_places(sorted_orbits, symmetries), strict=True
+                order, sorted_orbits, _mirror_places(sorted_orbits, symmetries), strict=True
             )
         ),
         tuple(
             FoundEquilibrium(equilibrium, of_steady[i], of_steady[i] / len(starts), mirror)
             for i, equilibrium, mirror in zip(
-                steady_order, sorted_steady, mirror_places(sorted_steady, symmetries), strict=True
+                steady_order, sorted_steady, _mirror_places(sorted_steady, symmetries), strict=True
             )
         ),
         starts,
@@ -296,10 +296,10 @@ def _tried(
     """Guesses of orbits on which no transient ends."""
     yield from near_returns(early, early_scales, _LONGEST, _NEAR)
     yield from near_returns(motions, scales, _LONGEST, _NEAR)
-    yield from short_cycles(kernels, early)
+    yield from _short_cycles(kernels, early)
 
 
-def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
+def _mirrors(system: PiecewiseLinear) -> list[Symmetry]:
     """Symmetries that map positions to positions and velocities likewise, without the identity.
 
     A forcing stays, or is turned by half a period.
@@ -316,7 +316,7 @@ def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
     return found
 
 
-def mirror_places(
+def _mirror_places(
     entries: Sequence[Orbit | Equilibrium], symmetries: Sequence[Symmetry]
 ) -> list[int | None]:
     """For each entry the place of the first one whose mirror image it is, or None.
@@ -378,7 +378,7 @@ def _follows(system: PiecewiseLinear, matrix: np.ndarray) -> bool:
     return bool((np.abs(system.fields - image).max(axis=(1, 2)) <= 1e-9 * size).any())
 
 
-def short_cycles(kernels: SystemKernels, motions: Trajectories) -> Iterator[Candidate]:
+def _short_cycles(kernels: SystemKernels, motions: Trajectories) -> Iterator[Candidate]:
     """Guesses from cycles of phases that follow each other, and from the system's known orbits.
 
     Dwell times are medians of those that were seen; the start is the mean of the states at

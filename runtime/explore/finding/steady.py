@@ -15,7 +15,14 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.starting import configurations_of, on_circles
 
-__all__ = ["Equilibrium", "equilibria", "forcing_turns", "responses", "same_state"]
+__all__ = [
+    "Equilibrium",
+    "equilibria",
+    "forcing_period",
+    "forcing_turns",
+    "responses",
+    "same_state",
+]
 
 _DEPENDENT = 1e-10  # relative singular value below which equations are dependent
 _ROUNDING = 4 * np.finfo(float).eps  # of a root: what is smaller than its error is zero
@@ -103,17 +110,24 @@ def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
     return None
 
 
+def forcing_period(system: PiecewiseLinear) -> float | None:
+    """Common period of all forcings, or None without one."""
+    turns = forcing_turns(system)
+    if not turns:
+        return None
+    cosine, sine = system.structure.forcing[0]
+    return 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
+
+
 def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | None]:
     """Response of each configuration to the forcing, as an orbit that may not be admissible.
 
     None stands for a configuration that was not visited; all are None without a forcing, or
     where the forcings have no common period.
     """
-    structure, turns = system.structure, forcing_turns(system)
-    if not turns:
+    structure, period = system.structure, forcing_period(system)
+    if period is None:
         return [None] * len(structure.configurations)
-    cosine, sine = structure.forcing[0]
-    period = 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
     start = on_circles(system, np.zeros((1, len(structure.states))), np.zeros(1))[0]
     return [
         None

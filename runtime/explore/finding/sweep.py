@@ -14,8 +14,7 @@ from nonsmooth.runtime.core.registry import Kept
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.core.workload import BYTES, check_memory
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.settled import settled
+from nonsmooth.runtime.explore.finding.outcomes import Outcome, settled
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
@@ -51,7 +50,7 @@ class Sweep(Kept):
     samples : array (n, m)
         NaN where a motion entered the configuration less often, or ended.
     outcomes : array (n,) of int
-        What the motions settle on: numbers of `nonsmooth.runtime.explore.finding.settled`.
+        What the motions settle on: numbers of `nonsmooth.runtime.explore.finding.outcomes`.
     start : array (N,)
     transient : int
         Transitions, or periods of the forcing, before the first sample.

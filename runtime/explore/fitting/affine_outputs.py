@@ -19,7 +19,7 @@ from nonsmooth.runtime.model.expressions import Function
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows
 
-__all__ = ["Output", "affine_row", "output_of"]
+__all__ = ["Output", "output_of"]
 
 # the grammar of expressions has integers: a decimal is a quotient of two
 _DECIMAL = re.compile(r"(?<![\w.])(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?(?![\w.])")
@@ -91,7 +91,7 @@ def output_of(text: str, structure: Structure) -> Output:
 
     plain = _DERIVED.sub(named, text)
     places = [f"{_PLACEHOLDER}{place}" for place in range(len(terms))]
-    return Output(affine_row(plain, [*structure.states, *places], told=text), tuple(terms))
+    return Output(_affine_row(plain, [*structure.states, *places], told=text), tuple(terms))
 
 
 def _named(name: str, known: Sequence[str]) -> str:
@@ -103,7 +103,7 @@ def _named(name: str, known: Sequence[str]) -> str:
     return found[0] if len(found) == 1 and name else ""
 
 
-def affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.ndarray:
+def _affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.ndarray:
     """Coefficients of an affine function of N named variables, then its constant, (N + 1,).
 
     Texts are such as ``x1 - x2`` or ``9.81*v1 + 1/2``; messages call the text `told`. Refused
@@ -111,7 +111,7 @@ def affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.n
 
     Examples
     --------
-    >>> affine_row("2*(x1 - x2) + 0.5", ["x1", "x2"]).tolist()
+    >>> _affine_row("2*(x1 - x2) + 0.5", ["x1", "x2"]).tolist()
     [2.0, -2.0, 0.5]
     """
     size, told = len(names), text if told is None else told

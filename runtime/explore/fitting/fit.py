@@ -16,7 +16,6 @@ from nonsmooth.runtime.explore.fitting.fit_record import (
     FittedResponse,
     FittedSeries,
 )
-from nonsmooth.runtime.explore.fitting.losses import check_loss
 from nonsmooth.runtime.explore.fitting.measurements import (
     Experiment,
     Measured,
@@ -36,7 +35,7 @@ from nonsmooth.runtime.explore.fitting.response_prediction import (
     SteadyPrediction,
     points_under,
 )
-from nonsmooth.runtime.explore.fitting.statistics import combination_text, statistics
+from nonsmooth.runtime.explore.fitting.statistics import check_loss, combination_text, statistics
 from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknowns_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, NoConvergence
-from nonsmooth.runtime.explore.fitting.losses import loss_of
 from nonsmooth.runtime.explore.fitting.residuals import FitProblem, Noise, Residuals
+from nonsmooth.runtime.explore.fitting.statistics import loss_of
 
 __all__ = ["Minimum", "minimise"]
 

@@ -23,7 +23,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Prediction", "motion_under", "predict", "times_of_events"]
+__all__ = ["Prediction", "predict", "times_of_events"]
 
 _LONGER = (1.0, 1.25, 2.0, 4.0)  # times as long as the record, while recorded events are missing
 _PAST = 1e-9  # of its length, beyond the last time
@@ -53,7 +53,7 @@ def predict(
     `NonsmoothError` if the motion does not exist, is too short, or has no derivative.
     """
     condition = unknowns.condition(point, number)
-    motion = motion_under(kernels, experiment, condition)
+    motion = _motion_under(kernels, experiment, condition)
     outputs = [series for series in experiment.series if series.kind == "output"]
     clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
     times = np.minimum(clocks - condition.offset, motion.end)
@@ -100,7 +100,7 @@ def predict(
     return Prediction(motion, tuple(values), tuple(jacobians))
 
 
-def motion_under(
+def _motion_under(
     kernels: SystemKernels, experiment: Measured, condition: MotionSettings
 ) -> Trajectory:
     """The motion of an experiment, as far as it was recorded.

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import NonsmoothError
+from nonsmooth.runtime.explore.finding.basins import start_box
 from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
-from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import responses
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, grown
@@ -30,7 +30,7 @@ from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canoni
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = ["KnownResponses", "responses_at", "settled_from", "survey", "survey_of"]
+__all__ = ["KnownResponses", "responses_at", "survey", "survey_of"]
 
 _TRANSITIONS = 600  # after which a motion has settled
 _STARTS = 6  # at random, at each point
@@ -97,7 +97,7 @@ def responses_at(
     for reference in lost[:1] if not unstable and lost and lost[0] is known[0] else []:
         orbit = reference.orbit
         start, configuration = orbit.states[0].astype(float).tolist(), orbit.itinerary[0][0]
-        for other in settled_from(kernels, parameters, start, configuration):
+        for other in _settled_from(kernels, parameters, start, configuration):
             try:
                 add(other.derivatives(list(by)))
             except NonsmoothError:
@@ -105,7 +105,7 @@ def responses_at(
     return found, lost
 
 
-def settled_from(
+def _settled_from(
     kernels: SystemKernels,
     parameters: Point,
     start: Sequence[float],
@@ -137,14 +137,16 @@ def survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]
     found: list[list[Orbit]] = [[] for _ in points]
     for place, parameters in enumerate(points):
         for start in _starts(piecewise(grown(kernels), parameters)):
-            for orbit in settled_from(kernels, parameters, start):
+            for orbit in _settled_from(kernels, parameters, start):
                 add_orbit(found[place], orbit)
     up = range(1, len(points))
     for places, back in ((up, -1), (range(len(points) - 2, -1, -1), 1)):
         for place in places:
             for neighbour in found[place + back]:
                 start = neighbour.states[0].astype(float).tolist()
-                for orbit in settled_from(kernels, points[place], start, neighbour.itinerary[0][0]):
+                for orbit in _settled_from(
+                    kernels, points[place], start, neighbour.itinerary[0][0]
+                ):
                     add_orbit(found[place], orbit)
     return found
 

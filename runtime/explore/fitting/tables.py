@@ -17,9 +17,9 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.result_files import DAMAGED, array_in, naming
 
-__all__ = ["ENDINGS", "TIMES", "read_table"]
+__all__ = ["TIMES", "read_table"]
 
-ENDINGS = (".csv", ".npz", ".nc", ".zarr")
+_ENDINGS = (".csv", ".npz", ".nc", ".zarr")
 TIMES = ("t", "time")  # names of the column of times
 _MOST = 500_000_000  # bytes
 _SMALL, _LOOSEST = 1 << 24, 20  # bytes that an archive may unpack to, and times its own
@@ -62,8 +62,8 @@ def _from_file(path: Path) -> Table:
     if ending == ".npz":
         content = read_file(path, _MOST, "table of measurements")
         return {name: _column(name, values) for name, values in _arrays(content)}
-    if ending not in ENDINGS:
-        raise InputError(f"does not end in {', '.join(ENDINGS[:-1])} or {ENDINGS[-1]}")
+    if ending not in _ENDINGS:
+        raise InputError(f"does not end in {', '.join(_ENDINGS[:-1])} or {_ENDINGS[-1]}")
     try:
         import xarray
     except ImportError:

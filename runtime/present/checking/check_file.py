@@ -11,7 +11,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker import (
@@ -28,7 +27,7 @@ from nonsmooth.runtime.checker import (
     check_tiles,
 )
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import read_file
+from nonsmooth.runtime.core.files import path_of, read_file
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.parallel import check_workers
 from nonsmooth.runtime.core.registry import Shown
@@ -211,8 +210,9 @@ def check_certificate(
     (True, 'proved')
     """
     check_workers(workers)
+    place = path_of(path)
     try:
-        content = parsed(read_file(Path(path), CERTIFICATE.most, CERTIFICATE.what))
+        content = parsed(read_file(place, CERTIFICATE.most, CERTIFICATE.what))
         kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
         if kind is None:
             raise InputError("not a certificate, such as --save or save() writes")

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import read_file
+from nonsmooth.runtime.core.files import path_of, read_file
 from nonsmooth.runtime.core.result_files import format_in, naming, parsed
 from nonsmooth.runtime.present.files.motions import ENDINGS, load_trajectory
 
@@ -82,7 +82,7 @@ Trajectory, tuple of EventCertificate or xarray.Dataset
     >>> ns.load("design.json").message
     'the wanted values are met'
     """
-    place = Path(path)
+    place = path_of(path)
     if place.is_dir():
         from nonsmooth.runtime.explore.charting.chart import load_chart
 

@@ -9,8 +9,8 @@ from typing import Annotated, Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Row, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
-from nonsmooth.runtime.explore.continuation.locus import Locus
+from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.continuation.event import KINDS
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
 

@@ -22,7 +22,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import check_target, read_file, write_file
+from nonsmooth.runtime.core.files import check_target, path_of, read_file, write_file
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
 from nonsmooth.runtime.core.result_files import DAMAGED, FileFormat, array_in, naming, parsed
 from nonsmooth.runtime.core.values import Value
@@ -88,7 +88,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
     The file is replaced only when the new one is complete. `InputError` is raised for
     another ending, for a motion that is too large, or if the file cannot be written.
     """
-    target = Path(path)
+    target = path_of(path)
     ending = _ending(target)
     check_target(target)
     run, structure = trajectory.run, trajectory.structure

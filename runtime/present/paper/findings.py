@@ -163,13 +163,19 @@ def symmetric_portraits(orbits: Orbits) -> Answer:
 
 def trace_criterion(orbits: Orbits) -> Answer:
     """Whether the Jacobian of the orbit with global stick is singular, and its trace."""
-    (a, b), (c, d) = orbits[STICK].evaluate("poincare_jacobian")
-    determinant, stability = float(a * d - b * c), orbits[STICK].stability
+    orbit = orbits[STICK]
+    (a, b), (c, d) = orbit.evaluate("poincare_jacobian")
+    determinant, stability, digits = float(a * d - b * c), orbit.stability, orbit.arithmetic.mp.dps
+    zero = abs(determinant) < 10.0**-digits
     values = {"trace": float(stability.trace), "margin": float(stability.margin)}
     return Answer(
         [],
         "holds" if abs(determinant) < 1e-25 else "does not hold",
-        {"determinant": determinant, **values, "stability": stability.verdict},
+        {
+            "determinant": f"vanishes to {digits} digits" if zero else f"is {determinant:.0e}",
+            **values,
+            "stability": stability.verdict,
+        },
     )
 
 

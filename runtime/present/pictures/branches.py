@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import unknown_name
-from nonsmooth.runtime.explore.continuation.response import (
+from nonsmooth.runtime.core.errors import one_or_several, unknown_name
+from nonsmooth.runtime.explore.continuation.branch import (
     forcing_frequencies,
     system_of,
     usual_quantities,
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
     from nonsmooth.runtime.explore.continuation.event import Event
-    from nonsmooth.runtime.explore.continuation.locus import Locus
 
 __all__ = ["draw_branch", "draw_locus"]
 
@@ -74,7 +74,7 @@ def draw_branch(
     "cycles" per unit of time. The result is the Axes that are given, or else the figure. An
     unknown quantity raises `InputError`.
     """
-    names = (quantity,) if isinstance(quantity, str) else tuple(quantity or ())
+    names = () if quantity is None else one_or_several(quantity)
     shown = names or usual_quantities(branch)
 
     def draw(place: Axes, name: str = shown[0]) -> None:

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.explore.continuation.response import system_of
-from nonsmooth.runtime.explore.design.around import along, along_branch
+from nonsmooth.runtime.explore.continuation.branch import system_of
+from nonsmooth.runtime.explore.design.design import along, along_branch
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
+from nonsmooth.runtime.core.errors import InputError, missing_extra, one_or_several, unknown_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -95,8 +95,8 @@ def chosen_masses(masses: Iterable[int] | None, count: int, name: str) -> tuple[
     no such mass, or if none is chosen.
     """
     every = range(count)
-    drawn = tuple(every if masses is None else masses)
-    if not drawn or not set(drawn) <= set(every):
+    drawn = tuple(every) if masses is None else one_or_several(masses)
+    if not drawn or not all(mass in every for mass in drawn):
         raise InputError(f"masses = {list(drawn)}: {name} has {list(every)}")
     return drawn
 

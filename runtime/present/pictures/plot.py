@@ -12,10 +12,9 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.files import check_ending, write_file
+from nonsmooth.runtime.core.files import check_ending, path_of, write_file
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits.motion import orbit_motion
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -184,7 +183,7 @@ def save_figure(figure: Figure, path: str | os.PathLike[str]) -> None:
 
     `InputError` is raised for another ending, or if the file cannot be written.
     """
-    target = Path(path)
+    target = path_of(path)
     check_ending(target, tuple(_METADATA))
     write_file(target, figure_bytes(figure, target.suffix.lower()))
 

@@ -20,7 +20,7 @@ import numpy as np
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["growth", "logarithm_below", "strong_components"]
+__all__ = ["growth", "logarithm_below"]
 
 _SCALE = 10**6  # of the vector's entries
 _ROUNDS = 200
@@ -44,7 +44,7 @@ def growth(
     for i, j in edges:
         matrix[i, j] = 1
     best: tuple[Fraction, tuple[int, ...], tuple[int, ...]] = (Fraction(0), (), ())
-    for part in strong_components(matrix):
+    for part in _strong_components(matrix):
         block = matrix[np.ix_(part, part)]
         if not block.any():
             continue
@@ -63,7 +63,7 @@ def logarithm_below(bound: Fraction, iterates: int) -> str:
     return str(below.quantize(Decimal(10) ** (below.adjusted() + 1 - _DIGITS), ROUND_DOWN))
 
 
-def strong_components(matrix: np.ndarray) -> list[list[int]]:
+def _strong_components(matrix: np.ndarray) -> list[list[int]]:
     """The strongly connected parts of a graph, each in order.
 
     The matrix (n, n) is not zero where there is an edge.

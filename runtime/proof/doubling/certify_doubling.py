@@ -17,8 +17,8 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
+from nonsmooth.runtime.explore.continuation.orbit_family import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
-from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.saved_system import check_same_system
@@ -165,7 +165,7 @@ def certify_graph(
         if sampled is None:
             raise InputError("the motion comes to no section often enough")
         widest = _WIDEST * _extents(motion)
-        grid = _grid(enclosed, sampled, boxes, region or {})
+        grid = _grid(enclosed, sampled, boxes, by_name("region", region))
         grid.check_levels(levels)
         empty = _certificate(kernels, enclosed, sampled, grid, widest)
         known = replace(empty, most=parts, longest=transitions)

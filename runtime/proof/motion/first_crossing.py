@@ -21,9 +21,9 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["LONGEST_SEARCH", "PhaseEnd", "first_crossing"]
+__all__ = ["PhaseEnd", "first_crossing"]
 
-LONGEST_SEARCH = 20_000  # segments of time in one phase
+_LONGEST_SEARCH = 20_000  # segments of time in one phase
 _LOOKS = frozenset(8 * 2**k for k in range(12))  # segments after which for ever is judged
 
 
@@ -270,7 +270,7 @@ def _earliest(
             break
         if until is not None and search.time > until:
             break
-        if search.segment >= LONGEST_SEARCH:
+        if search.segment >= _LONGEST_SEARCH:
             raise Undecided(
                 f"no boundary is reached, and {search.name} still could be",
                 search.time,

@@ -27,7 +27,7 @@ from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactl
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BallJudge", "Enclosure", "Proof", "transition_behind", "validate"]
+__all__ = ["BallJudge", "Enclosure", "Proof", "validate"]
 
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
@@ -168,7 +168,7 @@ class _Motion:
             state = invariants.tighten(state)
         judge = BallJudge(system, here, invariants, state)
         try:
-            target, reset = transition_behind(system, here, reached, judge)
+            target, reset = _transition_behind(system, here, reached, judge)
         except Undecided as trouble:
             raise Undecided(trouble.reason, dwell, digits=trouble.digits) from None
         matrix = exact.resets[reset]
@@ -215,7 +215,7 @@ class _Motion:
         )
 
 
-def transition_behind(
+def _transition_behind(
     system: EnclosedSystem, source: int, reached: tuple[int, ...], judge: BallJudge
 ) -> tuple[int, int]:
     """Return target and reset of the transition behind a set of boundaries reached in `source`.

@@ -1,10 +1,17 @@
-"""Chunks on a Dask cluster: each worker computes chunks and writes them into the store."""
+"""Who computes the chunks of a chart: threads, or a cluster's workers, for one process at a time.
+
+Each worker of a Dask cluster computes chunks and writes them into the store. The system lets go of
+the lock of a store when the process that holds it dies.
+"""
 
 from __future__ import annotations
 
+import os
+import socket
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import CancelledError
-from contextlib import contextmanager
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from itertools import islice
 from pathlib import Path
@@ -13,15 +20,106 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, missing_extra
+from nonsmooth.runtime.core.files import unwritable
+from nonsmooth.runtime.core.parallel import thread_pool
 from nonsmooth.runtime.explore.charting.grid import Block
 from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import Store, open_arrays, write_chunk
 
-__all__ = ["connected", "run_cluster"]
+__all__ = ["connected", "locked", "run_cluster", "run_threads"]
 
+_TRIES = 20
+_FAR = 1 << 20  # a byte behind the text: what is locked cannot be read on some systems
 _PATIENCE = "15s"  # for a scheduler that does not answer
 _UNSEEN = "the workers do not see {}: it has to be in a folder that all of them share"
 _AHEAD = 3  # chunks in the queue for each thread of the workers
+
+
+def run_threads(
+    work: Callable[[int], None],
+    chunks: Iterable[int],
+    threads: int | None,
+    progress: Callable[[int], None],
+) -> None:
+    """Call `work` with the number of each chunk in threads; the first failure ends it.
+
+    `threads` None takes all processors; `progress` gets the number of chunks that are done.
+    """
+    workers, queue, done = threads or os.cpu_count() or 1, iter(chunks), 0
+    with thread_pool(workers) as pool:
+        running: set[Future[None]] = {pool.submit(work, n) for n in islice(queue, 2 * workers)}
+        while running:
+            ended, running = wait(running, return_when=FIRST_COMPLETED)
+            for future in ended:
+                future.result()
+                done += 1
+            running |= {pool.submit(work, n) for n in islice(queue, len(ended))}
+            progress(done)
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """A context that holds the lock file PATH.lock beside a store.
+
+    The lock of a killed process is taken over. Raises `InputError` if another process holds
+    it (with its number and host) or if the file cannot be written.
+    """
+    file = path.with_name(f"{path.name}.lock")
+    try:
+        descriptor = _acquire(file)
+    except OSError as problem:
+        raise unwritable(file, problem) from None
+    if descriptor is None:
+        raise InputError(f"{path} is being computed by {_holder(file)}: wait, or end that first")
+    try:
+        os.ftruncate(descriptor, 0)
+        os.lseek(descriptor, 0, os.SEEK_SET)
+        os.write(descriptor, f"process {os.getpid()} on {socket.gethostname()}".encode())
+        yield
+    finally:
+        with suppress(OSError):  # some systems keep files that are open
+            if os.path.samestat(os.fstat(descriptor), os.stat(file)):  # it may be lost
+                file.unlink()
+        os.close(descriptor)
+
+
+def _acquire(file: Path) -> int | None:
+    """Open and lock the file; None if another process holds it."""
+    for _ in range(_TRIES):
+        descriptor = os.open(file, os.O_RDWR | os.O_CREAT, 0o644)
+        if not _lock(descriptor):
+            os.close(descriptor)
+            return None
+        try:
+            if os.path.samestat(os.fstat(descriptor), os.stat(file)):
+                return descriptor
+        except FileNotFoundError:
+            pass
+        os.close(descriptor)  # who held it has removed it in the meantime
+    return None
+
+
+def _lock(descriptor: int) -> bool:
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            os.lseek(descriptor, _FAR, os.SEEK_SET)
+            msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except (BlockingIOError, PermissionError):
+        return False
+    return True
+
+
+def _holder(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8") or "another process"
+    except OSError:
+        return "another process"
 
 
 @contextmanager

@@ -1,0 +1,357 @@
+"""Charts by following motions: where those from one start settle, or where starts lead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.result_files import format_in
+from nonsmooth.runtime.core.workload import SECONDS
+from nonsmooth.runtime.explore.charting.grid import Block, Grid
+from nonsmooth.runtime.explore.charting.problem import (
+    MISSING,
+    Variable,
+    fixed_values,
+    held_text,
+    kernels_held,
+    table_hash,
+)
+from nonsmooth.runtime.explore.finding.basins import (
+    attractors_found,
+    labels_of_starts,
+    other_states,
+)
+from nonsmooth.runtime.explore.finding.found import Found, label_names
+from nonsmooth.runtime.explore.finding.outcomes import Attractors, settled, settled_texts
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, load_system
+from nonsmooth.runtime.model.naming import units_of
+from nonsmooth.runtime.model.saved_system import named
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
+from nonsmooth.runtime.simulation.starting import start_state
+
+__all__ = [
+    "AttractorProblem",
+    "BasinProblem",
+    "attractor_problem",
+    "basin_problem",
+    "held_attractor_problem",
+    "held_basin_problem",
+    "is_found",
+]
+
+_LONGEST = 32  # phases of a cycle that is looked for
+_POINTS = 1 << 11  # of a chunk: about a second
+_FOUND = "nonsmooth found orbits"
+
+
+class _MotionsProblem:
+    """What charts have in common whose points do not depend on each other."""
+
+    @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        raise NotImplementedError
+
+    @property
+    def points(self) -> int:
+        """Usual number of points of a chunk."""
+        return _POINTS
+
+    def axis_attributes(self, name: str) -> dict[str, str]:
+        """Unit of a parameter or a state as an attribute; empty where the system states none."""
+        return units_of(self.kernels).attributes(name)
+
+    def prepare(self, grid: Grid) -> np.ndarray:
+        """An empty array (0,)."""
+        return np.empty(0)
+
+    def _identity(
+        self, kind: str, method: int, parameters: Mapping[str, str], start: Iterable[float]
+    ) -> dict[str, Any]:
+        """The system and the kernels by which its motions are followed, as data for JSON."""
+        kernels = self.kernels
+        compiled = kernels.compiled is not None and compiled_engine() is not None
+        return {
+            "kind": kind,
+            "method": method,
+            "system": named(kernels)[0],  # of a user's own the hash of its table, too
+            "derivation": str(kernels.module.DERIVATION),
+            "table": table_hash(kernels.table) if kernels.built_in else "",
+            "kernels": "c" if compiled else "numpy",
+            "parameters": parameters,
+            "start": [repr(value) for value in start],
+        }
+
+
+@dataclass(frozen=True)
+class AttractorProblem(_MotionsProblem):
+    """The chart problem of the motions from one start over a grid of parameters."""
+
+    system: str
+    fixed: tuple[tuple[str, float], ...]
+    start: tuple[float, ...]
+    transitions: int  # number of transitions before the motions are examined
+    data: str | None = None  # the system as `held_text` writes it, if a store holds it
+
+    @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        return load_system(self.system) if self.data is None else kernels_held(self.data).system
+
+    @property
+    def seconds(self) -> float:
+        """Processor time for one point in seconds, as a lower bound."""
+        return self.transitions * SECONDS["transition"]
+
+    def identity(self) -> dict[str, Any]:
+        """All that the numbers depend on except the grid, as data for JSON."""
+        fixed = {name: repr(value) for name, value in self.fixed}
+        found = self._identity("attractors", 3, fixed, self.start)
+        return {**found, "transitions": self.transitions}
+
+    def held(self) -> dict[str, Any]:
+        """Further data that a store holds: the system as text."""
+        return {"of": held_text(self.kernels)}
+
+    def variables(self) -> tuple[Variable, ...]:
+        """The variables of the chart."""
+        told = {str(status.value): status.message for status in Status}
+        status = {
+            "long_name": "why the simulation ended",
+            "meanings": {str(MISSING): "not computed", "-1": "no configuration", **told},
+        }
+        names = structure_of(self.kernels).configurations
+        places = {"-1": "none", **{str(k): name for k, name in enumerate(names)}}
+        return (
+            Variable("status", "|i1", MISSING, status),
+            Variable(
+                "transitions",
+                "<i2",
+                -1,
+                {"long_name": "transitions in a period; 0 where the motion is not periodic"},
+            ),
+            Variable(
+                "period",
+                "<f8",
+                float("nan"),
+                {"long_name": "period", **units_of(self.kernels).attributes()},
+            ),
+            Variable(
+                "configuration",
+                "<i2",
+                -1,
+                {"long_name": "configuration at the end", "meanings": places},
+            ),
+            Variable(
+                "outcome",
+                "|i1",
+                MISSING,
+                {
+                    "long_name": "what the motion settles on",
+                    "meanings": {str(number): text for number, text in settled_texts().items()},
+                },
+            ),
+        )
+
+    def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
+        """All variables at the points of a chunk, by name and in the chunk's shape.
+
+        `prepared` is ignored.
+        """
+        parameters = {**dict(self.fixed), **block.values}
+        motions = simulate_many(
+            self.kernels,
+            parameters,
+            np.array(self.start),
+            transitions=self.transitions,
+            keep=2 * _LONGEST + 1,
+            threads=1,
+        )
+        found = settled(self.kernels, parameters, motions, threads=1)
+        return {
+            "status": motions.status.astype("i1"),
+            "transitions": found.lengths.astype("<i2"),
+            "period": found.periods,
+            "configuration": motions.configurations.astype("<i2"),
+            "outcome": found.outcomes.astype("i1"),
+        }
+
+
+def attractor_problem(
+    system: str,
+    given: Mapping[str, object],
+    swept: Sequence[str],
+    start: Mapping[str, object] | Sequence[object],
+    transitions: int,
+) -> AttractorProblem:
+    """A chart of motions over the parameters `swept`, with all names and values checked.
+
+    `system` is a name or a file with a declaration; the start is in the units of the states.
+    Refused are unknown names, values that are wrong or missing, and fewer transitions than two
+    of the longest cycles have.
+    """
+    kernels = load_system(system)
+    most = checked_count("transitions", transitions, 1)
+    if most <= 2 * _LONGEST:
+        raise InputError(
+            f"transitions = {most}: cycles of up to {_LONGEST} are looked for, which takes more"
+            f" than {2 * _LONGEST}"
+        )
+    fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
+    begin = start_state(structure_of(kernels), start)
+    structure_of(kernels).check_listed("a chart of motions")
+    return AttractorProblem(kernels.name, fixed, tuple(begin.tolist()), most)
+
+
+def held_attractor_problem(
+    identity: Mapping[str, Any], held: Mapping[str, Any]
+) -> AttractorProblem:
+    """The chart problem of a store, from its identity (with the dimensions) and its held data.
+
+    Raises `InputError` if these are not in order.
+    """
+    kernels, swept = kernels_held(held["of"]).system, identity["dimensions"]
+    fixed = fixed_values(kernels.parameters, identity["parameters"], swept, {}, kernels.name)
+    start = tuple(map(float, identity["start"]))
+    return AttractorProblem(kernels.name, fixed, start, int(identity["transitions"]), held["of"])
+
+
+@dataclass(frozen=True)
+class BasinProblem(_MotionsProblem):
+    """The chart problem of starts over a grid of states and the attractors that they lead to."""
+
+    data: str  # the attractors, as `held_found` writes them
+    start: tuple[float, ...]  # values of all states; the grid replaces those that are swept
+
+    @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        return _known(self.data)[0]
+
+    @property
+    def found(self) -> Found:
+        """The attractors, without the starts that led to them."""
+        return _known(self.data)[1]
+
+    @property
+    def seconds(self) -> float:
+        """Processor time for one point in seconds, as a lower bound.
+
+        Most motions settle long before the last transition.
+        """
+        return self.found.transitions / 16 * SECONDS["transition"]
+
+    def identity(self) -> dict[str, Any]:
+        """All that the numbers depend on except the grid, as data for JSON."""
+        given = {name: str(value) for name, value in self.found.parameters.items()}
+        return {
+            **self._identity("basins", 1, given, self.start),
+            "attractors": table_hash({"found": self.data}),
+            "transitions": self.found.transitions,
+        }
+
+    def held(self) -> dict[str, Any]:
+        """Further data that a store holds: the system and its attractors as text."""
+        return {"of": self.data}
+
+    def variables(self) -> tuple[Variable, ...]:
+        """The variables of the chart."""
+        status = {
+            "long_name": "whether it is computed",
+            "meanings": {str(MISSING): "not computed", "0": "computed"},
+        }
+        found = self.found
+        names = {k: f"orbit {k + 1}" for k in range(len(found.orbits))}
+        names |= {
+            len(names) + k: f"equilibrium {len(names) + k + 1}"
+            for k in range(len(found.equilibria))
+        }
+        names |= label_names(found)
+        meanings = {str(_numbered(label)): names[label] for label in sorted(names)}
+        attractor = {
+            "long_name": "attractor that the start leads to, counted from 1, or how it ends",
+            "meanings": meanings,
+        }
+        return (
+            Variable("status", "|i1", MISSING, status),
+            Variable("attractor", "<i2", 0, attractor),
+        )
+
+    def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
+        """All variables at the points of a chunk, by name and in the chunk's shape.
+
+        `prepared` is ignored.
+        """
+        kernels, found, attractors = _known(self.data)
+        values = np.broadcast_arrays(*block.values.values())
+        starts = np.tile(self.start, (values[0].size, 1))
+        for name, column in zip(block.names, values, strict=True):
+            starts[:, found.names.index(name)] = column.ravel()
+        labels = labels_of_starts(kernels, found, attractors, starts, threads=1)
+        attractor = _numbered(labels).reshape(values[0].shape).astype("<i2")
+        return {"status": np.zeros(values[0].shape, "i1"), "attractor": attractor}
+
+
+def _numbered(labels: Any) -> Any:
+    """Labels with the attractors counted from 1, as files count them; outcomes stay the same."""
+    return labels + (labels >= 0)
+
+
+@lru_cache(maxsize=8)
+def _known(data: str) -> tuple[SystemKernels, Found, Attractors]:
+    kernels, found = registered("found_held")(data)
+    return kernels, found, attractors_found(found, kernels)
+
+
+def is_found(name: str) -> bool:
+    """Whether a name is that of a whole file of found orbits (without the number of an orbit)."""
+    return name.endswith(".json") and format_in(Path(name)) == _FOUND
+
+
+def basin_problem(
+    file: str,
+    given: Mapping[str, object],
+    swept: Sequence[str],
+    start: Mapping[str, object] | Sequence[object] | None,
+) -> BasinProblem:
+    """A chart of basins over the states `swept`, with all names and values checked.
+
+    `file` holds found orbits. `start` gives the other states; those that it does not name
+    are 0. `given` has to be empty, because the parameters are those of the file. A file
+    without orbit or equilibrium is refused.
+    """
+    data = registered("held_found")(file)
+    kernels, found, _ = _known(data)
+    states = structure_of(kernels).states
+    for name in swept:
+        if name not in states:
+            known = unknown_name("state", name, states)
+            raise InputError(
+                f"{known}: the basins of {file} are charted over states; {file}:1 is its first"
+                " orbit"
+            )
+    for name in given:
+        raise InputError(
+            f"{name} has one value: the parameters are those of {file}, and --from gives the"
+            " other states"
+        )
+    if not found.orbits and not found.equilibria:
+        raise InputError(f"{file} holds no orbit or equilibrium that starts could lead to")
+    return BasinProblem(data, tuple(other_states(kernels, start).tolist()))
+
+
+def held_basin_problem(identity: Mapping[str, Any], held: Mapping[str, Any]) -> BasinProblem:
+    """The chart problem of a store, from its identity (with the dimensions) and its held data.
+
+    Raises `InputError` if these are not in order.
+    """
+    return BasinProblem(held["of"], tuple(map(float, identity["start"])))
