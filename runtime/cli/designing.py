@@ -128,11 +128,11 @@ def design(
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.design.design import design as find_design
-    from nonsmooth.runtime.present.files.designs import load_design
+    from nonsmooth.runtime.present.files.kept import DESIGN
 
     check_drawing(plot)
     check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else load_design(resume)
+    known = None if resume is None else DESIGN.load(resume)
     texts = parameters or []
     over = {
         n: (a, b) for n, (a, b, _) in ranges("parameter", [t for t in texts if ":" in t]).items()

@@ -388,11 +388,11 @@ def sweep(
     from nonsmooth.runtime.cli.display_results import show_sweep
     from nonsmooth.runtime.cli.report_motions import sweep_json
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
-    from nonsmooth.runtime.present.files.sweeps import load_sweep
+    from nonsmooth.runtime.present.files.kept import SWEEP
 
     check_drawing(plot)
     check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else load_sweep(resume)
+    known = None if resume is None else SWEEP.load(resume)
     asked, options = _question(
         system, parameters or [], quantity, at, phase, start, transient, samples, not restart
     )

@@ -40,7 +40,7 @@ class Shown:
 class Kept(Shown):
     """A result that a file keeps; `_kept_by` names the function that writes it."""
 
-    _kept_by: ClassVar[str]
+    _kept_by: ClassVar[str] = "save_result"
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the result to a file, which `nonsmooth.load` reads.

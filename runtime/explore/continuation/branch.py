@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
+from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Row, Table
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.energy import energy_of
@@ -18,11 +19,13 @@ from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.switching import other_branch
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "amplitude_of"]
+__all__ = ["Branch", "StabilityOfPoint", "amplitude_of"]
 
+StabilityOfPoint = Literal["stable", "neutral", "unstable", "undecided"]
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
 
 
@@ -32,8 +35,6 @@ class Branch(Kept):
 
     Attributes
     ----------
-    name : str
-        Of the orbit.
     parameter : str
     parameter_values : array (k,)
         They turn at folds.
@@ -58,25 +59,27 @@ class Branch(Kept):
         That point.
     """
 
-    _kept_by = "save_branch"
-
-    name: str
     parameter: str
-    parameter_values: np.ndarray
+    parameter_values: Row
     unknown_names: tuple[str, ...]
-    unknowns: np.ndarray
-    period: np.ndarray
-    multipliers: np.ndarray
-    trace: np.ndarray
-    stability: tuple[str, ...]
-    admissible: np.ndarray
+    unknowns: Table
+    period: Row
+    multipliers: AnyComplexTable
+    trace: AnyRow
+    stability: tuple[StabilityOfPoint, ...]
+    admissible: Flags
     events: tuple[Event, ...]
     ends: tuple[str, str]
     start: int
-    orbit: Any = field(repr=False)
+    orbit: KeptOrbit
 
     def __len__(self) -> int:
         return len(self.parameter_values)
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit."""
+        return self.orbit.name
 
     def orbit_at(self, place: int | Event) -> Orbit:
         """Give the orbit at a point of the branch, or at an event.

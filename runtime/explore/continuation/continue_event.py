@@ -194,7 +194,6 @@ def continue_event(
 
     path = trace_both_ways(locus, limits, step, points, go_on)
     found = Locus(
-        name=branch.name,
         kind=event.kind,
         boundary=event.boundary,
         parameters=(branch.parameter, parameter),

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
+from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 
 __all__ = ["Locus"]
 
@@ -21,8 +24,6 @@ class Locus(Kept):
 
     Attributes
     ----------
-    name : str
-        Of the orbit.
     kind : str
         A key of `nonsmooth.runtime.explore.continuation.event.KINDS`.
     boundary : str
@@ -40,21 +41,23 @@ class Locus(Kept):
         That the branch of the event was followed from.
     """
 
-    _kept_by = "save_locus"
-
-    name: str
-    kind: str
+    kind: Annotated[str, one_of(tuple(KINDS))]
     boundary: str
     parameters: tuple[str, str]
-    values: np.ndarray
+    values: Table
     unknown_names: tuple[str, ...]
-    unknowns: np.ndarray
+    unknowns: Table
     ends: tuple[str, str]
     start: int
-    orbit: Any = field(repr=False)
+    orbit: KeptOrbit
 
     def __len__(self) -> int:
         return len(self.values)
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit."""
+        return self.orbit.name
 
     @property
     def title(self) -> str:
