@@ -29,7 +29,6 @@ from nonsmooth.runtime.orbits.table_solve import known_orbit
 __all__ = [
     "FOUND",
     "found_held",
-    "found_json",
     "found_orbit",
     "found_system",
     "held_found",
@@ -290,71 +289,3 @@ def _check_mirror(mirror: int | None, place: int) -> None:
     """Refuse a mirror image of what is not before the entry at a place, or itself."""
     if mirror is not None and not 0 <= mirror <= place:
         raise InputError("a mirror image is of no entry before it")
-
-
-def found_json(found: Found) -> dict[str, Any]:
-    """Orbits, basins and shares as JSON; numbers are decimal strings of the exact doubles."""
-
-    def part(entry: FoundOrbit | FoundEquilibrium, verdict: str, place: int, before: int) -> Any:
-        mirror = entry.mirror
-        return {
-            "stability": verdict,
-            "starts": entry.starts,
-            "share": repr(entry.share),
-            "mirror_of": None if mirror in (None, place) else mirror + before + 1,
-            "symmetric": mirror == place,
-        }
-
-    def state(values: np.ndarray) -> dict[str, str]:
-        return {name: repr(x) for name, x in zip(found.names, values.tolist(), strict=True)}
-
-    def orbit(entry: FoundOrbit, place: int) -> dict[str, Any]:
-        solved = entry.orbit
-        phases = zip(entry.itinerary, solved.dwell_times.tolist(), solved.states, strict=True)
-        return {
-            "period": repr(entry.period),
-            "forcing_periods": list(entry.forcing_periods),
-            **part(entry, entry.verdict, place, 0),
-            "itinerary": [
-                {
-                    "configuration": configuration,
-                    "boundary": boundary,
-                    "dwell_time": repr(duration),
-                    "start": state(start),
-                }
-                for (configuration, boundary), duration, start in phases
-            ],
-            "multipliers": [
-                {"re": repr(float(m.real)), "im": repr(float(m.imaginary)), "trivial": m.trivial}
-                for m in solved.stability.multipliers
-            ],
-            "trace": repr(float(solved.stability.trace)),
-            "residual": repr(float(solved.residual)),
-            "admissible": solved.admissibility.verdict,
-        }
-
-    def equilibrium(entry: FoundEquilibrium, place: int) -> dict[str, Any]:
-        solved = entry.equilibrium
-        return {
-            "configuration": solved.configuration,
-            **part(entry, solved.verdict, place, len(found.orbits)),
-            "state": state(solved.state),
-            "eigenvalues": [
-                {"re": repr(x.real), "im": repr(x.imag)} for x in solved.eigenvalues.tolist()
-            ],
-        }
-
-    box = zip(found.names, found.box.tolist(), strict=True)
-    return {
-        "system": found.system,
-        "parameters": {name: value.text for name, value in found.parameters.items()},
-        "starts": len(found.starts),
-        "transitions": found.transitions,
-        "complete": found.complete,
-        "box": {name: [repr(end) for end in ends] for name, ends in box},
-        "orbits": [orbit(entry, place) for place, entry in enumerate(found.orbits)],
-        "equilibria": [equilibrium(entry, place) for place, entry in enumerate(found.equilibria)],
-        "outcomes": {o.name.lower(): repr(found.share(o)) for o in found.outcomes},
-        "resting": repr(found.resting),
-        "unclassified": repr(found.unclassified),
-    }

@@ -9,10 +9,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-import numpy as np
-
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import encode, nan_as_null
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.locus import Locus
@@ -22,7 +19,7 @@ from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
-__all__ = ["BRANCH", "DESIGN", "FIT", "LOCUS", "SWEEP", "design_json", "fit_json", "save_result"]
+__all__ = ["BRANCH", "DESIGN", "FIT", "LOCUS", "SWEEP", "save_result"]
 
 
 def _check_branch(branch: Branch) -> None:
@@ -144,30 +141,3 @@ _FORMATS: dict[type, FileFormat[Any]] = {
 def save_result(result: Any, path: str | os.PathLike[str]) -> None:
     """Write a result to a file, which is replaced only when the new one is complete."""
     _FORMATS[type(result)].write(path, result)
-
-
-def design_json(design: Design) -> dict[str, Any]:
-    """A design as JSON, without its orbits' files.
-
-    Numbers are decimal strings, and null if unknown.
-    """
-    from nonsmooth.runtime.present.report import orbit_json
-
-    found = {
-        **encode(design, without=("start", "orbit")),
-        "conditions": [each.text for each in design.conditions],
-        "orbit": orbit_json(design.orbit),
-    }
-    return {name: nan_as_null(entry) for name, entry in found.items()}
-
-
-def fit_json(fit: Fit) -> dict[str, Any]:
-    """A fit as JSON; numbers are decimal strings with every digit, and null if unknown."""
-    found = {"system": fit.system, **encode(fit, without=("system",))}
-    found["standard_errors"] = [repr(each) for each in fit.standard_errors.tolist()]
-    found["correlation"] = [[repr(each) for each in row] for row in fit.correlation.tolist()]
-    found["same_sequence"] = fit.same_sequence
-    for entries, experiment in zip(found["experiments"], fit.experiments, strict=True):
-        for written, series in zip(entries["series"], experiment.series, strict=True):
-            written["residuals"] = [repr(each) for each in np.asarray(series.residuals).tolist()]
-    return {name: nan_as_null(entry) for name, entry in found.items()}
