@@ -34,13 +34,13 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping, Sequence
 
-    from nonsmooth.runtime.cli.display_results import Others
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.present.answers import Others
 
 __all__ = ["follow"]
 
@@ -122,16 +122,16 @@ def follow(
     as_json: AsJson = False,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
-    from nonsmooth.runtime.cli.display_results import branch_json, show_branch
     from nonsmooth.runtime.orbits.solve import solve
-    from nonsmooth.runtime.present.files.branches import load_branch
+    from nonsmooth.runtime.present.answers import branch_json
+    from nonsmooth.runtime.present.files.kept import BRANCH
 
     check_drawing(plot)
     _check_picture(plot, quantity, frequency, over, follow_event)
     if resume is not None and (switch or follow_event is not None):
         raise InputError("--resume is for a branch, and not for what --switch and --follow lead to")
     check_new(save, overwrite, resume, resumes=not switch and follow_event is None)
-    known = None if resume is None else load_branch(resume)
+    known = None if resume is None else BRANCH.load(resume)
     if follow_event is not None and beyond:
         raise InputError("--beyond is of a branch: leave it out with --follow")
     wanted = 1 if follow_event is None else 2
@@ -191,12 +191,42 @@ def follow(
         )
     code = written.show(
         lambda: branch_json(branch, beyond_events),
-        lambda: show_branch(branch, beyond_events),
+        lambda: _show(branch, beyond_events),
         as_json=as_json,
     )
     if not stopped:
         return code
     return kept_of(f"{len(branch)} points are done", written.kept(save), resumes=not switch)
+
+
+def _show(branch: Branch, others: Others) -> None:
+    """Show a branch, the itineraries beyond its events, and the options that go on from them."""
+    from nonsmooth.runtime.cli.tables import show_result
+
+    show_result(branch)
+    for number, orbits in others.items():
+        value = branch.events[number].value
+        for orbit in orbits:
+            names = " > ".join(configuration for configuration, _ in orbit["itinerary"])
+            print(f"beyond {branch.parameter} = {value:.6g}: {names} ({orbit['stability']})")
+    for line in _ways_on(branch, others):
+        print(line)
+
+
+def _ways_on(branch: Branch, others: Others) -> Iterator[str]:
+    """Give a line for each option that goes on from an event of the branch."""
+    switches = [event.kind for event in branch.events if event.switches]
+    if switches:
+        yield f"--switch {_named(switches)} follows the other branch there"
+    if not others and any(event.border_collision for event in branch.events):
+        yield "--beyond finds the itineraries beyond border collisions"
+    if followed := [event.kind for event in branch.events if event.kind != "admissibility"]:
+        yield f"--follow {_named(followed)} with a second range NAME=A:B follows it in the plane"
+
+
+def _named(kinds: Sequence[str]) -> str:
+    """The first of some events as an option takes it: its kind, and ``:1`` if there are more."""
+    return kinds[0] + ":1" * (kinds.count(kinds[0]) > 1)
 
 
 def _check_picture(
@@ -286,8 +316,9 @@ def _in_the_plane(
 ) -> int:
     """Follow an event in the plane of two parameters, keep and show it; gives the exit code."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_results import locus_json, show_locus
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
+    from nonsmooth.runtime.present.answers import locus_json
 
     what = f"following {event.kind.replace('-', ' ')}"
     with counted(what, 2 * MOST_POINTS) as progress:
@@ -300,7 +331,7 @@ def _in_the_plane(
     written.save(locus.save, save)
     if plot is not None:
         written.draw(locus.plot, plot)
-    code = written.show(lambda: locus_json(locus), lambda: show_locus(locus), as_json=as_json)
+    code = written.show(lambda: locus_json(locus), lambda: show_result(locus), as_json=as_json)
     if stopped:
         return kept_of(f"{len(locus)} points are done", written.kept(save), resumes=False)
     return code

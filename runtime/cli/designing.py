@@ -114,12 +114,13 @@ def design(
 ) -> int:
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.design.design import design as find_design
-    from nonsmooth.runtime.present.files.designs import load_design
+    from nonsmooth.runtime.present.files.kept import DESIGN
 
     check_drawing(plot)
     check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else load_design(resume)
+    known = None if resume is None else DESIGN.load(resume)
     texts = parameters or []
     over = {
         n: (a, b) for n, (a, b, _) in ranges("parameter", [t for t in texts if ":" in t]).items()
@@ -155,7 +156,7 @@ def design(
     written.save(found.save, save)
     if plot is not None:
         written.draw(found.plot, plot)
-    code = written.show(found.to_json, lambda: _show(found), as_json=as_json)
+    code = written.show(found.to_json, lambda: show_result(found), as_json=as_json)
     if stopped:
         return kept_of(f"{len(found.history)} iterates are done", written.kept(save))
     return code or _judged(found, require or [])
@@ -196,23 +197,3 @@ def _judged(found: Design, require: list[RequiredVerdict]) -> int:
             say(f"required: {wanted.value}; found: {'no' if verdict is False else verdict}")
             code = NOT_MET
     return code
-
-
-def _show(found: Design) -> None:
-    """Print the values where the design begins and ends, and the conditions that are active."""
-    from nonsmooth.runtime.cli.tables import listing, show_table
-    from nonsmooth.runtime.model.naming import shown_name
-
-    aim = f"{found.aim} {found.quantity}" if found.quantity else "wanted values"
-    print(f"{shown_name(found.orbit.name)}, {aim}: {found.message}")
-    table = listing("", "begins", "ends")
-    for name in (*found.parameters, *found.quantities):
-        table.add_row(name, f"{found.before[name]:.12g}", f"{found.after[name]:.12g}")
-    show_table(table)
-    for name in found.worst_over:
-        places = ", ".join(f"{value:.6g}" for value in found.worst_at)
-        print(f"worst at {name} = {places}")
-    for limit in found.active:
-        worth = f", multiplier {limit.multiplier:.6g}" if found.quantity else ""
-        print(f"active: {limit.text}{worth}")
-    print(f"{found.method}, {len(found.history)} iterates, {found.residual:.2g} left")

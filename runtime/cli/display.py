@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.cli.tables import STYLES, console_as_wide, listing, show_table
 from nonsmooth.runtime.core.errors import one_line
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.naming import shown_name
@@ -34,7 +34,6 @@ _LONGEST_NUMBER = 64  # beside the labels
 _GROUP, _GROUPS_IN_LINE = 10, 5
 _RANKS = {1: "one", 2: "two", 3: "three"}
 _LONG = 600.0  # seconds over which a rate of work is told: shares rise in jumps
-_VERDICT_STYLES = {"stable": "green", "unstable": "red"}
 
 
 def show_report(
@@ -307,7 +306,7 @@ def _criterion(
             "unstable": "unstable (a multiplier outside the unit circle)",
         }
     text = reason.get(verdict, f"{verdict}: the margin is zero to these digits, ask for more")
-    table.add_row("verdict", Text(text, style=f"bold {_VERDICT_STYLES.get(verdict, 'yellow')}"))
+    table.add_row("verdict", Text(text, style=f"bold {STYLES.get(verdict, 'yellow')}"))
     if verdict == "stable":
         table.add_row("", "under perturbations that keep the order of the switches")
     if "proof" in found:

@@ -120,7 +120,7 @@ def fit(
 ) -> int:
     """Find parameters, starts and clocks from measured series, event times or responses."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_results import show_fit
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.fitting.fit import fit as find
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
 
@@ -168,7 +168,7 @@ def fit(
         from nonsmooth.runtime.present.pictures.fits import fit_figure
 
         written.draw(lambda: fit_figure(found), plot)
-    code = written.show(found.to_json, lambda: show_fit(found), as_json=as_json)
+    code = written.show(found.to_json, lambda: show_result(found), as_json=as_json)
     if stopped:
         return kept_of("the best fit until then is found", written.kept(save), resumes=False)
     return code or (ANSWERED if found.status == "converged" else UNANSWERED)

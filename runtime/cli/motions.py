@@ -100,22 +100,17 @@ def simulate(
     as_json: AsJson = False,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
-    from nonsmooth.runtime.cli.display_results import (
-        show_derivatives,
-        show_motion,
-        show_observables,
-        show_proof,
-    )
-    from nonsmooth.runtime.cli.report_motions import (
-        derivatives_json,
-        motion_json,
-        observables_json,
-        proof_json,
-    )
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.core.files import check_ending, check_target
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.model.engine_run import Status
     from nonsmooth.runtime.model.structure import structure_of
+    from nonsmooth.runtime.present.answers import (
+        motion_derivatives_json,
+        motion_json,
+        observables_json,
+        proof_json,
+    )
     from nonsmooth.runtime.simulation.derivatives import chosen_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
@@ -165,19 +160,17 @@ def simulate(
         if observed is not None:
             found["observables"] = observables_json(observed)
         if changes is not None:
-            found["derivatives"] = derivatives_json(changes)
+            found["derivatives"] = motion_derivatives_json(changes)
         if proof is not None:
             found["proof"] = proof_json(proof)
         return found
 
     def show() -> None:
-        show_motion(motion)
-        if observed is not None:
-            show_observables(observed)
-        if changes is not None:
-            show_derivatives(changes)
-        if proof is not None:
-            show_proof(proof)
+        show_result(motion)
+        for more in (observed, changes, proof):
+            if more is not None:
+                print()
+                show_result(more)
 
     code = written.show(told, show, as_json=as_json)
     overflown = motion.status == Status.OVERFLOW
@@ -241,12 +234,12 @@ def find(
 ) -> int:
     """Find the periodic orbits and equilibria of a system, and where random starts lead."""
     from nonsmooth.runtime.cli.display import counted, steps
-    from nonsmooth.runtime.cli.display_results import show_found
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.finding.basins import plane_of_starts
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.model.kernels import load_system
+    from nonsmooth.runtime.present.answers import found_json
     from nonsmooth.runtime.present.files.declaring import check_declaration, write_itineraries
-    from nonsmooth.runtime.present.files.found import found_json
 
     if (plot is None) != (basins is None):
         raise InputError("--basins says what to map and --plot where to draw it: give both")
@@ -305,7 +298,7 @@ def find(
             say(f"not appended: {rest} of the orbits, which reach no boundary")
     code = written.show(
         lambda: {**found_json(found), "itineraries": list(names)},
-        lambda: show_found(found),
+        lambda: show_result(found),
         as_json=as_json,
     )
     if not as_json:
@@ -385,14 +378,14 @@ def sweep(
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.display_results import show_sweep
-    from nonsmooth.runtime.cli.report_motions import sweep_json
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
-    from nonsmooth.runtime.present.files.sweeps import load_sweep
+    from nonsmooth.runtime.present.answers import sweep_json
+    from nonsmooth.runtime.present.files.kept import SWEEP
 
     check_drawing(plot)
     check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else load_sweep(resume)
+    known = None if resume is None else SWEEP.load(resume)
     asked, options = _question(
         system, parameters or [], quantity, at, phase, start, transient, samples, not restart
     )
@@ -410,7 +403,7 @@ def sweep(
         from nonsmooth.runtime.present.pictures.maps import draw_sweep
 
         written.draw(lambda: draw_sweep(diagram), plot)
-    code = written.show(lambda: sweep_json(diagram), lambda: show_sweep(diagram), as_json=as_json)
+    code = written.show(lambda: sweep_json(diagram), lambda: show_result(diagram), as_json=as_json)
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", written.kept(save))
     return code

@@ -114,7 +114,7 @@ def hold(orbit: Orbit) -> None:
 
     This serves files that may be written before they have a part that holds the system.
     """
-    from nonsmooth.runtime.present.files.orbits import orbit_content
+    from nonsmooth.runtime.orbits.orbit_file import orbit_content
 
     request = _RUNNING.get().request
     if "orbit" not in request and not orbit.system.built_in:
@@ -274,8 +274,9 @@ def _held(content: Mapping[str, Any], target: str, name: str) -> str:
 
     if name in (*system_names(), *orbit_names()):
         return name
-    held = [entry for holder in _HOLDERS if isinstance(entry := content.get(holder), list)]
-    parts = [content, *(part for entry in held for part in entry)]
+    held = [content.get(holder) for holder in _HOLDERS]
+    lists = [entry if isinstance(entry, list) else [entry] for entry in held]
+    parts = [content, *(part for entry in lists for part in entry if isinstance(part, dict))]
     system = next((part["system"] for part in parts if part.get("tables")), "")
     if is_saved(name) or not (isinstance(system, str) and is_hashed(system)):
         # a file of Python would be run, and that of an orbit may be another one by now

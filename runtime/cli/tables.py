@@ -4,13 +4,20 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
+from typing import Any
 
 from rich import box
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-__all__ = ["console_as_wide", "listing", "show_table"]
+__all__ = ["STYLES", "console_as_wide", "listing", "show_result", "show_table"]
+
+STYLES = {  # of verdicts
+    **dict.fromkeys(("proved", "stable"), "green"),
+    **dict.fromkeys(("refuted", "unstable", "refused"), "red"),
+    "undecided": "yellow",
+}
 
 _PIPE = 1_000_000  # columns: as many as it takes
 
@@ -29,6 +36,26 @@ def listing(*titles: str, right: Sequence[str] = ()) -> Table:
     for title in titles:
         table.add_column(title, justify="right" if title in right else "left", no_wrap=True)
     return table
+
+
+def show_result(result: Any) -> None:
+    """Show what a result tells of itself: its title, and lines and tables by name."""
+    from nonsmooth.runtime.present.tell import tell
+    from nonsmooth.runtime.present.told import Listing
+
+    out = console_as_wide()
+    title, rows = tell(result)
+    out.print(Text(title, style="bold"))
+    for name, part in rows:
+        if not part:
+            continue
+        if isinstance(part, Listing):
+            table = listing(*part.titles, right=part.right)
+            for cells in part.rows:
+                table.add_row(*(Text(cell, style=STYLES.get(cell, "")) for cell in cells))
+            show_table(table, out)
+        else:
+            out.print(Text(f"{name}: {'; '.join(part)}"))
 
 
 def show_table(table: Table, out: Console | None = None, *, keys: int = 1) -> None:

@@ -14,7 +14,7 @@ annotation                     entry
 `Exact`                        the text of a decimal number or a fraction, kept as it is
 `Complex`, `AnyComplex`        ``"re im"``, or ``"re"`` for a real one
 `Value`                        a given value as it was written
-`Row`, `AnyRow`, `Table`, ...  an array, flat or row by row, of decimal strings
+`Row`, `AnyRow`, `Table`, ...  an array, flat or row by row, of decimal or complex strings
 ``tuple[X, ...]``              a list
 ``tuple[X, Y]``                a list of so many
 ``Mapping[str, X]``            an object
@@ -25,6 +25,7 @@ a record                       an object with exactly its fields; one that has a
                                that is not there
 ``Any``                        whatever is there
 ``Annotated[X, Codec(...)]``   what its two functions say
+``Annotated[X, Several(...)]`` the entries of a record, which stand beside those of other fields
 =============================  ==================================================================
 """
 
@@ -32,7 +33,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import MISSING, dataclass, fields, is_dataclass
 from fractions import Fraction
 from functools import cache
@@ -52,6 +53,7 @@ from nonsmooth.runtime.core.values import (
 
 __all__ = [
     "AnyComplex",
+    "AnyComplexTable",
     "AnyDigits",
     "AnyRow",
     "AnyTable",
@@ -66,6 +68,7 @@ __all__ = [
     "FromOne",
     "Integers",
     "Row",
+    "Several",
     "Table",
     "decode",
     "encode",
@@ -82,9 +85,18 @@ _WRONG_TYPE = " is of the wrong type"
 class Codec:
     """The two functions that write and read one kind of entry."""
 
-    write: Callable[[Any], Any]  # gives the JSON entry of a value
+    write: Callable[..., Any]  # gives the JSON entry of a value
     # gives the value of an entry; InputError or ValueError for another entry
     read: Callable[[Any], Any]
+
+
+@dataclass(frozen=True)
+class Several:
+    """How one field stands as several entries: those of a record that is made of its value."""
+
+    entries: type  # the record
+    write: Callable[[Any], Any]  # gives the record of a value
+    read: Callable[[Any], Any]  # gives the value of a record; InputError for another record
 
 
 class _Refused(InputError):
@@ -99,10 +111,13 @@ class _Refused(InputError):
         return _Refused(self.problem, (step, *self.path))
 
 
-def encode(record: Any) -> dict[str, Any]:
-    """The JSON object of a record, whose annotations say how each field is written."""
+def encode(record: Any, without: Collection[str] = ()) -> dict[str, Any]:
+    """The JSON object of a record, whose annotations say how each field is written.
+
+    Fields named in `without` are left out.
+    """
     kind: Any = type(record)
-    entries: dict[str, Any] = _codec(kind).write(record)
+    entries: dict[str, Any] = _codec(kind).write(record, without)
     return entries
 
 
@@ -305,16 +320,20 @@ def _optional(part: Codec, nothing: Any = None) -> Codec:
 
 def _record(kind: Any) -> Codec:
     hints = get_type_hints(kind, include_extras=True)
-    ways = {field.name: _codec(hints[field.name]) for field in fields(kind)}
+    spread = {f.name: found for f in fields(kind) if (found := _several(hints[f.name]))}
+    ways = {f.name: _codec(hints[f.name]) for f in fields(kind) if f.name not in spread}
     left_out = {f.name: f.default for f in fields(kind) if f.default is not MISSING}
+    beside = {part.name: name for name, own in spread.items() for part in fields(own.entries)}
 
-    def write(record: Any) -> dict[str, Any]:
-        held = {name: getattr(record, name) for name in ways}
-        return {
-            name: ways[name].write(value)
-            for name, value in held.items()
-            if name not in left_out or value != left_out[name]
-        }
+    def write(record: Any, without: Collection[str] = ()) -> dict[str, Any]:
+        entries: dict[str, Any] = {}
+        for name in (field.name for field in fields(kind) if field.name not in without):
+            value = getattr(record, name)
+            if name in spread:
+                entries |= encode(spread[name].write(value))
+            elif name not in left_out or value != left_out[name]:
+                entries[name] = ways[name].write(value)
+        return entries
 
     def read(entry: Any) -> Any:
         if type(entry) is not dict:
@@ -323,11 +342,20 @@ def _record(kind: Any) -> Codec:
             if name not in entry and name not in left_out:
                 raise _Refused(" is missing", (name,))
         for name in entry:
-            if name not in ways:
+            if name not in ways and name not in beside:
                 raise _Refused(" is unknown", (name,))
-        return kind(**_named(entry, {name: ways[name] for name in entry}))
+        found = _named(entry, {name: ways[name] for name in entry if name in ways})
+        for name, own in spread.items():
+            parts = {part: entry[part] for part in entry if beside.get(part) == name}
+            found[name] = own.read(decode(own.entries, parts))
+        return kind(**found)
 
     return Codec(write, read)
+
+
+def _several(hint: Any) -> Several | None:
+    notes = get_args(hint)[1:] if get_origin(hint) is Annotated else ()
+    return next((note for note in notes if isinstance(note, Several)), None)
 
 
 def one_of(known: tuple[str, ...]) -> Codec:
@@ -349,14 +377,14 @@ def _flat(part: Codec, kind: type) -> Codec:
     )
 
 
-def _rows(part: Codec) -> Codec:
+def _rows(part: Codec, kind: type = float) -> Codec:
     """A `Codec` for arrays (n, m), as n lists."""
 
     def read(entry: Any) -> np.ndarray:
         rows = _place_in(entry, lambda row: _place_in(row, part.read))
         if len({len(row) for row in rows}) > 1:
             raise _Refused(" has rows of different lengths")
-        return np.array(rows, dtype=float).reshape(len(rows), -1 if rows else 0)
+        return np.array(rows, dtype=kind).reshape(len(rows), -1 if rows else 0)
 
     return Codec(lambda array: [[part.write(each) for each in row] for row in array.tolist()], read)
 
@@ -370,6 +398,7 @@ _PLAIN: dict[Any, Codec] = {
     Fraction: Codec(str, lambda entry: Fraction(_fraction(entry))),
 }
 _DIGITS, _ANY_DIGITS = Codec(_digits_of, _finite), Codec(_digits_of, _digits)
+_ANY_COMPLEX = Codec(_complex_text, _complex_of(_digits))
 
 Exact = Annotated[str, Codec(_same, _matching(r"-?\d+(\.\d+)?(e[-+]?\d+)?(/\d+)?"))]
 Digits = Annotated[float, _DIGITS]
@@ -379,7 +408,8 @@ AnyRow = Annotated[np.ndarray, _flat(_ANY_DIGITS, float)]
 Table = Annotated[np.ndarray, _rows(_DIGITS)]
 AnyTable = Annotated[np.ndarray, _rows(_ANY_DIGITS)]
 Complex = Annotated[np.ndarray, _flat(Codec(_complex_text, _complex_of(_finite)), complex)]
-AnyComplex = Annotated[np.ndarray, _flat(Codec(_complex_text, _complex_of(_digits)), complex)]
+AnyComplex = Annotated[np.ndarray, _flat(_ANY_COMPLEX, complex)]
+AnyComplexTable = Annotated[np.ndarray, _rows(_ANY_COMPLEX, complex)]
 Integers = Annotated[np.ndarray, _flat(_PLAIN[int], int)]
 Flags = Annotated[np.ndarray, _flat(_PLAIN[bool], bool)]
 # what is counted from 0 inside and from 1 where a person or a file sees it

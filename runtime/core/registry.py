@@ -26,21 +26,21 @@ def registered(name: str) -> Any:
 
 
 class Shown:
-    """A result that tells what it is; `present.summaries` has the words of each kind."""
+    """A result that tells what it is; `present.tell` has the words of each kind."""
 
     def __repr__(self) -> str:
-        text: str = registered("summary_text")(self)
+        text: str = registered("result_text")(self)
         return text
 
     def _repr_html_(self) -> str:
-        text: str = registered("summary_html")(self)
+        text: str = registered("result_html")(self)
         return text
 
 
 class Kept(Shown):
     """A result that a file keeps; `_kept_by` names the function that writes it."""
 
-    _kept_by: ClassVar[str]
+    _kept_by: ClassVar[str] = "save_result"
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the result to a file, which `nonsmooth.load` reads.

@@ -66,6 +66,8 @@ class FileFormat(Generic[Entries]):
     entries: type[Entries]
     version: int = 1
     most: int = _MOST  # bytes; a larger file is not read
+    # raises InputError for entries that do not belong together
+    together: Callable[[Entries], None] = lambda entries: None
 
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
@@ -96,6 +98,11 @@ class FileFormat(Generic[Entries]):
         """
         return self.check(parsed(read_file(path, self.most, self.what)))
 
+    def load(self, path: str | os.PathLike[str]) -> Entries:
+        """What `read` gives; its errors name the file."""
+        with naming(path) as file:
+            return self.read(file)
+
     def writer(
         self, entries: Callable[[Any], Entries]
     ) -> Callable[[Any, str | os.PathLike[str]], None]:
@@ -123,10 +130,12 @@ class FileFormat(Generic[Entries]):
         """The entries of what a JSON parser gave.
 
         An `InputError` refuses another format, version or checksum, and entries that are not
-        in order.
+        in order or do not belong together.
         """
-        entries = self.check_entries(content)
+        self._check_head(content)
         self.check_sum(content)
+        entries = self._entries(content)
+        self.together(entries)
         return entries
 
     def check_entries(self, content: Any) -> Entries:
@@ -134,6 +143,10 @@ class FileFormat(Generic[Entries]):
 
         An `InputError` refuses another format or version, and entries that are not in order.
         """
+        self._check_head(content)
+        return self._entries(content)
+
+    def _check_head(self, content: Any) -> None:
         if not isinstance(content, dict) or content.get("format") != self.name:
             raise InputError(f"not a {self.what}, such as --save or save() writes{_told(content)}")
         if content.get("version") != self.version or type(content["version"]) is not int:
@@ -148,6 +161,8 @@ class FileFormat(Generic[Entries]):
                 raise InputError(f"{name!r} is of the wrong type")
         if type(content.get("request", {})) is not dict:
             raise InputError("'request' is of the wrong type")
+
+    def _entries(self, content: Mapping[str, Any]) -> Entries:
         return decode(self.entries, {n: x for n, x in content.items() if n not in _HEAD})
 
     def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:

@@ -16,30 +16,30 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from itertools import chain
 from types import ModuleType
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.core.json_codec import Several, decode, encode
 from nonsmooth.runtime.model.contacts.law import ContactRows
 from nonsmooth.runtime.model.expressions import Function, written
 from nonsmooth.runtime.model.kernels import (
-    OrbitKernels,
     ParameterTable,
     SystemKernels,
-    load_orbit,
+    known_system,
     load_system,
-    orbit_names,
     system_names,
 )
 from nonsmooth.runtime.model.loading.load import remember
 
 __all__ = [
     "SAVED_VERSION",
+    "KeptSystem",
+    "KeptSystemName",
     "SavedSystem",
+    "SystemEntries",
     "check_same_system",
     "kernels_of_saved",
     "named",
-    "orbit_in",
     "same_system",
     "saved_of",
     "system_in",
@@ -257,16 +257,32 @@ def system_in(name: str, saved: SavedSystem | None) -> SystemKernels:
     return kernels_of_saved(saved)
 
 
-def orbit_in(name: str, saved: SavedSystem | None) -> OrbitKernels:
-    """The orbit of a file: of the built-in systems, or of the one that the file holds.
+@dataclass(frozen=True, kw_only=True)
+class SystemEntries:
+    """A system in a file: its name there, and its data if it is not built in."""
 
-    Raises `InputError` as `system_in` does, or if the system has no such orbit.
-    """
-    if saved is not None:
-        system_in(name.rpartition(":")[0], saved)
-    elif name not in orbit_names():
-        raise unknown_name("orbit", name, orbit_names())
-    return load_orbit(name)
+    system: str
+    tables: SavedSystem | None
+
+
+def _system_entries(kernels: SystemKernels) -> SystemEntries:
+    name, _, saved = named(kernels)
+    return SystemEntries(system=name, tables=saved)
+
+
+# fields of records that files hold: a system, or its name
+KeptSystem = Annotated[
+    SystemKernels,
+    Several(SystemEntries, _system_entries, lambda found: system_in(found.system, found.tables)),
+]
+KeptSystemName = Annotated[
+    str,
+    Several(
+        SystemEntries,
+        lambda name: _system_entries(known_system(name)),
+        lambda found: system_in(found.system, found.tables).name,
+    ),
+]
 
 
 def kernels_of_saved(saved: SavedSystem) -> SystemKernels:

@@ -430,10 +430,6 @@ class Orbit(Shown):
         """
         registered("save_orbit")(self, path)
 
-    def _repr_html_(self) -> str:
-        text: str = registered("orbit_html")(self)
-        return text
-
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text

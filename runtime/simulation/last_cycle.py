@@ -41,11 +41,11 @@ class Recurrence(NamedTuple):
     start: np.ndarray
 
     def __repr__(self) -> str:
-        text: str = registered("summary_text")(self)
+        text: str = registered("result_text")(self)
         return text
 
     def _repr_html_(self) -> str:
-        text: str = registered("summary_html")(self)
+        text: str = registered("result_html")(self)
         return text
 
 

@@ -146,7 +146,7 @@ def test_prove():
     assert proof["boundaries"] == found["boundaries"][1:]  # none at the start
     for time, enclosure in zip(found["times"], proof["times"], strict=True):
         assert abs(float(time) - float(enclosure["mid"])) <= float(enclosure["rad"]) + 1e-12
-    assert "proved: 12 transitions" in run(*FRICTION.split(), "--prove")[1]
+    assert "proved motion of dry-friction, 12 transitions" in run(*FRICTION.split(), "--prove")[1]
 
 
 @pytest.mark.parametrize(
@@ -336,7 +336,8 @@ def test_a_diagram(tmp_path, ending, start):
     target = tmp_path / f"diagram.{ending}"
     code, out, _ = run(*SWEEP.split(), "--plot", str(target))
     assert code == 0
-    assert "9 points of x1 at each entry of slip-stick, V from 0.95 to 1.05" in out
+    assert "x1 of dry-friction at each entry of slip-stick, over V" in out
+    assert "V: 0.95 ... 1.05, 3 of 3 values done; 9 points" in out
     assert out.endswith(f"{target} written\n")
     assert target.read_bytes().startswith(start)
 

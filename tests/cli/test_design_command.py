@@ -60,7 +60,7 @@ def test_the_worst_along_a_branch(tmp_path: Path) -> None:
     )  # fmt: skip
     code, out, _ = run(*question)
     assert code == 0
-    assert "worst at w = 0.98" in out
+    assert "worst at: w = 0.98" in out
     assert "active: d<=8.5" in out
     code, out, _ = run(*question, "--json", "--save", str(tmp_path / "d.json"))
     told = json.loads(out)

@@ -221,8 +221,9 @@ def test_a_sweep_that_is_interrupted_shows_what_it_has_looked_at(
     shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
     asked = QUESTIONS["sweep"]
     _, out, _ = begun(asked.words, asked.progress, asked.told)
-    counts = re.findall(r": (\d+) values? of w", out)
-    assert sum(map(int, counts)) == 3
+    assert re.search(r"w: .*, 3 of \d+ values done", out)
+    (settled,) = re.findall(r"settled: (.*)", out)
+    assert sum(int(part.split()[0]) for part in settled.split("; ")) == 3
 
 
 def test_every_command_that_resumes_is_asked_here() -> None:

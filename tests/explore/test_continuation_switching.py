@@ -209,4 +209,4 @@ def test_command() -> None:
     code, out, _ = run("continue", "rigid-stop/one-impact", "T=5:6.5", "--switch", "flip:1")
     assert code == 0
     assert "rigid-stop, 2 phases" in out
-    assert "period from" in out
+    assert "\nperiod: " in out

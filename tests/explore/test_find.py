@@ -335,7 +335,7 @@ def edited(path, edit, other):
     [
         lambda c: c.update(labels=c["labels"][:-1]),
         lambda c: c.update(labels=[99] * len(c["labels"])),
-        lambda c: c.update(start_states=[["0", "0"]]),
+        lambda c: c.update(starts=[["0", "0"]]),
         lambda c: c["box"].pop("x1"),
         lambda c: c.update(system="none"),
     ],
@@ -348,9 +348,11 @@ def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
 @pytest.mark.parametrize(
     ("edit", "reason"),
     [
-        (lambda c: c["orbits"][0]["itinerary"][0].update(dwell_time="1.5"), "not a solution"),
-        (lambda c: c["orbits"][0]["itinerary"][0]["start"].pop("x1"), "none of the states"),
-        (lambda c: c["orbits"][0]["itinerary"][0].update(boundary="none"), "none"),
+        (lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
+        (lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
+        (lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
+        (lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
+        (lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
         (lambda c: c["orbits"][0].update(itinerary=[]), "none of the states"),
     ],
 )
@@ -389,7 +391,7 @@ def test_what_is_none_of_its_system_leaves_the_rest(saved, tmp_path):
         {"state": {name: repr(x + 0.5) for name, x in zip(names, state, strict=True)}},
         {"state": {names[0]: repr(state[0])}},
         {"state": {f"{name}0": repr(x) for name, x in zip(names, state, strict=True)}},
-        {"mirror_of": first, "symmetric": False},
+        {"mirror": 2},
     ):
         loaded = given(lambda c, edit=edit: c["equilibria"][0].update(edit))
         refused(loaded, "equilibria", f"equilibrium {first}, in ")
@@ -397,7 +399,7 @@ def test_what_is_none_of_its_system_leaves_the_rest(saved, tmp_path):
             assert kept.orbit.unknowns == entry.orbit.unknowns
         assert solve(f"{path}:1").period == pytest.approx(orbits[0].period, rel=1e-12)
     told = "orbit 1, of period "
-    loaded = given(lambda c: c["orbits"][0].update(mirror_of=1, symmetric=False))
+    loaded = given(lambda c: c["orbits"][0].update(mirror=2))
     refused(loaded, "orbits", told)
     for kept, entry in zip(loaded.equilibria, steady, strict=True):
         np.testing.assert_array_equal(kept.equilibrium.state, entry.equilibrium.state)

@@ -249,7 +249,7 @@ def test_bounds_hold_and_are_told() -> None:
     assert math.isnan(found.standard_errors[0])
     assert found.standard_errors[1] > 0
     assert found.untold == {"k": "at its bound"}
-    assert "k: at its bound" in str(found)
+    assert "k, 3.9, at its bound" in str(found)
     assert "nan" not in str(found)
 
 

@@ -486,8 +486,8 @@ def test_files_and_words(build, data, tmp_path):
     ns.load(files[0]).save(files[1])
     told, wanted = (json.loads(file.read_text()) for file in files)
     assert told == wanted
-    assert [(one["forcing_periods"], one["symmetric"]) for one in told["orbits"]] == [
-        ([1], False) for _ in found.orbits
+    assert [(one.forcing_periods, one.mirror) for one in ns.load(files[0]).orbits] == [
+        ((1,), None) for _ in found.orbits
     ]
 
 

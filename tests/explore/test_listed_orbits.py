@@ -162,7 +162,7 @@ def test_one_bad_orbit_of_a_file_leaves_the_others(tmp_path):
     file = tmp_path / "found.json"
     found.save(file)
     content = json.loads(file.read_text())
-    content["orbits"][0]["itinerary"][0]["dwell_time"] = "1e-16"
+    content["orbits"][0]["dwell_times"][0] = "1e-16"
     content["sha256"] = checksum_of({k: v for k, v in content.items() if k != "sha256"})
     file.write_text(json.dumps(content))
     loaded = ns.load(file)

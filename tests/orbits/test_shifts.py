@@ -306,7 +306,7 @@ def test_they_are_saved_and_solved_again(tmp_path):
     moved = ns.solve(str(path), {"V": "0.51"})
     assert moved.shift["x"] == pytest.approx(0.51 * moved.period, rel=1e-10)
     content = json.loads(path.read_text())
-    content["phases"][0]["start"][1] = "-0.11"
+    content["starts"][0][1] = "-0.11"
     content["sha256"] = checksum_of(content)
     path.write_text(json.dumps(content))
     with pytest.raises(ns.InputError, match="not a solution"):

@@ -12,31 +12,33 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 import pytest
 
+from nonsmooth.runtime.core.json_codec import Several
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.charting.problem import HeldOrbit
 from nonsmooth.runtime.explore.charting.store import FORMAT
+from nonsmooth.runtime.orbits import orbit_file
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system
 KNOWN = {
     "nonsmooth basin certificate": (5, "94d2816c0887"),
     "nonsmooth box certificate": (7, "9a29ce8ea32e"),
-    "nonsmooth branch": (3, "0ecfb9e49f1a"),
+    "nonsmooth branch": (4, "66c3a2dfb4e2"),
     "nonsmooth census": (5, "e7dc97ad2fd4"),
     "nonsmooth certificate": (5, "e8f68e264464"),
     "nonsmooth certified branch": (5, "e710bf3ffbf5"),
     "nonsmooth certified doubling": (2, "14b7c3e7c0aa"),
     "nonsmooth chaos certificate": (5, "da5ba7744476"),
-    "nonsmooth composed orbit": (4, "596388c9b299"),
-    "nonsmooth design": (1, "21fd4ff587b1"),
+    "nonsmooth design": (2, "c8b1c1f8a88e"),
     "nonsmooth event certificate": (5, "17039143ba04"),
-    "nonsmooth fit": (3, "618a46e431b0"),
-    "nonsmooth found orbits": (6, "6de3d0acac4a"),
+    "nonsmooth fit": (3, "f19d4d995297"),
+    "nonsmooth found orbits": (7, "85aeb5e23e88"),
     "nonsmooth graph certificate": (5, "38c80f667b84"),
-    "nonsmooth locus": (2, "bbf34a2ff48e"),
-    "nonsmooth orbit": (4, "caf34d3f2b34"),
-    "nonsmooth sweep": (4, "4377ef58bf3b"),
+    "nonsmooth locus": (3, "cfb5b0d98246"),
+    "nonsmooth orbit": (5, "70ec938e5df6"),
+    "nonsmooth sweep": (4, "054f7f1f285f"),
     "nonsmooth trajectory": (5, "66b47a0db14b"),
 }
 CHART = ("nonsmooth chart 5", "2815ae59b2b9")
@@ -50,7 +52,9 @@ def entries_of(kind: Any) -> str:
         return f"{{{', '.join(f'{n}: {entries_of(h)}' for n, h in hints.items() if n in known)}}}"
     arguments = get_args(kind)
     if get_origin(kind) is Annotated:
-        return entries_of(arguments[0])
+        several = [note.entries for note in arguments[1:] if isinstance(note, Several)]
+        own_file = arguments[0] is Orbit  # of a version of its own
+        return name_of(Orbit) if own_file else entries_of((*several, arguments[0])[0])
     if get_origin(kind) in (Union, UnionType):
         return " | ".join(map(entries_of, arguments))
     if arguments:
@@ -69,10 +73,11 @@ def name_of(kind: Any) -> str:
 def formats() -> dict[str, FileFormat[Any]]:
     """Formats by their names, of all modules that write files."""
     files = "nonsmooth.runtime.present.files"
+    names = [f"{files}.{module.name}" for module in iter_modules(import_module(files).__path__)]
     found = [
         entry
-        for module in iter_modules(import_module(files).__path__)
-        for entry in vars(import_module(f"{files}.{module.name}")).values()
+        for name in [*names, orbit_file.__name__]
+        for entry in vars(import_module(name)).values()
         if isinstance(entry, FileFormat)
     ]
     return {entry.name: entry for entry in found}

@@ -87,7 +87,7 @@ def test_every_command_takes_one_of_the_orbits(folder):
 def test_the_listing_of_a_file_tells_why_an_orbit_is_none():
     wanted = answered("list", "found.json")["systems"]
     content = json.loads(Path("found.json").read_text())
-    content["orbits"][0]["itinerary"][0]["dwell_time"] = "1e-16"
+    content["orbits"][0]["dwell_times"][0] = "1e-16"
     content["sha256"] = checksum_of(content)
     Path("bad.json").write_text(json.dumps(content))
     (system,) = answered("list", "bad.json")["systems"]

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.cli.tables import STYLES, console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 __all__ = [
-    "STYLES",
     "UNIFORM",
     "basin_lines",
     "branch_table",
@@ -67,7 +66,6 @@ UNIFORM = {
     "existence": "one orbit next to the one that was followed",
     "admissibility": "a motion of the real system",
 }
-STYLES = {"proved": "green", "refuted": "red", "undecided": "yellow"}
 _DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
 
 

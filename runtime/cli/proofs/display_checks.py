@@ -10,7 +10,6 @@ from rich.console import Console
 from rich.text import Text
 
 from nonsmooth.runtime.cli.proofs.display_certificates import (
-    STYLES,
     UNIFORM,
     basin_lines,
     branch_table,
@@ -22,7 +21,7 @@ from nonsmooth.runtime.cli.proofs.display_certificates import (
     show_derivatives,
     show_regions,
 )
-from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.cli.tables import STYLES, console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.checking.check_file import Check

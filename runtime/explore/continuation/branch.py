@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
+from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Row, Table
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import Event, checked_event
@@ -21,11 +22,13 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "forcing_frequencies", "system_of", "usual_quantities"]
+__all__ = ["Branch", "StabilityOfPoint", "forcing_frequencies", "system_of", "usual_quantities"]
 
+StabilityOfPoint = Literal["stable", "neutral", "unstable", "undecided"]
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
 
 
@@ -35,8 +38,6 @@ class Branch(Kept):
 
     Attributes
     ----------
-    name : str
-        Of the orbit.
     parameter : str
     parameter_values : array (k,)
         They turn at folds.
@@ -61,25 +62,27 @@ class Branch(Kept):
         That point.
     """
 
-    _kept_by = "save_branch"
-
-    name: str
     parameter: str
-    parameter_values: np.ndarray
+    parameter_values: Row
     unknown_names: tuple[str, ...]
-    unknowns: np.ndarray
-    period: np.ndarray
-    multipliers: np.ndarray
-    trace: np.ndarray
-    stability: tuple[str, ...]
-    admissible: np.ndarray
+    unknowns: Table
+    period: Row
+    multipliers: AnyComplexTable
+    trace: AnyRow
+    stability: tuple[StabilityOfPoint, ...]
+    admissible: Flags
     events: tuple[Event, ...]
     ends: tuple[str, str]
     start: int
-    orbit: Any = field(repr=False)
+    orbit: KeptOrbit
 
     def __len__(self) -> int:
         return len(self.parameter_values)
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit."""
+        return self.orbit.name
 
     def orbit_at(self, place: int | Event) -> Orbit:
         """Give the orbit at a point of the branch, or at an event.

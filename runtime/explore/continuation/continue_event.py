@@ -10,21 +10,23 @@ down but do not limit what it converges to.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from operator import itemgetter
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.json_codec import Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import STEP, check_steps
-from nonsmooth.runtime.explore.continuation.event import Event, checked_event
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import INTERRUPTED, trace_both_ways
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 
 __all__ = ["MOST_POINTS", "Locus", "continue_event"]
 
@@ -38,8 +40,6 @@ class Locus(Kept):
 
     Attributes
     ----------
-    name : str
-        Of the orbit.
     kind : str
         A key of `nonsmooth.runtime.explore.continuation.event.KINDS`.
     boundary : str
@@ -57,21 +57,23 @@ class Locus(Kept):
         That the branch of the event was followed from.
     """
 
-    _kept_by = "save_locus"
-
-    name: str
-    kind: str
+    kind: Annotated[str, one_of(tuple(KINDS))]
     boundary: str
     parameters: tuple[str, str]
-    values: np.ndarray
+    values: Table
     unknown_names: tuple[str, ...]
-    unknowns: np.ndarray
+    unknowns: Table
     ends: tuple[str, str]
     start: int
-    orbit: Any = field(repr=False)
+    orbit: KeptOrbit
 
     def __len__(self) -> int:
         return len(self.values)
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit."""
+        return self.orbit.name
 
     @property
     def title(self) -> str:
@@ -283,7 +285,6 @@ def continue_event(
 
     path = trace_both_ways(locus, limits, step, points, go_on)
     found = Locus(
-        name=branch.name,
         kind=event.kind,
         boundary=event.boundary,
         parameters=(branch.parameter, parameter),

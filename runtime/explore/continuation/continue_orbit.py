@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import check_same_question
-from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.branch import Branch, StabilityOfPoint
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.locating import (
     LocatedEvent,
@@ -172,7 +172,6 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
     found.sort(key=lambda each: each.place)
     multipliers = curve.multipliers(points)
     return Branch(
-        name=curve.orbit.name,
         parameter=curve.parameter,
         parameter_values=points[:, -1],
         unknown_names=curve.names,
@@ -229,7 +228,7 @@ def _vanishes(curve: OrbitFamily, z: np.ndarray, end: Event) -> bool:
     return bool(dwell[end.phase] < SHORTEST * dwell.sum())
 
 
-def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
+def _verdict(multipliers: np.ndarray, conservative: bool) -> StabilityOfPoint:
     """Stability of one point, from its multipliers over one part."""
     largest = float(abs(multipliers).max(initial=0.0))
     if not math.isfinite(largest):

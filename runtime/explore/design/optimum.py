@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Literal
 
-import numpy as np
-
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import Digits
+from nonsmooth.runtime.core.json_codec import AnyDigits, AnyTable, Digits, Table
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, parse
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 
 __all__ = [
     "AIMS",
@@ -83,28 +81,26 @@ class Design(Kept):
         Where it began and where it ended: along a branch at the first worst place.
     """
 
-    _kept_by = "save_design"
-
     aim: Literal["minimise", "maximise", "solve"]
     quantity: str
     parameters: tuple[str, ...]
-    bounds: np.ndarray
-    worst_over: Mapping[str, tuple[float, float]]
+    bounds: Table
+    worst_over: Mapping[str, tuple[Digits, Digits]]
     conditions: tuple[DesignCondition, ...]
     method: str
     quantities: tuple[str, ...]
-    before: Mapping[str, float]
-    after: Mapping[str, float]
-    worst_at: tuple[float, ...]
-    gradient: Mapping[str, Mapping[str, float]]
+    before: Mapping[str, Digits]
+    after: Mapping[str, Digits]
+    worst_at: tuple[Digits, ...]
+    gradient: Mapping[str, Mapping[str, AnyDigits]]
     active: tuple[ActiveLimit, ...]
     corner: str
-    residual: float
-    history: np.ndarray
+    residual: Digits
+    history: AnyTable
     status: int
     message: str
-    start: Orbit = field(repr=False)
-    orbit: Orbit = field(repr=False)
+    start: KeptOrbit
+    orbit: KeptOrbit
 
     @property
     def converged(self) -> bool:

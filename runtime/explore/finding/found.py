@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import Kept, registered
+from nonsmooth.runtime.core.registry import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import Equilibrium
@@ -141,10 +141,6 @@ class Found(Kept):
     box: np.ndarray
     transitions: int
     complete: bool = True
-
-    def _repr_html_(self) -> str:
-        text: str = registered("found_html")(self)
-        return text
 
     def share(self, outcome: Outcome) -> float:
         """Give the share of the starts that end in one way.

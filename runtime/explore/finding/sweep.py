@@ -20,7 +20,7 @@ from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.saved_system import check_same_system
+from nonsmooth.runtime.model.saved_system import KeptSystemName, check_same_system
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.simulate import follow as follow_motion
@@ -62,9 +62,7 @@ class Sweep(Kept):
         Where the motion at the next value starts.
     """
 
-    _kept_by = "save_sweep"
-
-    system: str
+    system: KeptSystemName
     parameters: Mapping[str, Value]
     parameter: str
     state: str

@@ -17,6 +17,7 @@ from nonsmooth.runtime.explore.fitting.measurements import MeasuredSeries
 from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing, nearest
 from nonsmooth.runtime.explore.fitting.statistics import combination_text
 from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.saved_system import KeptSystemName
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.simulate import simulate
@@ -128,9 +129,7 @@ class Fit(Kept):
         Half the loss at which each ended; NaN where it was not begun.
     """
 
-    _kept_by = "save_fit"
-
-    system: str
+    system: KeptSystemName
     names: tuple[str, ...]
     estimates: Row
     lower: AnyRow

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, Integers, Table, decode, encode
-from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
+from nonsmooth.runtime.core.json_codec import Digits, FromOne, Integers, Row, Table, decode, encode
+from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
@@ -21,15 +21,14 @@ from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria, sa
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, KeptSystem
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import check_solves
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.present.files.table_orbits import check_solves
 
 __all__ = [
     "FOUND",
     "found_held",
-    "found_json",
     "found_orbit",
     "found_system",
     "held_found",
@@ -39,102 +38,47 @@ __all__ = [
 
 
 @dataclass(frozen=True, kw_only=True)
-class FoundPhaseEntries:
-    """Entries for a phase of an orbit: its configuration, start, dwell time and boundary."""
-
-    configuration: str
-    boundary: str
-    dwell_time: Digits
-    start: Mapping[str, Digits]
-
-
-@dataclass(frozen=True, kw_only=True)
-class MultiplierEntries:
-    """Entries for a multiplier of the Poincaré map."""
-
-    re: AnyDigits
-    im: AnyDigits
-    trivial: bool
-
-
-@dataclass(frozen=True, kw_only=True)
-class EigenvalueEntries:
-    """Entries for an eigenvalue of an equilibrium."""
-
-    re: Digits
-    im: Digits
-
-
-@dataclass(frozen=True, kw_only=True)
 class FoundOrbitEntries:
-    """Entries for an orbit; `mirror_of` is the number, from 1, of the entry that it mirrors."""
+    """Entries for an orbit; `mirror` is the number, from 1, of the orbit that it mirrors."""
 
-    period: Digits
-    forcing_periods: tuple[int, ...]
-    stability: str
-    starts: int
-    share: Digits
-    itinerary: tuple[FoundPhaseEntries, ...]
-    multipliers: tuple[MultiplierEntries, ...]
-    trace: AnyDigits
+    itinerary: tuple[tuple[str, str], ...]
+    dwell_times: Row
+    states: Table  # where the phases begin
     residual: Digits
-    admissible: Any
-    mirror_of: int | None
-    symmetric: bool
+    mirror: FromOne
 
 
 @dataclass(frozen=True, kw_only=True)
 class FoundEquilibriumEntries:
-    """Entries for an equilibrium; in the numbers of `mirror_of` the orbits come first."""
+    """Entries for an equilibrium; `mirror` counts equilibria alone."""
 
     configuration: str
-    stability: str
-    starts: int
-    share: Digits
     state: Mapping[str, Digits]
-    eigenvalues: tuple[EigenvalueEntries, ...]
-    mirror_of: int | None
-    symmetric: bool
+    mirror: FromOne
 
 
 @dataclass(frozen=True, kw_only=True)
-class FoundSummary:
-    """Entries for the orbits, their basins, and the shares of all outcomes."""
+class FoundEntries:
+    """Entries of the file of found orbits: with every start, and the label that says all shares."""
 
-    system: str
+    system: KeptSystem
     parameters: Mapping[str, Value]
-    starts: int
-    transitions: int
-    complete: bool
-    box: Mapping[str, tuple[Digits, Digits]]
     orbits: tuple[FoundOrbitEntries, ...]
     equilibria: tuple[FoundEquilibriumEntries, ...]
-    outcomes: Mapping[str, Digits]
-    resting: Digits
-    unclassified: Digits
-
-
-@dataclass(frozen=True, kw_only=True)
-class FoundEntries(FoundSummary):
-    """Entries of the file of found orbits: the summary, with every start and its label."""
-
-    tables: SavedSystem | None
-    start_states: Table
+    starts: Table
     labels: Integers
+    box: Mapping[str, tuple[Digits, Digits]]  # by the names of the states
+    transitions: int
+    complete: bool
 
 
 FOUND = FileFormat(
     name="nonsmooth found orbits",
     what="file of found orbits",
     entries=FoundEntries,
-    version=4 + SAVED_VERSION,
+    version=5 + SAVED_VERSION,
     most=200_000_000,
 )
-
-
-def found_json(found: Found) -> dict[str, Any]:
-    """Orbits, basins and shares as JSON; numbers are decimal strings of the exact doubles."""
-    return encode(_summary(found))
 
 
 def save_found(found: Found, path: str | os.PathLike[str]) -> None:
@@ -159,8 +103,7 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     1
     """
     with naming(path) as file:
-        entries = FOUND.read(file)
-        return _found(file, entries, system_in(entries.system, entries.tables))
+        return _found(file, FOUND.read(file))
 
 
 def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbit:
@@ -180,9 +123,7 @@ def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbi
         place = 1 if number is None else number
         if not 1 <= place <= count:
             raise InputError(f"holds no orbit {place}; there is {known}")
-        kernels = system_in(entries.system, entries.tables)
-        parameters = system_parameters(kernels, entries.parameters)
-        return _orbit(entries, place - 1, kernels, parameters).orbit
+        return _orbit(entries, place - 1, system_parameters(entries.system, entries.parameters))
 
 
 def found_system(path: str | os.PathLike[str]) -> tuple[SystemKernels, int]:
@@ -190,21 +131,21 @@ def found_system(path: str | os.PathLike[str]) -> tuple[SystemKernels, int]:
 
     `InputError` is raised as by `load_found`.
     """
-    with naming(path) as file:
-        entries = FOUND.read(file)
-        return system_in(entries.system, entries.tables), len(entries.orbits)
+    entries = FOUND.load(path)
+    return entries.system, len(entries.orbits)
 
 
 def held_found(path: str | os.PathLike[str]) -> str:
     """The attractors of a file of found orbits, as JSON text that a store holds.
 
-    Only the first of the starts is kept. `InputError` is raised as by `load_found`.
+    Of the starts the first that led to each of them is kept. `InputError` is raised as by
+    `load_found`.
     """
-    with naming(path) as file:
-        entries = FOUND.read(file)
-        found = _found(file, entries, system_in(entries.system, entries.tables))
-        first = replace(found, starts=found.starts[:1], labels=found.labels[:1])
-        return json.dumps(encode(_entries(first)))
+    found = load_found(path)
+    _, first = np.unique(found.labels, return_index=True)
+    first.sort()
+    few = replace(found, starts=found.starts[first], labels=found.labels[first])
+    return json.dumps(encode(_entries(few)))
 
 
 def found_held(text: str) -> tuple[SystemKernels, Found]:
@@ -213,200 +154,137 @@ def found_held(text: str) -> tuple[SystemKernels, Found]:
     `InputError` is raised, with a message of one line, if the data are not in order.
     """
     entries = decode(FoundEntries, json.loads(text))
-    kernels = system_in(entries.system, entries.tables)
-    return kernels, _found("attractors", entries, kernels)
-
-
-def _summary(found: Found) -> FoundSummary:
-    return FoundSummary(
-        system=found.system,
-        parameters=found.parameters,
-        transitions=found.transitions,
-        complete=found.complete,
-        box=dict(zip(found.names, found.box.tolist(), strict=True)),
-        orbits=tuple(_orbit_entries(found, place) for place in range(len(found.orbits))),
-        equilibria=tuple(
-            _equilibrium_entries(found, place) for place in range(len(found.equilibria))
-        ),
-        **_shares(found),
-    )
-
-
-def _shares(found: Found) -> dict[str, Any]:
-    """The counts and shares that follow from the labels of the starts."""
-    return {
-        "starts": len(found.starts),
-        "outcomes": {o.name.lower(): found.share(o) for o in found.outcomes},
-        "resting": found.resting,
-        "unclassified": found.unclassified,
-    }
+    return entries.system, _found("attractors", entries)
 
 
 def _entries(found: Found) -> FoundEntries:
     orbits = [entry.orbit for entry in found.orbits]
-    kernels = orbits[0].system if orbits else known_system(found.system)
-    system, _, saved = named(kernels)
     return FoundEntries(
-        **{**vars(_summary(found)), "system": system},
-        tables=saved,
-        start_states=found.starts,
-        labels=found.labels,
-    )
-
-
-def _orbit_entries(found: Found, place: int) -> FoundOrbitEntries:
-    entry = found.orbits[place]
-    orbit = entry.orbit
-    phases = zip(entry.itinerary, orbit.dwell_times.tolist(), orbit.states.tolist(), strict=True)
-    return FoundOrbitEntries(
-        period=entry.period,
-        forcing_periods=entry.forcing_periods,
-        stability=entry.verdict,
-        starts=entry.starts,
-        share=entry.share,
-        itinerary=tuple(
-            FoundPhaseEntries(
-                configuration=configuration,
-                boundary=boundary,
-                dwell_time=duration,
-                start=dict(zip(found.names, start, strict=True)),
+        system=orbits[0].system if orbits else known_system(found.system),
+        parameters=found.parameters,
+        orbits=tuple(
+            FoundOrbitEntries(
+                itinerary=orbit.itinerary,
+                dwell_times=orbit.dwell_times,
+                states=orbit.states,
+                residual=orbit.residual,
+                mirror=entry.mirror,
             )
-            for (configuration, boundary), duration, start in phases
+            for entry, orbit in zip(found.orbits, orbits, strict=True)
         ),
-        multipliers=tuple(
-            MultiplierEntries(re=float(m.real), im=float(m.imaginary), trivial=m.trivial)
-            for m in orbit.stability.multipliers
+        equilibria=tuple(
+            FoundEquilibriumEntries(
+                configuration=entry.equilibrium.configuration,
+                state=dict(zip(found.names, entry.equilibrium.state.tolist(), strict=True)),
+                mirror=entry.mirror,
+            )
+            for entry in found.equilibria
         ),
-        trace=float(orbit.stability.trace),
-        residual=float(orbit.residual),
-        admissible=orbit.admissibility.verdict,
-        mirror_of=_mirror_of(entry.mirror, place, 0),
-        symmetric=entry.mirror == place,
+        starts=found.starts,
+        labels=found.labels,
+        box=dict(zip(found.names, found.box.tolist(), strict=True)),
+        transitions=found.transitions,
+        complete=found.complete,
     )
 
 
-def _equilibrium_entries(found: Found, place: int) -> FoundEquilibriumEntries:
-    entry = found.equilibria[place]
-    equilibrium = entry.equilibrium
-    return FoundEquilibriumEntries(
-        configuration=equilibrium.configuration,
-        stability=equilibrium.verdict,
-        starts=entry.starts,
-        share=entry.share,
-        state=dict(zip(found.names, equilibrium.state.tolist(), strict=True)),
-        eigenvalues=tuple(
-            EigenvalueEntries(re=value.real, im=value.imag)
-            for value in equilibrium.eigenvalues.tolist()
-        ),
-        mirror_of=_mirror_of(entry.mirror, place, len(found.orbits)),
-        symmetric=entry.mirror == place,
-    )
-
-
-def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
-    """Number, from 1, of the entry that this one mirrors; None for none or itself."""
-    return None if mirror in (None, place) else mirror + before + 1
-
-
-def _found(where: str | Path, entries: FoundEntries, kernels: SystemKernels) -> Found:
+def _found(where: str | Path, entries: FoundEntries) -> Found:
     """The result that entries describe, with a reason for each orbit that the system lacks."""
+    kernels, labels = entries.system, entries.labels
     parameters = system_parameters(kernels, entries.parameters)
-    orbits: list[FoundOrbit] = []
-    for place, orbit in enumerate(entries.orbits):
-        try:
-            with naming(where):
-                orbits.append(_orbit(entries, place, kernels, parameters))
-        except InputError as problem:
-            orbits.append(FoundOrbit(str(problem), orbit.starts, orbit.share))
-    known = {e.configuration: e for e in equilibria(piecewise(kernels, parameters))}
-    steady: list[FoundEquilibrium] = []
-    for place, entry in enumerate(entries.equilibria):
-        try:
-            with naming(where):
-                steady.append(_equilibrium(entries, place, known))
-        except InputError as problem:
-            steady.append(FoundEquilibrium(str(problem), entry.starts, entry.share))
     names = tuple(kernels.table["states"])
-    starts, labels = entries.start_states, entries.labels
+    count = len(entries.orbits) + len(entries.equilibria)
     if (
-        starts.shape != (len(labels), len(names))
-        or (labels >= len(orbits) + len(steady)).any()
-        or (labels < min(Outcome)).any()
+        entries.starts.shape != (len(labels), len(names))
+        or not ((labels < count) & (labels >= min(Outcome))).all()
     ):
         raise InputError("its starts and labels do not belong together")
     if tuple(entries.box) != names:
         raise InputError("'box' is not of the system's states")
-    found = Found(
+    known = {e.configuration: e for e in equilibria(piecewise(kernels, parameters))}
+
+    def read(
+        kind: Callable[..., Any], parts: Sequence[Any], make: Callable[[int], Any], before: int
+    ) -> tuple[Any, ...]:
+        found = []
+        for place, part in enumerate(parts):
+            starts, mirror = int((labels == before + place).sum()), part.mirror
+            solved: Any
+            try:
+                with naming(where):
+                    solved = make(place)
+            except InputError as problem:
+                solved, mirror = str(problem), None
+            found.append(kind(solved, starts, starts / len(labels), mirror))
+        return tuple(found)
+
+    known = {e.configuration: e for e in equilibria(piecewise(kernels, parameters))}
+    return Found(
         kernels.name,
         parameters,
         names,
-        tuple(orbits),
-        tuple(steady),
-        starts,
+        read(FoundOrbit, entries.orbits, lambda k: _orbit(entries, k, parameters), 0),
+        read(
+            FoundEquilibrium,
+            entries.equilibria,
+            lambda k: _equilibrium(entries, k, known),
+            len(entries.orbits),
+        ),
+        entries.starts,
         labels,
         np.array(list(entries.box.values())),
         entries.transitions,
         entries.complete,
     )
-    check_follows(entries, _shares(found))
-    return found
 
 
-def _orbit(
-    entries: FoundEntries, place: int, kernels: SystemKernels, parameters: dict[str, Value]
-) -> FoundOrbit:
+def _orbit(entries: FoundEntries, place: int, parameters: dict[str, Value]) -> Orbit:
     """The orbit at a place, with the file's numbers; `InputError` if the system has none such."""
-    entry = entries.orbits[place]
-    names = tuple(kernels.table["states"])
-    itinerary = tuple((phase.configuration, phase.boundary) for phase in entry.itinerary)
-    dwell = np.array([phase.dwell_time for phase in entry.itinerary])
+    entry, kernels = entries.orbits[place], entries.system
+    count = len(entry.itinerary)
     try:
-        if not itinerary or any(tuple(phase.start) != names for phase in entry.itinerary):
+        if not count or entry.states.shape != (count, len(kernels.table["states"])):
             raise InputError(f"none of the states of {kernels.name}")
-        states = np.array([list(phase.start.values()) for phase in entry.itinerary])
-        known = states, entry.residual
-        orbit = solve_itinerary(kernels, parameters, itinerary, dwell, known=known)
+        if len(entry.dwell_times) != count:
+            raise InputError("its phases and dwell times do not belong together")
+        orbit = solve_itinerary(
+            kernels,
+            parameters,
+            entry.itinerary,
+            entry.dwell_times,
+            known=(entry.states, entry.residual),
+        )
         check_solves(orbit)
         if not orbit.converged:
             raise InputError(orbit.message)
-        mirror = _mirror(entry, place, 0)
+        _check_mirror(entry.mirror, place)
     except InputError as problem:
-        raise InputError(f"orbit {place + 1}, of period {entry.period!r}: {problem}") from None
-    return FoundOrbit(orbit, entry.starts, entry.share, mirror)
+        period = float(entry.dwell_times.sum())
+        raise InputError(f"orbit {place + 1}, of period {period!r}: {problem}") from None
+    return orbit
 
 
 def _equilibrium(
     entries: FoundEntries, place: int, known: Mapping[str, Equilibrium]
-) -> FoundEquilibrium:
+) -> Equilibrium:
     """The equilibrium at a place, among those `known` by configuration."""
-    entry, before = entries.equilibria[place], len(entries.orbits)
+    entry = entries.equilibria[place]
     equilibrium = known.get(entry.configuration)
     try:
-        if equilibrium is None or not _same_state(equilibrium, entry.state):
+        if (
+            equilibrium is None
+            or tuple(entry.state) != equilibrium.names
+            or not same_state(equilibrium.state, np.array([*entry.state.values()]))
+        ):
             raise InputError("there is no such equilibrium")
-        mirror = _mirror(entry, place, before)
+        _check_mirror(entry.mirror, place)
     except InputError as problem:
-        named = f"equilibrium {before + place + 1}, in {entry.configuration!r}"
-        raise InputError(f"{named}: {problem}") from None
-    return FoundEquilibrium(equilibrium, entry.starts, entry.share, mirror)
+        number = len(entries.orbits) + place + 1
+        raise InputError(f"equilibrium {number}, in {entry.configuration!r}: {problem}") from None
+    return equilibrium
 
 
-def _same_state(equilibrium: Equilibrium, state: Mapping[str, float]) -> bool:
-    """Whether a state is that of an equilibrium."""
-    return tuple(state) == equilibrium.names and same_state(
-        equilibrium.state, np.array([*state.values()])
-    )
-
-
-def _mirror(
-    entry: FoundOrbitEntries | FoundEquilibriumEntries, place: int, before: int
-) -> int | None:
-    """Place of the earlier entry that this one mirrors, or its own if it is symmetric."""
-    if entry.symmetric:
-        return place
-    if entry.mirror_of is None:
-        return None
-    mirror = entry.mirror_of - before - 1
-    if not 0 <= mirror < place:
+def _check_mirror(mirror: int | None, place: int) -> None:
+    """Refuse a mirror image of what is not before the entry at a place, or itself."""
+    if mirror is not None and not 0 <= mirror <= place:
         raise InputError("a mirror image is of no entry before it")
-    return mirror

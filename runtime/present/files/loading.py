@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from importlib import import_module
+from operator import attrgetter
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -16,26 +17,26 @@ from nonsmooth.runtime.present.files.motions import ENDINGS, load_trajectory
 
 __all__ = ["READERS", "format_of", "load"]
 
-# by the format that a file names: the module that reads it, imported when there is one to read
+_OWN = "present.files"
+# by the format that a file names: what reads it, imported when there is one to read
 READERS: Mapping[str, str] = MappingProxyType(
     {
-        "nonsmooth orbit": "orbits:load_orbit_file",
-        "nonsmooth composed orbit": "orbits:load_orbit_file",
-        "nonsmooth found orbits": "found:load_found",
-        "nonsmooth branch": "branches:load_branch",
-        "nonsmooth locus": "loci:load_locus",
-        "nonsmooth design": "designs:load_design",
-        "nonsmooth sweep": "sweeps:load_sweep",
-        "nonsmooth fit": "fits:load_fit",
-        "nonsmooth certificate": "certificates:load_certificate",
-        "nonsmooth box certificate": "box_certificates:load_box_certificate",
-        "nonsmooth event certificate": "event_certificates:load_event_certificates",
-        "nonsmooth certified branch": "certified_branches:load_certified_branch",
-        "nonsmooth certified doubling": "certified_doublings:load_certified_doubling",
-        "nonsmooth census": "censuses:load_census",
-        "nonsmooth basin certificate": "basin_certificates:load_basin_certificate",
-        "nonsmooth chaos certificate": "chaos_certificates:load_chaos_certificate",
-        "nonsmooth graph certificate": "graph_certificates:load_graph_certificate",
+        "nonsmooth orbit": "orbits.orbit_file:load_orbit_file",
+        "nonsmooth found orbits": f"{_OWN}.found:load_found",
+        "nonsmooth branch": f"{_OWN}.kept:BRANCH.load",
+        "nonsmooth locus": f"{_OWN}.kept:LOCUS.load",
+        "nonsmooth design": f"{_OWN}.kept:DESIGN.load",
+        "nonsmooth sweep": f"{_OWN}.kept:SWEEP.load",
+        "nonsmooth fit": f"{_OWN}.kept:FIT.load",
+        "nonsmooth certificate": f"{_OWN}.certificates:load_certificate",
+        "nonsmooth box certificate": f"{_OWN}.box_certificates:load_box_certificate",
+        "nonsmooth event certificate": f"{_OWN}.event_certificates:load_event_certificates",
+        "nonsmooth certified branch": f"{_OWN}.certified_branches:load_certified_branch",
+        "nonsmooth certified doubling": f"{_OWN}.certified_doublings:load_certified_doubling",
+        "nonsmooth census": f"{_OWN}.censuses:load_census",
+        "nonsmooth basin certificate": f"{_OWN}.basin_certificates:load_basin_certificate",
+        "nonsmooth chaos certificate": f"{_OWN}.chaos_certificates:load_chaos_certificate",
+        "nonsmooth graph certificate": f"{_OWN}.graph_certificates:load_graph_certificate",
     }
 )
 _MOST = 500_000_000  # bytes
@@ -90,8 +91,7 @@ Trajectory, tuple of EventCertificate or xarray.Dataset
     if place.suffix.lower() in ENDINGS:
         return load_trajectory(place)
     module, _, name = READERS[format_of(place)].partition(":")
-    read = getattr(import_module(f"nonsmooth.runtime.present.files.{module}"), name)
-    return read(path)
+    return attrgetter(name)(import_module(f"nonsmooth.runtime.{module}"))(path)
 
 
 def format_of(path: Path) -> str:

@@ -15,10 +15,10 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import format_in
 from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable, SystemKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import load_orbit_file, orbit_content, orbit_in
 from nonsmooth.runtime.orbits.problem import labelled
 from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.loading import load
-from nonsmooth.runtime.present.files.orbits import load_orbit_file, orbit_content, orbit_in
 from nonsmooth.runtime.shooting.symmetry import images_of
 
 __all__ = [
