@@ -6,10 +6,8 @@
 #ifndef NONSMOOTH_CHAIN_H
 #define NONSMOOTH_CHAIN_H
 
+#include "engine_limits.h"
 #include "tables.h"
-
-/* Exponents of a chain, conjugates and equal ones counted. */
-enum { MOST_POLES = 7 };
 
 /* Values at `time` of the functions of a chain. */
 void chain_functions(const mode *first, int modes, double time, double *functions);

@@ -7,17 +7,13 @@
 #include <string.h>
 
 #include "flow.h"
+#include "engine_limits.h"
 
 /* Radians of the fastest oscillation; the angle does not round up beyond NONSMOOTH_PHASE_LIMIT. */
-static const double LONGEST_WAIT = 1e5 * (1.0 - 4.0 * DBL_EPSILON);
-static const double LARGEST_STATE = 1e150; /* its squares are finite */
+static const double WINDOW = LONGEST_WAIT * (1.0 - 4.0 * DBL_EPSILON);
 static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ROUNDING = 16.0 * DBL_EPSILON;
-static const double GROWTH = 100.0; /* exponent of the largest growth in a window */
 static const double TURN = 6.283185307179586;
-static const double LONGEST_QUIET = 32e5 * (1.0 - 1e-9); /* radians of the fastest without event */
-static const double FARTHEST = 1e11; /* radians to an end beyond which it is none */
-enum { MOST_IMMEDIATE = 100 };
 
 /* A sum of times with its rounding errors. */
 typedef struct {
@@ -243,8 +239,8 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
     p->start = 0.0;
     p->patience = patience;
     p->steps = 0;
-    /* Between two transitions there are at most FARTHEST / GROWTH windows; transitions without time
-     * between them are MOST_IMMEDIATE at most, and the others as many as the caller allows. */
+    /* Between two transitions there are at most FARTHEST_END / GROWTH windows; transitions without time
+     * between them are MOST_AT_ONCE at most, and the others as many as the caller allows. */
     while (result.transitions < limit) {
         const configuration *c = &t->configuration[here];
         if (lost_after(patience, ((size_t)c->dense * (size_t)n + (size_t)c->factored) * (size_t)n)) {
@@ -268,14 +264,14 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                     set_put(located, m.member);
                     set_put(p->known, m.member);
                 }
-            if (++immediate > MOST_IMMEDIATE + 1) {
+            if (++immediate > MOST_AT_ONCE + 1) {
                 result.status = STATUS_IMMEDIATE;
                 break;
             }
             memcpy(before, state, (size_t)n * sizeof *state);
         } else {
             const int watched = p->watching > 0;
-            double window = c->fastest > 0.0 ? LONGEST_WAIT / c->fastest : HUGE_VAL;
+            double window = c->fastest > 0.0 ? WINDOW / c->fastest : HUGE_VAL;
             if (c->growth * window > GROWTH)
                 window = GROWTH / c->growth;
             window = left < window ? left : window;
@@ -288,7 +284,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             }
             keep_touches(r, p, &event, now.high, here, &result);
             if (!event.found) {
-                if (isinf(until) || left * c->fastest > FARTHEST) {
+                if (isinf(until) || left * c->fastest > FARTHEST_END) {
                     if (waited == 0.0) {
                         memcpy(last, state, (size_t)n * sizeof *state);
                         last_time = now.high;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "factored.h"
+#include "engine_limits.h"
 #include "sums.h"
 #include "nonsmooth_trigonometry.h"
 
@@ -169,7 +170,7 @@ int phase_begin(phase *p)
 }
 
 /* Orders of a series beside those of the leading one, which is below the number of states. */
-enum { ORDERS = 24, FEW_STATES = 16 };
+enum { FEW_STATES = 16 };
 
 enum { SETS = 3, ARRAYS = 16 };
 

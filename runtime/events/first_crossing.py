@@ -13,11 +13,10 @@ from typing import NamedTuple
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.leading_derivative import leading
 from nonsmooth.runtime.events.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
-from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, ORDERS
 
-__all__ = ["ORDERS", "Crossing", "Series", "Start", "first_crossing"]
+__all__ = ["Crossing", "Series", "Start", "first_crossing"]
 
-ORDERS = 24  # of a Taylor series: more than one radian needs
 _INVERSE_FACTORIALS = tuple(1 / math.factorial(k) for k in range(ORDERS + 2))
 _MOST_STEPS = 2_000_000  # a window of LONGEST_WAIT takes some of them for each radian
 _CHECKED_EVERY = 16  # steps between two attempts to prove that nothing can follow

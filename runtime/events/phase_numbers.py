@@ -6,9 +6,9 @@ from functools import cached_property
 
 import numpy as np
 
-from nonsmooth.runtime.events.first_crossing import ORDERS
 from nonsmooth.runtime.events.leading_derivative import derivatives, dot, square
 from nonsmooth.runtime.events.quasi_polynomials import Chain, QuasiPolynomial
+from nonsmooth.runtime.model.engine_run import ORDERS
 from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import chains, factors_at

@@ -1,33 +1,47 @@
 """What an engine gives: the transitions of one motion, and why it ended.
 
 The two engines, compiled (`engine/`) and in Python (`stepping`), follow one set of rules and
-give this one record.
+give this one record, and share the limits of `engine/engine_limits.h`.
 """
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from enum import IntEnum
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 __all__ = [
-    "FARTHEST",
+    "FARTHEST_END",
     "GROWTH",
     "LARGEST_STATE",
     "LONGEST_QUIET",
     "LONGEST_WAIT",
+    "MOST_AT_ONCE",
+    "MOST_POLES",
+    "ORDERS",
     "Grazing",
     "Run",
     "Status",
 ]
 
-LARGEST_STATE = 1e150  # its squares are finite
-LONGEST_WAIT = 1e5  # radians of the fastest exponent that are searched at once
-LONGEST_QUIET = 32e5 * (1 - 1e-9)  # without a transition, or LONGEST_WAIT of the slowest
-FARTHEST = 1e11  # radians to an end beyond which it is none
-GROWTH = 100.0  # exponent of the largest growth that is searched at once
+# what they are is told there, beside each
+_LIMITS = dict(
+    re.findall(
+        r"(?m)^#define (\w+) ([\d.e]+)",
+        Path(__file__).parents[1].joinpath("engine", "engine_limits.h").read_text(encoding="utf-8"),
+    )
+)
+LARGEST_STATE, LONGEST_WAIT, LONGEST_QUIET, FARTHEST_END, GROWTH = (
+    float(_LIMITS[name])
+    for name in ("LARGEST_STATE", "LONGEST_WAIT", "LONGEST_QUIET", "FARTHEST_END", "GROWTH")
+)
+MOST_AT_ONCE, MOST_POLES, ORDERS = (
+    int(_LIMITS[name]) for name in ("MOST_AT_ONCE", "MOST_POLES", "ORDERS")
+)
 
 
 class Status(IntEnum):

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, MOST_POLES
 from nonsmooth.runtime.model.factored_flows import matrices_of
 from nonsmooth.runtime.model.projectors import chain, exponentials_at, newton, poles_of
 from nonsmooth.runtime.model.simple_modes import NumericModes
@@ -40,7 +40,6 @@ __all__ = ["best_modes", "precise_candidates"]
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, math.inf)  # of the largest modulus
 _HUGE = 1e100  # entry of a term that belongs to no cluster
-_LONGEST_NEWTON = 7
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
 _LARGEST = 1e-7
 _MODERATE = 1e3  # term of the flow beside which no digits are lost that count
@@ -142,7 +141,7 @@ def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
         for p in poles_of(matrix)
     ]
     for groups in groupings(poles, _NEARNESS, scale):
-        if max(map(len, groups)) > _LONGEST_NEWTON:
+        if max(map(len, groups)) > MOST_POLES:
             continue
         try:
             yield [_newton_cluster(matrix, group, groups) for group in groups if leads(group)]

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.events.first_crossing import ORDERS, Series, Start, first_crossing
+from nonsmooth.runtime.events.first_crossing import Series, Start, first_crossing
 from nonsmooth.runtime.events.leading_derivative import Located, dot, leading
 from nonsmooth.runtime.events.phase_numbers import (
     BoundaryTable,
@@ -23,11 +23,13 @@ from nonsmooth.runtime.events.quasi_polynomials import UNIT, QuasiPolynomial
 from nonsmooth.runtime.events.transition_choice import Choice, Decider
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import (
-    FARTHEST,
+    FARTHEST_END,
     GROWTH,
     LARGEST_STATE,
     LONGEST_QUIET,
     LONGEST_WAIT,
+    MOST_AT_ONCE,
+    ORDERS,
     Grazing,
     Run,
     Status,
@@ -37,7 +39,6 @@ from nonsmooth.runtime.model.structure import TransitionShape
 
 __all__ = ["run"]
 
-MOST_AT_ONCE = 100  # transitions in a row without time between them
 _RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
 
 
@@ -265,7 +266,7 @@ def run(
         if table.growth * horizon > GROWTH:
             horizon = GROWTH / table.growth
         window = min(horizon, remaining)
-        endless = until == math.inf or remaining * table.fastest > FARTHEST
+        endless = until == math.inf or remaining * table.fastest > FARTHEST_END
         try:
             watches = stepper.watches(configuration, extended, sizes, error, left_out, zero)
             event = stepper.event(watches, window)
