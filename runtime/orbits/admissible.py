@@ -323,7 +323,7 @@ def _admissible_numpy(
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))
     x, timed = np.concatenate([unknowns, points], axis=-1), lasting_phases(kernels)
-    dwell = dwell_times(kernels, x)
+    dwell = dwell_times(kernels, x, range(len(kernels.dwell_times)))
     crossed[(dwell[:, timed] <= 0).any(axis=-1)] = NO_ORBIT
     sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
     names = [*kernels.unknowns, *kernels.parameter_names]

@@ -16,7 +16,6 @@ from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_equations import TableEquations
 from nonsmooth.runtime.shooting.kernel_newton import (
-    dwell_times,
     equations_at,
     judged_at,
     lasting_phases,
@@ -55,6 +54,10 @@ class KernelEquations:
         self._count = len(kernels.unknowns)
         self._places = [self.names.index(name) for name in self.unknowns]
         self._timed = lasting_phases(kernels)
+        self._sums = [
+            [(self.names.index(name), factor) for name, factor in table["durations"][k].items()]
+            for k in self._timed
+        ]
         self.dwell_names = tuple(kernels.dwell_times[k] for k in self._timed)
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
@@ -80,7 +83,11 @@ class KernelEquations:
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
         """Return the dwell times (k, p) at points (k, v): affine in them, in the unit of time."""
-        return dwell_times(self._kernels, x)[:, self._timed]
+        found = np.zeros((len(x), len(self._sums)))
+        for phase, terms in enumerate(self._sums):
+            for place, factor in terms:
+                found[:, phase] += factor * x[:, place]
+        return found
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
         """Return how far the state behind a part differs from the start (N,), at a point.
@@ -180,7 +187,7 @@ class KernelEquations:
             given=given,
             unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
             residual=residual,
-            digits=int(sure_digits(error)),
+            digits=sure_digits(error),
             status=status,
         )
 

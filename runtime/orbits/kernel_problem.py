@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -84,6 +84,7 @@ STATUS = {
 }
 
 
+@lru_cache(maxsize=64)
 def kernel_problem(kernels: OrbitKernels) -> KernelProblem:
     """Return the periodic orbits of kernels."""
     phases = tuple(

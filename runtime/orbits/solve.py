@@ -340,7 +340,7 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
     if status == CONVERGED:
         x = np.concatenate([solved.unknowns, parameters])
         residual, error, status = judged_at(kernels, x, slice(len(kernels.unknowns)))
-        digits = int(sure_digits(error))
+        digits = sure_digits(error)
     return Orbit(
         kernel_problem(kernels),
         point.values,
@@ -394,7 +394,7 @@ def _exchanged(
         unknowns,
         point.opened,
         found.residual,
-        int(sure_digits(found.error)),
+        sure_digits(found.error),
         found.iterations,
         found.status,
     )

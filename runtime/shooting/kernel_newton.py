@@ -7,7 +7,7 @@ solved at many points by the compiled solver, or as it does on NumPy.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -119,8 +119,8 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
         residual = kernels.evaluate("reduced_residual", at=(parameters, spectrum, x))
     unknowns, determinants = kernels.expand(parameters, spectrum, x)
     trace = kernels.evaluate("trace", at=(parameters, spectrum, unknowns))
-    dwell = dwell_times(kernels, np.concatenate([unknowns, parameters], axis=-1))
-    negative = (dwell[:, lasting_phases(kernels)] <= 0).any(axis=-1)
+    at = np.concatenate([unknowns, parameters], axis=-1)
+    negative = (dwell_times(kernels, at, lasting_phases(kernels)) <= 0).any(axis=-1)
     status[negative & (status == CONVERGED)] = NEGATIVE
     status[~(np.isfinite(unknowns).all(axis=-1) & np.isfinite(trace))] = INVALID
     status[(np.abs(determinants) <= LEAST_DETERMINANT).any(axis=-1)] = SINGULAR
@@ -283,14 +283,14 @@ def _waits(
     own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
     sums = [kernels.table["durations"][place].items() for place in places]
     of_dwell = [sum(abs(factor) * own[term] for term, factor in terms) for terms in sums]
-    return dwell_times(kernels, x)[..., places], np.array(of_dwell).T
+    return dwell_times(kernels, x, places), np.array(of_dwell).T
 
 
-def dwell_times(kernels: OrbitKernels, x: np.ndarray) -> np.ndarray:
-    """Dwell times (..., p) of all phases at points x (..., n + p) of unknowns, then parameters."""
+def dwell_times(kernels: OrbitKernels, x: np.ndarray, places: Iterable[int]) -> np.ndarray:
+    """Dwell times (p,) or (k, p) of phases, from unknowns, then parameters: x (m,) or (k, m)."""
     names = (*kernels.unknowns, *kernels.parameter_names)
-    found = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
-    return np.stack([*found.values()], axis=-1)
+    found = [*kernels.durations(dict(zip(names, x.T, strict=True))).values()]
+    return np.array([found[place] for place in places]).T
 
 
 def lasting_phases(kernels: OrbitKernels) -> list[int]:

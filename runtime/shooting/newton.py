@@ -106,11 +106,11 @@ def judged(dwell: np.ndarray, of_dwell: np.ndarray, errors: Any, most: float) ->
     return np.where(vanishes.any(axis=-1), NEGATIVE, status)
 
 
-def sure_digits(errors: Any) -> np.ndarray:
-    """Decimal digits (...), `DOUBLE` at most, of numbers with errors in units of max(1, |x|)."""
-    with np.errstate(all="ignore"):  # of what is not finite there are none
-        known = np.floor(-np.log10(np.maximum(errors, 1e-300)))
-    return np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0).astype(int)
+def sure_digits(error: float) -> int:
+    """Decimal digits, `DOUBLE` at most, of numbers with an error in units of max(1, |x|)."""
+    if not math.isfinite(error):
+        return 0
+    return max(0, min(DOUBLE, math.floor(-math.log10(max(error, 1e-300)))))
 
 
 def precisions(digits: int, start: int) -> list[int]:

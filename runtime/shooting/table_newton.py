@@ -324,7 +324,7 @@ def digits_of(
             at = flat[places], dwell, start, period[places], directions[places]
             errors, of_dwell = _errors(cycle, *at)
             status[places] = judged(dwell, of_dwell, errors, DETERMINED if every else _MOST_ERROR)
-            digits[places] = sure_digits(errors)
+            digits[places] = [sure_digits(error) for error in errors.tolist()]
     return digits, status
 
 
