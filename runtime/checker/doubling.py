@@ -21,7 +21,7 @@ from nonsmooth.runtime.checker.branch_curve import CheckedCurve, solution
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, flows_over
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import DOUBLING, check_shape
 from nonsmooth.runtime.checker.stability import characteristic, passing, stability
@@ -34,7 +34,6 @@ from nonsmooth.runtime.core.taylor_models import (
     averaged,
     lifted,
     matrix,
-    middle_of,
     range_of,
     space_of,
 )
@@ -350,10 +349,7 @@ class _CheckedDoubling:
         """Return the passage of the cycle from a point, root of the equations or not."""
         curve: CheckedCurve = self.curve
         orbit = CheckedOrbit(curve.declared, number_at([value, *curve.constants]))
-        flows = []
-        for b, time in zip(orbit.chain.fields, point[orbit.first :], strict=True):
-            middle = middle_of(time)  # the wide factor has a small exponent
-            flows.append((b * (time - middle)).exp() * (b * middle).exp())
+        flows = flows_over(orbit.chain.fields, point[orbit.first :])
         return orbit.passage(orbit.chain, point, flows)
 
     def _start_rows(self) -> Any:

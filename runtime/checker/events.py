@@ -1,4 +1,4 @@
-"""The check of events: bifurcations and limits of admissibility that are next to a computed one.
+"""The judge of events: bifurcations and limits of admissibility that are next to a computed one.
 
 Unknowns z are those of the orbit, the parameter, and for a grazing its time. In a box z = m + r e
 with e in [-1, 1], and in models of the first order the orbit's equations and the event's are
@@ -8,7 +8,7 @@ Brouwer's theorem (1911); the norm of I - Y L is then below 1, so Y is not singu
 root. All roots in the box are in K.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import reduce
 from typing import Any
 
@@ -32,7 +32,7 @@ from nonsmooth.runtime.checker.stability import (
 )
 from nonsmooth.runtime.core.taylor_models import middle_of, space_of
 
-__all__ = ["check_events"]
+__all__ = ["JudgedEvent", "check_events"]
 
 _GUARD = 96  # bits beyond those of the enclosures
 _MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
@@ -40,8 +40,62 @@ _INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
              "condition": "end", "grazing": "inside"}  # fmt: skip
 
 
+class JudgedEvent:
+    """The event that a proposal tells of: its equations, and what is proved of their roots.
+
+    A proposal has the entries of a file that state the system, the way in which the cycle closes,
+    the values of the parameters, the bits, and the event by its kind and place. Nothing of it is
+    taken on trust, and nothing else is read.
+    """
+
+    def __init__(self, proposal: dict[str, Any]) -> None:
+        self.proposal, self.bits = proposal, proposal["bits"]
+        with ctx.workprec(self.bits + _GUARD):
+            told = proposal["declaration"].get("constants", [])
+            by = proposal["parameter"]
+            values, numbers, self.constants = values_of(proposal["parameters"], [by], told)
+            self.declared = declared = StatedSystem(proposal, values, numbers)
+            demand(declared.bound and declared.rational, "the declaration is not exact")
+            self.energies = declared.closes()
+        self.place = len(declared.unknowns)  # of the parameter among the unknowns
+        time = ["time"] if proposal["kind"] == "grazing" else []
+        self.names = [*declared.unknowns, by, *time]
+
+    def equations(self, middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
+        """Return the left-hand sides over a box, as Taylor models of first order in its place."""
+        return self._along(middles, radii)[1]
+
+    def located(self, box: Sequence[dict[str, str]]) -> dict[str, Any]:
+        """Return enclosures by name of all roots in a box, which is proved to have one."""
+        with ctx.workprec(self.bits + _GUARD):
+            demand(
+                [side["name"] for side in box] == self.names, "the box is not that of the unknowns"
+            )
+            middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
+            demand(all(r > 0 for r in radii), "the box is empty")
+            orbit, values = self._along(middles, radii)
+            found = _roots(values, middles, radii)
+            orbit.returns(self.energies)
+            point = [middles[self.place] + arb(0, radii[self.place]), *self.constants]
+            for divisor in self.declared.exactly.divisors:
+                value = divisor(point) if callable(divisor) else divisor
+                demand(value > 0 or value < 0, "what is zero there cannot be told")
+        return dict(zip(self.names, found, strict=True))
+
+    def _along(
+        self, middles: Sequence[Any], radii: Sequence[Any]
+    ) -> tuple[CheckedOrbit, list[Any]]:
+        """Return the orbit along a box of unknowns, and the left-hand sides of all equations."""
+        space = space_of(len(self.names), 1)
+        sides = zip(middles, radii, strict=True)
+        unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
+        orbit = CheckedOrbit(self.declared, number_at([unknowns[self.place], *self.constants]))
+        values = orbit.along(unknowns[: self.place])
+        return orbit, [*values, *_event(orbit, self.proposal, unknowns[self.place + 1 :])]
+
+
 def check_events(content: dict[str, Any]) -> None:
-    """Prove every event of a file again; `Failure` names an event that is not proved.
+    """Judge every event of a file again; `Failure` names an event that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
@@ -62,62 +116,25 @@ def _check(event: dict[str, Any]) -> None:
         return
     demand(not event["reason"], "a reason why it is undecided")
     check_sharp(event["box"], event["bits"])
-    told = event["declaration"].get("constants", [])
-    values, numbers, constants = values_of(event["parameters"], [event["parameter"]], told)
-    declared = StatedSystem(event, values, numbers)
-    demand(declared.bound and declared.rational, "the declaration is not exact")
-    energies = declared.closes()
-    box, place = event["box"], len(declared.unknowns)  # of the parameter
-    names = [side["name"] for side in box]
-    time = ["time"] if event["kind"] == "grazing" else []
-    wanted = [*declared.unknowns, event["parameter"], *time]
-    demand(names == wanted, "the box is not that of the unknowns")
-    demand(event["enclosures"].keys() == {*names}, "not every unknown has its enclosure")
-    middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
-    demand(all(r > 0 for r in radii), "the box is empty")
-
-    def misses(middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
-        space = space_of(len(box), 1)
-        sides = zip(middles, radii, strict=True)
-        unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
-        orbit = CheckedOrbit(declared, number_at([unknowns[place], *constants]))
-        demand(orbit.count == place, "the box is of another size")
-        values = orbit.along(unknowns[:place])
-        orbit.returns(energies)
-        return [*values, *_event(orbit, event, unknowns[place + 1 :])]
-
-    root = _roots(misses, middles, radii)
-    stated = [event["enclosures"][name] for name in names]
-    if not all(map(inside, root, stated)):  # in the smaller box all is sharper
-        root = _roots(misses, [x.mid() for x in root], [x.rad() for x in root], again=True)
-    for name, value, its in zip(names, root, stated, strict=True):
-        demand(inside(value, its), f"{name} is not in its enclosure")
-    point = [middles[place] + arb(0, radii[place]), *constants]
-    for divisor in declared.exactly.divisors:
-        value = divisor(point) if callable(divisor) else divisor
-        demand(value > 0 or value < 0, "what is zero there cannot be told")
+    found, stated = JudgedEvent(event).located(event["box"]), event["enclosures"]
+    demand(stated.keys() == found.keys(), "not every unknown has its enclosure")
+    for name, value in found.items():
+        demand(inside(value, stated[name]), f"{name} is not in its enclosure")
 
 
-def _roots(
-    misses: Callable[..., list[Any]], middles: list[Any], radii: list[Any], again: bool = False
-) -> list[Any]:
-    """Return balls around all roots of a box, which is proved to contain one.
-
-    With `again`, existence was proved before and is not demanded.
-    """
-    values = misses(middles, radii)
-    demand(len(values) == len(middles), "as many equations as unknowns are needed")
+def _roots(values: Sequence[Any], middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
+    """Return balls around all roots of a box, which is proved to contain one."""
+    size = len(middles)
+    demand(len(values) == size, "as many equations as unknowns are needed")
     slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
     try:
         y = slopes.mid().inv().mid()
     except ZeroDivisionError:
         raise Failure("the equations are singular in the middle of the box") from None
-    size = len(values)
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     within = (unit - y * slopes) * arb_mat([[arb(0, 1)]] * size)
     found = (within - y * arb_mat([[value.parts[0]] for value in values])).entries()
-    if not again:
-        demand(all(abs(e) < 1 for e in found), "there may be no such event in the box")
+    demand(all(abs(e) < 1 for e in found), "there may be no such event in the box")
     return [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
 
 
@@ -167,8 +184,9 @@ def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:
     demand(orbit.declared.alone, "one-sided maps")
     demand(kind == "flip" or not orbit.declared.omega, "1 is always a multiplier")
     polynomial = characteristic(orbit.section)
+    few = len(polynomial) < (3 if kind == "neimark-sacker" else 2)
+    demand(not few, "too few multipliers differ from zero: the branch meets a border there")
     if kind == "neimark-sacker":
-        demand(len(polynomial) > 2, "there is no pair of multipliers")
         demand(paired(polynomial), "the pair may be real")
         return products_less_one(polynomial)
     return reduce(lambda total, c: total * _MULTIPLIERS[kind] + c, polynomial)
