@@ -66,32 +66,53 @@ class JudgedEvent:
         return self._along(middles, radii)[1]
 
     def located(self, box: Sequence[dict[str, str]]) -> dict[str, Any]:
-        """Return enclosures by name of all roots in a box, which is proved to have one."""
+        """Return enclosures by name of all roots in a box, which is proved to have one.
+
+        Where a parameter is an unknown too, and has its name, one ball encloses both.
+        """
         with ctx.workprec(self.bits + _GUARD):
-            demand(
-                [side["name"] for side in box] == self.names, "the box is not that of the unknowns"
-            )
+            named = [side["name"] for side in box] == self.names
+            demand(named, "the box is not that of the unknowns")
             middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
             demand(all(r > 0 for r in radii), "the box is empty")
-            orbit, values = self._along(middles, radii)
-            found = _roots(values, middles, radii)
+            orbit, values, which = self._along(middles, radii)
+            found = _image(values)
+            demand(all(abs(e) < 1 for e in found), "there may be no such event in the box")
             orbit.returns(self.energies)
             point = [middles[self.place] + arb(0, radii[self.place]), *self.constants]
             for divisor in self.declared.exactly.divisors:
                 value = divisor(point) if callable(divisor) else divisor
                 demand(value > 0 or value < 0, "what is zero there cannot be told")
-        return dict(zip(self.names, found, strict=True))
+            # all roots are in a smaller box, where all is sharper
+            roots = [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
+            unit, middles = arb(2) ** -ctx.prec, [x.mid() for x in roots]
+            radii = [(x.rad() + r * unit).upper() for x, r in zip(roots, radii, strict=True)]
+            found = _image(self._along(middles, radii, which)[1])
+            enclosures: dict[str, Any] = {}
+            for name, m, r, e in zip(self.names, middles, radii, found, strict=True):
+                root = m + r * e
+                enclosures[name] = root.union(enclosures.get(name, root))
+        return enclosures
 
     def _along(
-        self, middles: Sequence[Any], radii: Sequence[Any]
-    ) -> tuple[CheckedOrbit, list[Any]]:
-        """Return the orbit along a box of unknowns, and the left-hand sides of all equations."""
+        self, middles: Sequence[Any], radii: Sequence[Any], which: int | None = None
+    ) -> tuple[CheckedOrbit, list[Any], int | None]:
+        """Return the orbit along a box of unknowns, and the left-hand sides of all equations.
+
+        Of a transition's conditions the one with the number `which` is taken, which is returned;
+        by default it is the one that is nearest to zero.
+        """
         space = space_of(len(self.names), 1)
         sides = zip(middles, radii, strict=True)
         unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
         orbit = CheckedOrbit(self.declared, number_at([unknowns[self.place], *self.constants]))
         values = orbit.along(unknowns[: self.place])
-        return orbit, [*values, *_event(orbit, self.proposal, unknowns[self.place + 1 :])]
+        found = _event(orbit, self.proposal, unknowns[self.place + 1 :])
+        if self.proposal["kind"] == "condition":
+            sizes = [abs(float(middle_of(value))) for value in found]
+            which = sizes.index(min(sizes)) if which is None else which
+            found = [found[which]]
+        return orbit, [*values, *found], which
 
 
 def check_events(content: dict[str, Any]) -> None:
@@ -122,10 +143,11 @@ def _check(event: dict[str, Any]) -> None:
         demand(inside(value, stated[name]), f"{name} is not in its enclosure")
 
 
-def _roots(values: Sequence[Any], middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
-    """Return balls around all roots of a box, which is proved to contain one."""
-    size = len(middles)
-    demand(len(values) == size, "as many equations as unknowns are needed")
+def _image(values: Sequence[Any]) -> list[Any]:
+    """Return K, which contains the places in [-1, 1] of all roots of models in a box."""
+    size = len(values)
+    fits = all(len(value.parts) == size + 1 for value in values)
+    demand(fits, "as many equations as unknowns are needed")
     slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
     try:
         y = slopes.mid().inv().mid()
@@ -133,13 +155,11 @@ def _roots(values: Sequence[Any], middles: Sequence[Any], radii: Sequence[Any]) 
         raise Failure("the equations are singular in the middle of the box") from None
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     within = (unit - y * slopes) * arb_mat([[arb(0, 1)]] * size)
-    found = (within - y * arb_mat([[value.parts[0]] for value in values])).entries()
-    demand(all(abs(e) < 1 for e in found), "there may be no such event in the box")
-    return [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
+    return list((within - y * arb_mat([[value.parts[0]] for value in values])).entries())
 
 
 def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
-    """Return the residuals of an event's equations at an orbit."""
+    """Return the residuals of an event's equations at an orbit: those of all its conditions."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")
     if kind in _MULTIPLIERS:
@@ -156,8 +176,7 @@ def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> l
         ways = [way for ways in phase.orders for way in ways]
         rows = [row for way in ways for row, _ in way.conditions if row is not None]
         demand(rows, "the transition has no condition")
-        found = [orbit.value(row, end) for row in rows]
-        return [min(found, key=lambda value: abs(float(middle_of(value))))]
+        return [orbit.value(row, end) for row in rows]
     watched = next((w for w in phase.watched if w.name == event["boundary"]), None)
     if watched is None:
         raise Failure("there is no such boundary")

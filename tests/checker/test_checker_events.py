@@ -376,6 +376,18 @@ def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
         events._multiplier(of_pair, "neimark-sacker")
 
 
+@of("wall")
+def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[str, Any]) -> None:
+    """The one enclosure has to hold both of them."""
+    event = event_of(content, "grazing")
+    name, other = event["parameter"], event["declaration"]["phases"][0]["dwell_time"]
+    told = json.loads(json.dumps(event).replace(f'"{name}"', f'"{other}"'))
+    told["text"] = event["text"]
+    for value in (event["enclosures"][name], event["enclosures"][other]):
+        told["enclosures"][other] = value
+        refused({**content, "events": [told]}, f"{other} is not in its enclosure")
+
+
 @of("symmetric", "torus")
 def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any]) -> None:
     event = content["events"][-1]
