@@ -1,4 +1,4 @@
-"""The check of a doubling: orbits of twice the period that begin at a flip of a branch.
+"""The judge of a doubling: orbits of twice the period that begin at a flip of a branch.
 
 Both halves of such an orbit satisfy the equations F of the orbit of which the flip is, but for
 the closure: each ends where the other begins. Half of their sum is m, half of their difference
@@ -16,15 +16,15 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.checker.branch import checked_tiles
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, solution
+from nonsmooth.runtime.checker.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve, solution, without_entry
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, flows_over
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import DOUBLING, check_shape
-from nonsmooth.runtime.checker.stability import characteristic, passing, stability
+from nonsmooth.runtime.checker.stability import CORNER, characteristic, passing, stability
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_models import (
     AT_BOTH_ENDS,
@@ -34,15 +34,21 @@ from nonsmooth.runtime.core.taylor_models import (
     averaged,
     lifted,
     matrix,
-    middle_of,
     range_of,
     space_of,
 )
 
-__all__ = ["check_doubled", "check_doubling"]
+__all__ = [
+    "ORDER",
+    "DoubledEquations",
+    "JudgedDoubling",
+    "check_doubled",
+    "check_doubling",
+    "twofold",
+]
 
 _BITS, _SHARP = 64, 192
-_ORDER = 5  # of the models: that of the polynomials
+ORDER = 5  # of the models: that of the polynomials
 _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tube whose claims take smaller ones
 _ALIKE = ("parameters", "parameter", "stability")
@@ -78,13 +84,50 @@ def check_doubled(
     branches: Sequence[dict[str, Any]],
     tiles: Sequence[Sequence[CheckedTile]],
 ) -> None:
-    """Prove the doubled orbits between two branches that are already proved.
+    """Judge the doubled orbits between two branches that are already proved.
 
     `branches` and `tiles` are those of the branch with the flip and of the one that begins there.
     """
-    _same_system(*branches)
-    with ctx.workprec(_BITS):
-        _CheckedDoubling(doubled, branches[1], *tiles).check()
+    branch, beyond = branches
+    own, others = tiles
+    demand(own and others, "a branch without tiles")
+    demand(1 <= doubled["tile"] <= len(own), "there is no such tile")
+    found = JudgedDoubling(doubled, branch, own[doubled["tile"] - 1])
+    found.locate()
+    demand(doubled["side"] == found.side, f"they are not {doubled['side']} the flip")
+    with ctx.workprec(_SHARP):
+        demand(inside(found.rate, doubled["rate"]), "the rate is not in its enclosure")
+    orbit = found.first_of(beyond, others[0 if beyond["start"] == 0 else -1])
+    undecided = doubled["verdict"] == "undecided"
+    demand(undecided == bool(doubled["reason"]), "a reason of another verdict")
+    if not undecided:
+        found.decide()
+        told = found.verdict(orbit)
+        demand(told == doubled["verdict"], f"at one of them it is {told}")
+
+
+def twofold(content: dict[str, Any]) -> CheckedCurve:
+    """Return the equations of a branch's cycle passed twice; `Failure` where it is not covered."""
+    demand(content["declaration"], "claims about no declaration")
+    declared, closing = content["declaration"], content["closing"]
+    covered = closing["kind"] in ("state", "forcing") and "translations" not in closing
+    demand(covered, "cycles of another closing")
+    again = [{**p, "dwell_time": f"{p['dwell_time']} again"} for p in declared["phases"]]
+    found = curve_of(
+        {
+            **content,
+            "declaration": {**declared, "phases": [*declared["phases"], *again]},
+            "itinerary": content["itinerary"] * 2,
+            "unknown_names": [*content["unknown_names"], *(p["dwell_time"] for p in again)],
+            "closing": _turned_twice(closing),
+        }
+    )
+    demand(found.declared.alone, CORNER)
+    return found
+
+
+def _turned_twice(closing: dict[str, Any]) -> dict[str, Any]:
+    return {name: 2 * value if name == "turns" else value for name, value in closing.items()}
 
 
 def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:
@@ -100,135 +143,121 @@ def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:
         for each in (declared["phases"], other["phases"])
     )
     demand(twice == phases * 2, "the itinerary is not passed twice")
-    closing, twofold = branch["closing"], beyond["closing"]
-    demand(closing["kind"] in ("state", "forcing"), "cycles of another closing")
-    turns = {name: 2 * value if name == "turns" else value for name, value in closing.items()}
-    demand(turns == twofold and "translations" not in closing, "it closes in another way")
+    demand(_turned_twice(branch["closing"]) == beyond["closing"], "it closes in another way")
 
 
-class _CheckedDoubling:
-    """The doubled orbits next to a flip, over the amplitude a; n unknowns become 2 n.
+class JudgedDoubling:
+    """What is proved of the doubled orbits next to a flip, of which a proposal tells.
 
-    They are the middle m, the direction w without its entry 1, and the parameter.
+    A proposal has the entries of a file that state the unknown in which the halves are apart, the
+    largest amplitude, and polynomials and radii of the tube. `content` holds the entries of the
+    branch with the flip, and `tile` is the flip's, already proved.
     """
 
     def __init__(
-        self,
-        doubling: dict[str, Any],
-        beyond: dict[str, Any],
-        tiles: Sequence[CheckedTile],
-        others: Sequence[CheckedTile],
+        self, proposal: dict[str, Any], content: dict[str, Any], tile: CheckedTile
     ) -> None:
-        self.doubling = doubling
-        demand(tiles and others, "a branch without tiles")
-        demand(1 <= doubling["tile"] <= len(tiles), "there is no such tile")
-        self.tile = tiles[doubling["tile"] - 1]
-        self.first = others[0] if beyond["start"] == 0 else others[-1]
-        self.begin = self.first.begin if beyond["start"] == 0 else self.first.end
-        self.curve, self.twice = self.tile.curve, self.first.curve.undivided()
-        event = self.tile.event
+        self.content, self.tile, self.curve = content, tile, tile.curve
+        self.twice = twofold(content)
+        event = tile.event
         demand(event is not None and event["kind"] == "flip", "there is no flip")
         demand(self.curve.short is None, "its equations are divided by a dwell time")
-        demand(doubling["scaled"] in self.curve.declared.unknowns, "there is no such unknown")
-        self.scaled = self.curve.declared.unknowns.index(doubling["scaled"])
-        self.size = self.curve.last
-        self.amplitude = arb(exact(doubling["amplitude"]))
-        self.radii = [arb(r) for r in doubling["radii"]]
-        centre = doubling["centre"]
-        demand(len(self.radii) == len(centre) == 2 * self.size, "a tube of another size")
-        demand(all(r > 0 and r.is_finite() for r in self.radii), "the tube is empty")
-        demand(all(len(row) == _ORDER + 1 for row in centre), "polynomials of another order")
-        demand(exact(doubling["amplitude"]) > 0, "the largest amplitude is not positive")
-        self.space = space_of(1, _ORDER)
-        self.centre = [TaylorModel(self.space, tuple(map(arb, row))) for row in centre]
+        demand(proposal["scaled"] in self.curve.declared.unknowns, "there is no such unknown")
+        self.scaled = self.curve.declared.unknowns.index(proposal["scaled"])
+        self.equations = DoubledEquations(self.curve, self.scaled)
+        with ctx.workprec(_BITS):
+            self.amplitude = arb(exact(proposal["amplitude"]))
+            self.radii = [arb(r) for r in proposal["radii"]]
+            self.space = space_of(1, ORDER)
+            centre = proposal["centre"]
+            size = 2 * self.equations.size
+            demand(len(self.radii) == len(centre) == size, "a tube of another size")
+            demand(all(r > 0 and r.is_finite() for r in self.radii), "the tube is empty")
+            demand(all(len(row) == ORDER + 1 for row in centre), "polynomials of another order")
+            demand(exact(proposal["amplitude"]) > 0, "the largest amplitude is not positive")
+            self.centre = [TaylorModel(self.space, tuple(map(arb, row))) for row in centre]
 
-    def check(self) -> None:
-        """Prove that these orbits begin at the flip, and their side and verdict."""
-        a = self.space.variable(0, arb(0), self.amplitude)
-        found = self.krawczyk(a, self.centre, self.radii)
-        demand(found is not None, "existence is not proved: Krawczyk's test fails")
-        assert found is not None
-        low, high = self.curve.interval
-        over = range_of(found[-1])
-        demand(over > low and over < high, "it is outside of the interval")
-        rate = range_of(self.rate(a, found))
-        side = self.doubling["side"]
-        demand(rate > 0 if side == "above" else rate < 0, f"they may not be {side} the flip")
+    def locate(self) -> None:
+        """Prove that these orbits begin at the flip, and find their side and rate there."""
+        with ctx.workprec(_BITS):
+            self.a = a = self.space.variable(0, arb(0), self.amplitude)
+            found = self.equations.krawczyk(a, self.centre, self.radii)
+            demand(found is not None, "existence is not proved: Krawczyk's test fails")
+            assert found is not None
+            self.found = found
+            low, high = self.curve.interval
+            over = range_of(found[-1])
+            demand(over > low and over < high, "it is outside of the interval")
+            rate = range_of(self.equations.rate(a, found))
+            demand(rate > 0 or rate < 0, "on which side of the flip they are is not known")
+        self.side = "above" if rate > 0 else "below"
         with ctx.workprec(_SHARP):
-            self._begins_at_the_flip(side)
-            orbit = self._goes_on()
-        demand((self.doubling["verdict"] == "undecided") == bool(self.doubling["reason"]),
-               "a reason of another verdict")  # fmt: skip
-        if self.doubling["verdict"] == "undecided":
-            return
-        first, second = self._copies(a, found)
-        point = [*first, *second[self.size - len(self.curve.declared.steps) :], found[-1]]
-        self._parts(self._decided, point)
+            flip = self.equations.flip_near([x.at([arb(0)]) for x in self.centre])
+            demand(self._holds(arb(0), flip), "the tube holds another flip")
+            tile = self.tile
+            whole = [*flip[: self.equations.size], flip[-1]]
+            value = whole[tile.place]
+            demand(value > tile.low and value < tile.high, "the flip is outside of its tile")
+            others = without_entry(tile.place, whole)
+            demand(tile.holds(value, others), "the flip is not that of the branch")
+            self.rate = self.equations.rate(arb(0), flip)
+            same = self.rate > 0 if self.side == "above" else self.rate < 0
+            demand(same, f"they are not {self.side} the flip")
+
+    def first_of(self, beyond: dict[str, Any], first: CheckedTile) -> list[Any]:
+        """Demand that a doubled branch begins with an orbit of the tube; return this orbit.
+
+        `first` is the tile of it where it begins. Solutions of equations that are divided by a
+        dwell time solve the undivided ones, too.
+        """
+        _same_system(self.content, beyond)
+        twice = self.twice
+        with ctx.workprec(_SHARP):
+            demand(first.place == twice.last, "the doubled branch begins by another coordinate")
+            orbit = first.at(arb(first.begin if beyond["start"] == 0 else first.end))
+            passed = twice.orbit(orbit)
+            half, count = len(passed.chain.fields) // 2, passed.first
+            behind = passed.now.starts[half]
+            one = [*orbit[:count], *passed.dwell[:half]]
+            other = [behind[k, 0] for k in twice.declared.free]
+            if twice.declared.forcing:
+                time = sum(passed.dwell[:half], -passed.chain.period / 2)
+                other.append(orbit[count - 1] + time)
+            other += passed.dwell[half:]
+            apart = [(x - y) / 2 for x, y in zip(one, other, strict=True)]
+            a = apart[self.scaled]
+            demand(a > 0 or a < 0, "the halves of the doubled orbit may be the same")
+            middle = [(x + y) / 2 for x, y in zip(one, other, strict=True)]
+            away = [x / a for x in without_entry(self.scaled, apart)]
+            inside_it = self._holds(a, [*middle, *away, orbit[-1]])
+            demand(inside_it, "the doubled branch begins elsewhere")
+        return orbit
+
+    def decide(self) -> None:
+        """Demand that all these orbits are motions, and none has another multiplier 1 or -1.
+
+        No two of their multipliers have the product 1.
+        """
+        with ctx.workprec(_BITS):
+            first, second = self.equations.halves(self.a, self.found)
+            dwell = second[self.equations.size - len(self.curve.declared.steps) :]
+            self._parts(self._decided, [*first, *dwell, self.found[-1]])
+
+    def verdict(self, orbit: Sequence[Any]) -> str:
+        """Return "stable" or "unstable", as one orbit of the tube is, or "undecided"."""
         with ctx.workprec(_SHARP):
             words = {"proved": "stable", "refuted": "unstable"}
-            told = words.get(stability(self.twice.orbit(orbit)))
-        demand(told == self.doubling["verdict"], f"at one of them it is {told}")
+            return words.get(stability(self.twice.orbit(orbit)), "undecided")
 
-    def holds(self, a: Any, found: Sequence[Any]) -> bool:
+    def _holds(self, a: Any, found: Sequence[Any]) -> bool:
         """Return whether a solution of amplitude a lies in the tube."""
         place = a / self.amplitude
         sides = zip(found, self.centre, self.radii, strict=True)
         return bool(abs(place) < 1) and all(abs(x - c.at([place])) < r for x, c, r in sides)
 
-    def _begins_at_the_flip(self, side: str) -> None:
-        """Demand that the solution at amplitude zero is the branch's flip, with the stated rate."""
-        zero = arb(0)
-        point = [x.at([zero]).mid() for x in self.centre]
-        for _ in range(_STEPS):
-            values, slopes = self.equations(zero, point)
-            try:
-                step = slopes.mid().solve(values.mid())
-            except ZeroDivisionError:
-                raise Failure("the equations are singular at the flip") from None
-            point = [(x - d).mid() for x, d in zip(point, step.entries(), strict=True)]
-        unit = arb(2) ** -int(0.6 * ctx.prec)
-        flip = self.krawczyk(zero, point, [(unit * (1 + abs(x))).upper() for x in point])
-        demand(flip is not None, "there is no flip at the amplitude zero")
-        assert flip is not None
-        demand(self.holds(zero, flip), "the tube holds another flip")
-        tile = self.tile
-        whole = [*flip[: self.size], flip[-1]]
-        value = whole[tile.place]
-        demand(value > tile.low and value < tile.high, "the flip is outside of its tile")
-        others = [x for k, x in enumerate(whole) if k != tile.place]
-        demand(tile.holds(value, others), "the flip is not that of the branch")
-        rate = self.rate(zero, flip)
-        demand(rate > 0 if side == "above" else rate < 0, f"they are not {side} the flip")
-        demand(inside(rate, self.doubling["rate"]), "the rate is not in its enclosure")
-
-    def _goes_on(self) -> list[Any]:
-        """Demand that the doubled branch begins with an orbit of the tube; return this orbit.
-
-        Solutions of equations that are divided by a dwell time solve the undivided ones, too.
-        """
-        twice = self.twice
-        demand(self.first.place == twice.last, "the doubled branch begins by another coordinate")
-        orbit = self.first.at(arb(self.begin))
-        passed = twice.orbit(orbit)
-        half, count = len(passed.chain.fields) // 2, passed.first
-        behind = passed.now.starts[half]
-        first = [*orbit[:count], *passed.dwell[:half]]
-        second = [behind[k, 0] for k in twice.declared.free]
-        if twice.declared.forcing:
-            second.append(orbit[count - 1] + sum(passed.dwell[:half], -passed.chain.period / 2))
-        second += passed.dwell[half:]
-        apart = [(x - y) / 2 for x, y in zip(first, second, strict=True)]
-        a = apart[self.scaled]
-        demand(a > 0 or a < 0, "the halves of the doubled orbit may be the same")
-        middle = [(x + y) / 2 for x, y in zip(first, second, strict=True)]
-        away = [x / a for k, x in enumerate(apart) if k != self.scaled]
-        demand(self.holds(a, [*middle, *away, orbit[-1]]), "the doubled branch begins elsewhere")
-        return orbit
-
     def _decided(self, point: Sequence[Any]) -> None:
         """Demand that orbits are motions, with no multiplier on the circle but 1 at the flip."""
         orbit = self.twice.orbit(point)
-        demand(orbit.declared.alone, "one-sided maps")
         told = admissibility(orbit).claim
         demand(told == "proved", f"admissibility is {told}")
         polynomial = characteristic(orbit.section)
@@ -251,18 +280,45 @@ class _CheckedDoubling:
             e = self.space.variable(0, arb(side) / 2, arb(1) / 2)
             self._parts(prove, [x.at([e]) for x in point], depth + 1)
 
+
+class DoubledEquations:
+    """The equations of doubled orbits over the amplitude a; n unknowns become 2 n.
+
+    They are the middle m, the direction w without its entry 1, whose number is `scaled`, and the
+    parameter. The amplitude is zero, or a multiple of the one variable.
+    """
+
+    def __init__(self, curve: CheckedCurve, scaled: int) -> None:
+        self.curve, self.scaled, self.size = curve, scaled, curve.last
+
+    def flip_near(self, guess: Sequence[Any]) -> list[Any]:
+        """Return the enclosed solution at amplitude zero near a guess, by Newton's method."""
+        zero, point = arb(0), [x.mid() for x in guess]
+        for _ in range(_STEPS):
+            values, slopes = self.at(zero, point)
+            try:
+                step = slopes.mid().solve(values.mid())
+            except ZeroDivisionError:
+                raise Failure("the equations are singular at the flip") from None
+            point = [(x - d).mid() for x, d in zip(point, step.entries(), strict=True)]
+        unit = arb(2) ** -int(0.6 * ctx.prec)
+        found = self.krawczyk(zero, point, [(unit * (1 + abs(x))).upper() for x in point])
+        demand(found is not None, "there is no flip at the amplitude zero")
+        assert found is not None
+        return found
+
     def krawczyk(self, a: Any, centre: Sequence[Any], radii: Sequence[Any]) -> list[Any] | None:
         """Return Krawczyk's image of a box (2 n) of solutions, or None if it is not inside the box.
 
         If it is inside, there is exactly one solution in the box for each amplitude.
         """
-        values, slopes = self.equations(a, centre)
+        values, slopes = self.at(a, centre)
         try:
             y = slopes.mid().inv().mid()
         except ZeroDivisionError:
             return None
         box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
-        _, over = self.equations(a, box)
+        _, over = self.at(a, box)
         count = len(radii)
         unit = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
         moved = (unit - y * over) * arb_mat([[arb(0, r)] for r in radii]) - y * values
@@ -271,7 +327,7 @@ class _CheckedDoubling:
             return None
         return [x + d for x, d in zip(centre, found, strict=True)]
 
-    def equations(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
+    def at(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
         """Return values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""
         middle, away = self._split(unknowns)
         point, direction, value = self._between(a, middle, away, unknowns[-1])
@@ -280,7 +336,7 @@ class _CheckedDoubling:
         bend = self._passage([jet(u, w) for u, w in zip(point, direction, strict=True)], value)
         column, wide = matrix([[w] for w in away]), matrix([[w] for w in direction])
         slopes, along = part_of(first.slopes, 0), part_of(first.slopes, 1)
-        start = self._start_rows()
+        start = self.start_rows()
         ends, second = averaged(slopes, AT_BOTH_ENDS), averaged(part_of(bend.slopes, 1), MEAN)
         values = (
             averaged(part_of(first.values, 0), AT_BOTH_ENDS),
@@ -315,7 +371,7 @@ class _CheckedDoubling:
         wide = matrix([[w] for w in direction])
         second = averaged(part_of(bend.slopes, 1) * wide, MEAN)
         third = averaged(2 * part_of(bend.slopes, 2) * wide, BENT_MEAN)
-        _, slopes = self.equations(a, unknowns)
+        _, slopes = self.at(a, unknowns)
         try:
             y = slopes.mid().inv().mid()
         except ZeroDivisionError:
@@ -328,7 +384,8 @@ class _CheckedDoubling:
         away = list(unknowns[self.size : -1])
         return list(unknowns[: self.size]), [*away[: self.scaled], arb(1), *away[self.scaled :]]
 
-    def _copies(self, a: Any, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    def halves(self, a: Any, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+        """Return the orbit's unknowns (n) along each half of a doubled orbit."""
         middle, away = self._split(unknowns)
         pairs = list(zip(middle, away, strict=True))
         return [m + a * w for m, w in pairs], [m - a * w for m, w in pairs]
@@ -341,22 +398,19 @@ class _CheckedDoubling:
             demand(a.is_zero(), "an amplitude that is not zero")
             return list(middle), list(away), value
         space = space_of(2, a.space.order)
-        step = space.variable(1, arb(0), self.amplitude)
+        step = space.variable(1, arb(0), a.parts[1])
         wide = [lifted(w, space) for w in away]
         pairs = zip(middle, wide, strict=True)
         return [lifted(m, space) + step * w for m, w in pairs], wide, lifted(value, space)
 
     def _passage(self, point: Sequence[Any], value: Any) -> Any:
         """Return the passage of the cycle from a point, root of the equations or not."""
-        curve: CheckedCurve = self.curve
+        curve = self.curve
         orbit = CheckedOrbit(curve.declared, number_at([value, *curve.constants]))
-        flows = []
-        for b, time in zip(orbit.chain.fields, point[orbit.first :], strict=True):
-            middle = middle_of(time)  # the wide factor has a small exponent
-            flows.append((b * (time - middle)).exp() * (b * middle).exp())
+        flows = flows_over(orbit.chain.fields, point[orbit.first :])
         return orbit.passage(orbit.chain, point, flows)
 
-    def _start_rows(self) -> Any:
+    def start_rows(self) -> Any:
         """Return the matrix (n, n) that picks the start's part in the closure equations."""
         declared = self.curve.declared
         found = arb_mat(self.size, self.size)

@@ -1,4 +1,4 @@
-"""The check of events: bifurcations and limits of admissibility that are next to a computed one.
+"""The judge of events: bifurcations and limits of admissibility that are next to a computed one.
 
 Unknowns z are those of the orbit, the parameter, and for a grazing its time. In a box z = m + r e
 with e in [-1, 1], and in models of the first order the orbit's equations and the event's are
@@ -8,7 +8,7 @@ Brouwer's theorem (1911); the norm of I - Y L is then below 1, so Y is not singu
 root. All roots in the box are in K.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import reduce
 from typing import Any
 
@@ -32,7 +32,7 @@ from nonsmooth.runtime.checker.stability import (
 )
 from nonsmooth.runtime.core.taylor_models import middle_of, space_of
 
-__all__ = ["check_events"]
+__all__ = ["JudgedEvent", "check_events"]
 
 _GUARD = 96  # bits beyond those of the enclosures
 _MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
@@ -40,8 +40,83 @@ _INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
              "condition": "end", "grazing": "inside"}  # fmt: skip
 
 
+class JudgedEvent:
+    """The event that a proposal tells of: its equations, and what is proved of their roots.
+
+    A proposal has the entries of a file that state the system, the way in which the cycle closes,
+    the values of the parameters, the bits, and the event by its kind and place. Nothing of it is
+    taken on trust, and nothing else is read.
+    """
+
+    def __init__(self, proposal: dict[str, Any]) -> None:
+        self.proposal, self.bits = proposal, proposal["bits"]
+        with ctx.workprec(self.bits + _GUARD):
+            told = proposal["declaration"].get("constants", [])
+            by = proposal["parameter"]
+            values, numbers, self.constants = values_of(proposal["parameters"], [by], told)
+            self.declared = declared = StatedSystem(proposal, values, numbers)
+            demand(declared.bound and declared.rational, "the declaration is not exact")
+            self.energies = declared.closes()
+        self.place = len(declared.unknowns)  # of the parameter among the unknowns
+        time = ["time"] if proposal["kind"] == "grazing" else []
+        self.names = [*declared.unknowns, by, *time]
+
+    def equations(self, middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
+        """Return the left-hand sides over a box, as Taylor models of first order in its place."""
+        return self._along(middles, radii)[1]
+
+    def located(self, box: Sequence[dict[str, str]]) -> dict[str, Any]:
+        """Return enclosures by name of all roots in a box, which is proved to have one.
+
+        Where a parameter is an unknown too, and has its name, one ball encloses both.
+        """
+        with ctx.workprec(self.bits + _GUARD):
+            named = [side["name"] for side in box] == self.names
+            demand(named, "the box is not that of the unknowns")
+            middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
+            demand(all(r > 0 for r in radii), "the box is empty")
+            orbit, values, which = self._along(middles, radii)
+            found = _image(values)
+            demand(all(abs(e) < 1 for e in found), "there may be no such event in the box")
+            orbit.returns(self.energies)
+            point = [middles[self.place] + arb(0, radii[self.place]), *self.constants]
+            for divisor in self.declared.exactly.divisors:
+                value = divisor(point) if callable(divisor) else divisor
+                demand(value > 0 or value < 0, "what is zero there cannot be told")
+            # all roots are in a smaller box, where all is sharper
+            roots = [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
+            unit, middles = arb(2) ** -ctx.prec, [x.mid() for x in roots]
+            radii = [(x.rad() + r * unit).upper() for x, r in zip(roots, radii, strict=True)]
+            found = _image(self._along(middles, radii, which)[1])
+            enclosures: dict[str, Any] = {}
+            for name, m, r, e in zip(self.names, middles, radii, found, strict=True):
+                root = m + r * e
+                enclosures[name] = root.union(enclosures.get(name, root))
+        return enclosures
+
+    def _along(
+        self, middles: Sequence[Any], radii: Sequence[Any], which: int | None = None
+    ) -> tuple[CheckedOrbit, list[Any], int | None]:
+        """Return the orbit along a box of unknowns, and the left-hand sides of all equations.
+
+        Of a transition's conditions the one with the number `which` is taken, which is returned;
+        by default it is the one that is nearest to zero.
+        """
+        space = space_of(len(self.names), 1)
+        sides = zip(middles, radii, strict=True)
+        unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
+        orbit = CheckedOrbit(self.declared, number_at([unknowns[self.place], *self.constants]))
+        values = orbit.along(unknowns[: self.place])
+        found = _event(orbit, self.proposal, unknowns[self.place + 1 :])
+        if self.proposal["kind"] == "condition":
+            sizes = [abs(float(middle_of(value))) for value in found]
+            which = sizes.index(min(sizes)) if which is None else which
+            found = [found[which]]
+        return orbit, [*values, *found], which
+
+
 def check_events(content: dict[str, Any]) -> None:
-    """Prove every event of a file again; `Failure` names an event that is not proved.
+    """Judge every event of a file again; `Failure` names an event that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
@@ -62,67 +137,29 @@ def _check(event: dict[str, Any]) -> None:
         return
     demand(not event["reason"], "a reason why it is undecided")
     check_sharp(event["box"], event["bits"])
-    told = event["declaration"].get("constants", [])
-    values, numbers, constants = values_of(event["parameters"], [event["parameter"]], told)
-    declared = StatedSystem(event, values, numbers)
-    demand(declared.bound and declared.rational, "the declaration is not exact")
-    energies = declared.closes()
-    box, place = event["box"], len(declared.unknowns)  # of the parameter
-    names = [side["name"] for side in box]
-    time = ["time"] if event["kind"] == "grazing" else []
-    wanted = [*declared.unknowns, event["parameter"], *time]
-    demand(names == wanted, "the box is not that of the unknowns")
-    demand(event["enclosures"].keys() == {*names}, "not every unknown has its enclosure")
-    middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
-    demand(all(r > 0 for r in radii), "the box is empty")
-
-    def misses(middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
-        space = space_of(len(box), 1)
-        sides = zip(middles, radii, strict=True)
-        unknowns = [space.variable(k, m, r) for k, (m, r) in enumerate(sides)]
-        orbit = CheckedOrbit(declared, number_at([unknowns[place], *constants]))
-        demand(orbit.count == place, "the box is of another size")
-        values = orbit.along(unknowns[:place])
-        orbit.returns(energies)
-        return [*values, *_event(orbit, event, unknowns[place + 1 :])]
-
-    root = _roots(misses, middles, radii)
-    stated = [event["enclosures"][name] for name in names]
-    if not all(map(inside, root, stated)):  # in the smaller box all is sharper
-        root = _roots(misses, [x.mid() for x in root], [x.rad() for x in root], again=True)
-    for name, value, its in zip(names, root, stated, strict=True):
-        demand(inside(value, its), f"{name} is not in its enclosure")
-    point = [middles[place] + arb(0, radii[place]), *constants]
-    for divisor in declared.exactly.divisors:
-        value = divisor(point) if callable(divisor) else divisor
-        demand(value > 0 or value < 0, "what is zero there cannot be told")
+    found, stated = JudgedEvent(event).located(event["box"]), event["enclosures"]
+    demand(stated.keys() == found.keys(), "not every unknown has its enclosure")
+    for name, value in found.items():
+        demand(inside(value, stated[name]), f"{name} is not in its enclosure")
 
 
-def _roots(
-    misses: Callable[..., list[Any]], middles: list[Any], radii: list[Any], again: bool = False
-) -> list[Any]:
-    """Return balls around all roots of a box, which is proved to contain one.
-
-    With `again`, existence was proved before and is not demanded.
-    """
-    values = misses(middles, radii)
-    demand(len(values) == len(middles), "as many equations as unknowns are needed")
+def _image(values: Sequence[Any]) -> list[Any]:
+    """Return K, which contains the places in [-1, 1] of all roots of models in a box."""
+    size = len(values)
+    fits = all(len(value.parts) == size + 1 for value in values)
+    demand(fits, "as many equations as unknowns are needed")
     slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
     try:
         y = slopes.mid().inv().mid()
     except ZeroDivisionError:
         raise Failure("the equations are singular in the middle of the box") from None
-    size = len(values)
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     within = (unit - y * slopes) * arb_mat([[arb(0, 1)]] * size)
-    found = (within - y * arb_mat([[value.parts[0]] for value in values])).entries()
-    if not again:
-        demand(all(abs(e) < 1 for e in found), "there may be no such event in the box")
-    return [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
+    return list((within - y * arb_mat([[value.parts[0]] for value in values])).entries())
 
 
 def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
-    """Return the residuals of an event's equations at an orbit."""
+    """Return the residuals of an event's equations at an orbit: those of all its conditions."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")
     if kind in _MULTIPLIERS:
@@ -139,8 +176,7 @@ def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> l
         ways = [way for ways in phase.orders for way in ways]
         rows = [row for way in ways for row, _ in way.conditions if row is not None]
         demand(rows, "the transition has no condition")
-        found = [orbit.value(row, end) for row in rows]
-        return [min(found, key=lambda value: abs(float(middle_of(value))))]
+        return [orbit.value(row, end) for row in rows]
     watched = next((w for w in phase.watched if w.name == event["boundary"]), None)
     if watched is None:
         raise Failure("there is no such boundary")
@@ -167,8 +203,9 @@ def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:
     demand(orbit.declared.alone, "one-sided maps")
     demand(kind == "flip" or not orbit.declared.omega, "1 is always a multiplier")
     polynomial = characteristic(orbit.section)
+    few = len(polynomial) < (3 if kind == "neimark-sacker" else 2)
+    demand(not few, "too few multipliers differ from zero: the branch meets a border there")
     if kind == "neimark-sacker":
-        demand(len(polynomial) > 2, "there is no pair of multipliers")
         demand(paired(polynomial), "the pair may be real")
         return products_less_one(polynomial)
     return reduce(lambda total, c: total * _MULTIPLIERS[kind] + c, polynomial)

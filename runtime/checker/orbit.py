@@ -16,9 +16,9 @@ from nonsmooth.runtime.checker.declared import StatedSystem, gauge_of
 from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.checker.short import Short, quotient, quotients
 from nonsmooth.runtime.core.matrix_chains import along_chain, framed_phases
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
 
-__all__ = ["CheckedOrbit", "Cut", "Passage", "PhaseNumbers", "lower", "trace_of"]
+__all__ = ["CheckedOrbit", "Cut", "Passage", "PhaseNumbers", "flows_over", "lower", "trace_of"]
 
 Cut = Callable[[Any], Any]
 _LOW = 2  # order of what need not be sharp
@@ -223,7 +223,7 @@ class CheckedOrbit:
         Unknowns are free states, the forcing's time and dwell times, in the system's units.
         """
         self.dwell = list(unknowns[self.first :])
-        self.flows = _exponentials(self.chain, self.dwell)
+        self.flows = flows_over(self.chain.fields, self.dwell)
         self.now = self.passage(self.chain, unknowns, self.flows, slopes=False)
         return list(self.now.values.entries())
 
@@ -333,6 +333,15 @@ def lower(number: Any) -> Any:
     count = len(space.exponents)
     rest = TaylorModel(number.space, (parts[0], *(None,) * (count - 1), *parts[count:]))
     return TaylorModel(space, (rest.range(), *parts[1:count]))
+
+
+def flows_over(fields: Sequence[Any], times: Sequence[Any]) -> list[Any]:
+    """Return flows for times that vary: from the middle of each on, by a small exponent."""
+    found = []
+    for b, time in zip(fields, times, strict=True):
+        middle = middle_of(time)
+        found.append((b * (time - middle)).exp() * (b * middle).exp())
+    return found
 
 
 def _exponentials(chain: PhaseNumbers, times: Sequence[Any]) -> list[Any]:

@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.matrix_chains import along_chain
-from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
 from nonsmooth.runtime.proof.invariants import CycleInvariants
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.shooting.translations import gauges_of
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat, arb_poly
 
 __all__ = [
+    "check_pair",
+    "determinant",
     "inside_circle",
     "on_circle",
+    "pair_products",
     "product_of",
     "reduced_map",
     "trace_of",
@@ -54,6 +59,61 @@ def reduced_map(
     ordered = [*maps[first:], *maps[:first]]
     found = along_chain([mapping.__mul__ for mapping in ordered], numbers(basis, number))
     return matrix([[found[i, j] for j in range(len(free))] for i in free])
+
+
+def pair_products(square: Any) -> Any:
+    """Return the product of m n - 1 over all pairs of multipliers m, n of a square matrix.
+
+    It is the determinant of the bialternate product minus 1; the matrix is at least 2 by 2.
+    """
+    pairs = list(combinations(range(square.nrows()), 2))
+
+    def entry(p: int, q: int, r: int, s: int) -> Any:
+        product = square[p, r] * square[q, s] - square[p, s] * square[q, r]
+        return product - int((p, q) == (r, s))
+
+    return determinant([[entry(*left, *right) for right in pairs] for left in pairs])
+
+
+def check_pair(found: arb_mat) -> None:
+    """Raise `NotCovered` unless no two real eigenvalues of a matrix can have the product 1.
+
+    Such a pair would be a neutral saddle.
+    """
+    from flint import acb_mat
+
+    try:
+        # S. Rump's discs bear wide entries: those of all orbits over a tile
+        multipliers = acb_mat(found).eig(algorithm="rump")
+    except ValueError:
+        raise NotCovered("neimark-sacker: the multipliers cannot be told apart") from None
+    for first, second in combinations(multipliers, 2):
+        real = first.imag.contains(0) or second.imag.contains(0)
+        if real and (first * second).contains(1):
+            raise NotCovered("neimark-sacker: the pair may be real")
+
+
+def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """Return the determinant by elimination with the largest pivot first.
+
+    So at an event only the last pivot is zero.
+    """
+    left = [list(row) for row in rows]
+    found: Any = None
+    while left:
+        sizes = {
+            (i, j): abs(float(middle_of(x)))
+            for i, row in enumerate(left)
+            for j, x in enumerate(row)
+        }
+        i, j = max(sizes, key=lambda place: sizes[place])
+        taken = left.pop(i)
+        pivot = taken.pop(j) * (-1) ** (i + j)
+        found = pivot if found is None else found * pivot
+        for row in left:
+            factor = row.pop(j) / (pivot * (-1) ** (i + j))
+            row[:] = [x - factor * y for x, y in zip(row, taken, strict=True)]
+    return found
 
 
 def inside_circle(mapping: Any) -> bool | None:

@@ -7,13 +7,11 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.values import flint_precision
 
-__all__ = ["as_file", "as_read", "refusal"]
+__all__ = ["as_read", "refusal"]
 
 _BITS = 64  # the precision of the process in which a file is checked
-_HEAD = {"format": "", "version": 0, "package": ""}  # what the checker does not look at
 
 
 def refusal(check: Callable[[], object]) -> str:
@@ -26,12 +24,6 @@ def refusal(check: Callable[[], object]) -> str:
     except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
         return f"the checker refuses it: {type(problem).__name__}: {problem}"
     return ""
-
-
-def as_file(told: Mapping[str, Any]) -> dict[str, Any]:
-    """Return entries as the checker reads them from a file, with format, version and checksum."""
-    content = as_read({**_HEAD, **told})
-    return {**content, "sha256": checksum_of(content)}
 
 
 def as_read(told: Mapping[str, Any]) -> dict[str, Any]:

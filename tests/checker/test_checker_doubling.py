@@ -7,9 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from flint import arb
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, Malformed, check_doubling
+from nonsmooth.runtime.checker import Failure, Malformed, check_doubling, doubling
+from nonsmooth.runtime.checker.branch import curve_of
+from nonsmooth.runtime.checker.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.doubling import DoubledEquations, JudgedDoubling, check_doubled
 from tests.certified import prove_doubling, signed
 from tests.shared import shared_file
 
@@ -109,14 +113,29 @@ def doubled_from_elsewhere(content: Content) -> None:
     content["doubled"]["amplitude"] = "1/1000"
 
 
-EDITS: tuple[Callable[[Content], None], ...] = (
-    other_side, stable, a_reason_for_nothing, undecided_without_reason,
-    proved_without_a_verdict, wider_amplitude, negative_amplitude, moved_tube, narrow_tube,
-    wide_tube, another_rate, another_tile,
-    another_unknown, complete_with_a_reason, complete_without_doubled_orbits,
-    claimed_without_doubled_orbits,
-    the_orbit_itself_as_doubled, other_parameters, another_declaration, doubled_from_elsewhere,
-)  # fmt: skip
+KRAWCZYK = "Krawczyk's test fails"
+EDITS: dict[Callable[[Content], None], str] = {
+    other_side: "they are not below the flip",
+    stable: "at one of them it is unstable",
+    a_reason_for_nothing: "a reason of another verdict",
+    undecided_without_reason: "the claim is another one",
+    proved_without_a_verdict: "the claim is another one",
+    wider_amplitude: KRAWCZYK,
+    negative_amplitude: "not positive",
+    moved_tube: KRAWCZYK,
+    narrow_tube: KRAWCZYK,
+    wide_tube: KRAWCZYK,
+    another_rate: "not in its enclosure",
+    another_tile: "there is no flip",
+    another_unknown: KRAWCZYK,
+    complete_with_a_reason: "though it is whole",
+    complete_without_doubled_orbits: "complete without doubled orbits",
+    claimed_without_doubled_orbits: "the claim is another one",
+    the_orbit_itself_as_doubled: "not passed twice",
+    other_parameters: "the doubled branch",
+    another_declaration: "the doubled branch",
+    doubled_from_elsewhere: KRAWCZYK,
+}
 
 
 @pytest.mark.slow
@@ -124,8 +143,98 @@ EDITS: tuple[Callable[[Content], None], ...] = (
 def test_what_is_false_is_refused(content: Content, edit: Callable[[Content], None]) -> None:
     edited = copy.deepcopy(content)
     edit(edited)
-    with pytest.raises(Failure):
+    with pytest.raises(Failure, match=EDITS[edit]):
         check_doubling(signed(edited))
+
+
+Proved = tuple[list[Content], list[list[CheckedTile]]]
+
+
+@pytest.fixture(scope="module")
+def proved(content: Content) -> Proved:
+    """Both branches with their tiles, as if these were proved."""
+    branches = [content["branch"], content["doubled"]["branch"]]
+    tiles = [[CheckedTile(curve_of(each), tile) for tile in each["tiles"]] for each in branches]
+    check_doubled(content["doubled"], branches, tiles)
+    return branches, tiles
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"parameter": "eta"}, "another system's branch"),
+        ({"parameters": {}}, "another system's branch"),
+        ({"stability": "neutral"}, "another system's branch"),
+        ({"closing": {"kind": "forcing", "turns": 1}}, "closes in another way"),
+    ],
+)
+def test_a_branch_of_something_else_is_not_the_doubled_one(
+    content: Content, proved: Proved, changes: Content, told: str
+) -> None:
+    (branch, beyond), tiles = proved
+    with pytest.raises(Failure, match=told):
+        check_doubled(content["doubled"], [branch, {**beyond, **changes}], tiles)
+
+
+def test_the_doubled_branch_has_the_declaration_of_the_branch(
+    content: Content, proved: Proved
+) -> None:
+    (branch, beyond), tiles = proved
+    other = copy.deepcopy(beyond)
+    other["declaration"]["configurations"]["slip-slip"]["field"][2][0] = "-1.0001"
+    with pytest.raises(Failure, match="the declarations differ"):
+        check_doubled(content["doubled"], [branch, other], tiles)
+
+
+def test_the_doubled_branch_begins_in_the_tube(content: Content, proved: Proved) -> None:
+    """Not in one of half the amplitude, nor in one that is beside it."""
+    (branch, beyond), (own, (first, *_)) = proved
+    found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+    assert abs(float(found.first_of(beyond, first)[-1]) - float(first.low)) < 1e-12
+    centre, found.centre = found.centre, [x + 1e-3 for x in found.centre]
+    with pytest.raises(Failure, match="begins elsewhere"):
+        found.first_of(beyond, first)
+    found.centre, found.amplitude = centre, found.amplitude / 2
+    with pytest.raises(Failure, match="begins elsewhere"):
+        found.first_of(beyond, first)
+
+
+@pytest.mark.parametrize(
+    ("by", "told"), [(2, "outside of its tile"), (0, "not that of the branch")]
+)
+def test_the_flip_is_that_of_the_tile(content: Content, proved: Proved, by: int, told: str) -> None:
+    """A tile behind it, or one whose tube is elsewhere."""
+    (branch, _), (own, _) = proved
+    doubled = content["doubled"]
+    tile = own[doubled["tile"] - 1]
+    width = tile.high - tile.low
+    ends = {"lower": str(tile.low + by * width), "upper": str(tile.high + by * width)}
+    centre = [[first + (by == 0), *rest] for first, *rest in tile.tile["centre"]]
+    moved = CheckedTile(curve_of(branch), {**tile.tile, **ends, "centre": centre})
+    with pytest.raises(Failure, match=told):
+        JudgedDoubling(doubled, branch, moved).locate()
+
+
+def test_nothing_is_claimed_where_the_parameter_may_turn(
+    content: Content, proved: Proved, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (branch, _), (own, _) = proved
+    found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+    monkeypatch.setattr(DoubledEquations, "rate", lambda *_: arb(-1, 2))
+    with pytest.raises(Failure, match="on which side"):
+        found.locate()
+
+
+def test_another_event_on_the_tube_leaves_it_undecided(
+    content: Content, proved: Proved, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (branch, _), (own, _) = proved
+    found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+    found.locate()
+    found.decide()
+    monkeypatch.setattr(doubling, "passing", lambda _, kind: arb(0, 1) + 3 * (kind == "flip"))
+    with pytest.raises(Failure, match="another event: neimark-sacker"):
+        found.decide()
 
 
 @pytest.mark.slow

@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import combinations
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -30,7 +31,8 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.checker import Failure, check_events
+from nonsmooth.runtime.checker import Failure, check_events, events
+from nonsmooth.runtime.checker.events import JudgedEvent
 from nonsmooth.runtime.checker.stability import (
     characteristic,
     paired,
@@ -362,6 +364,37 @@ def test_products_of_multipliers_by_their_polynomial(size: int) -> None:
 def test_pairs_on_the_circle_are_told_from_others(roots: list[complex], told: bool) -> None:
     polynomial = [arb(float(c), 1e-12) for c in np.poly(roots).real]
     assert paired(polynomial) is told
+
+
+@of("torus")
+def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
+    event = event_of(content, "neimark-sacker")
+    judge = JudgedEvent(event)
+    assert judge.located(event["box"]).keys() == event["enclosures"].keys()
+    of_pair = SimpleNamespace(declared=judge.declared, section=arb_mat([[3, 0], [0, arb(1) / 3]]))
+    with pytest.raises(Failure, match="the pair may be real"):
+        events._multiplier(of_pair, "neimark-sacker")
+
+
+@of("wall")
+def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[str, Any]) -> None:
+    """The one enclosure has to hold both of them."""
+    event = event_of(content, "grazing")
+    name, other = event["parameter"], event["declaration"]["phases"][0]["dwell_time"]
+    told = json.loads(json.dumps(event).replace(f'"{name}"', f'"{other}"'))
+    told["text"] = event["text"]
+    for value in (event["enclosures"][name], event["enclosures"][other]):
+        told["enclosures"][other] = value
+        refused({**content, "events": [told]}, f"{other} is not in its enclosure")
+
+
+@of("symmetric", "torus")
+def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any]) -> None:
+    event = content["events"][-1]
+    judge = JudgedEvent(event)
+    judge.declared.exactly.divisors.append(lambda point: point[0] - arb(event["box"][-1]["mid"]))
+    with pytest.raises(Failure, match="zero there cannot be told"):
+        judge.located(event["box"])
 
 
 def saved(content: dict[str, Any], path: Path) -> Path:

@@ -1,7 +1,6 @@
 """Beyond a flip: the side and verdict of doubled orbits, against differences and the integrator."""
 
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,8 @@ from flint import arb
 
 import nonsmooth as ns
 from nonsmooth import CertifiedDoubling, InputError, Interrupted
+from nonsmooth.runtime.checker.branch import curve_of
+from nonsmooth.runtime.checker.doubling import DoubledEquations
 from nonsmooth.runtime.core.taylor_models import (
     AT_BOTH_ENDS,
     BENT_MEAN,
@@ -21,14 +22,13 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
-from nonsmooth.runtime.proof.doubling.beside_flip import flip_with_direction
-from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
+from nonsmooth.runtime.proof.certificate import file_json
+from nonsmooth.runtime.proof.doubling.tube_proposal import flip_with_direction
+from nonsmooth.runtime.proof.refusals import as_read
 from tests.certified import accepted
 from tests.explore import test_continuation_forced as impacts
 
 pytestmark = pytest.mark.compiled  # much slower without it
-ENDS = Fraction("1.07"), Fraction("1.09")
 
 
 @pytest.fixture(scope="module")
@@ -96,12 +96,10 @@ def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
 
 @pytest.fixture(scope="module")
 def flip(found: CertifiedDoubling) -> tuple[Any, int, list[Any]]:
-    """The region of the orbit, the entry that is 1, and the flip with its direction."""
-    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
-    region = region_of(orbit.problem.by_tables(orbit, {"us1": 1, "us2": 1}), {"V": ENDS})
-    told = flip_with_direction(region, [x.ball for x in found.flip.enclosures.values()])
-    assert told is not None
-    return region, *told
+    """The equations of the orbit, the entry that is 1, and the flip with its direction."""
+    curve = curve_of(as_read(file_json(found.branch)))
+    point = [x.ball for x in found.flip.enclosures.values()]
+    return curve, *flip_with_direction(curve, point)
 
 
 @pytest.mark.parametrize("place", [0, 0.25])
@@ -109,17 +107,17 @@ def test_derivatives_of_the_doubled_equations_are_those_of_differences(
     flip: Any, place: float
 ) -> None:
     """At the flip, and a quarter of the way to the largest amplitude."""
-    region, scaled, point = flip
+    curve, scaled, point = flip
     step, e = arb(2) ** -20, [arb(place)]
     with flint_precision(128):
         amplitude = space_of(1, 5).variable(0, arb(0), arb(1) / 20)
-        equations = DoubledEquations(region, scaled, amplitude)
+        equations = DoubledEquations(curve, scaled)
         middles = [x.mid() for x in point]
-        told = equations.linearised(middles).jacobian
+        _, told = equations.at(amplitude, middles)
         for column in range(len(middles)):
             moved = [x + step if k == column else x for k, x in enumerate(middles)]
             back = [x - step if k == column else x for k, x in enumerate(middles)]
-            rise = equations.linearised(moved).residual - equations.linearised(back).residual
+            rise = equations.at(amplitude, moved)[0] - equations.at(amplitude, back)[0]
             for row, change in enumerate(rise.entries()):
                 slope, own = (
                     x.at(e).mid() if isinstance(x, TaylorModel) else x.mid()

@@ -13,12 +13,12 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, points
 from nonsmooth.runtime.checker.chaos import StretchedSets
 from nonsmooth.runtime.checker.cones import Derivatives
+from nonsmooth.runtime.checker.doubling import JudgedDoubling
+from nonsmooth.runtime.checker.events import JudgedEvent
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import refusals as of_branches
 from nonsmooth.runtime.proof.counting import certify_all
-from nonsmooth.runtime.proof.doubling import certify_doubling
-from nonsmooth.runtime.proof.events import certify_event
 from nonsmooth.runtime.proof.refusals import refusal
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
@@ -90,8 +90,7 @@ def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (event,) = branch().events
     assert ns.certify_event(branch(), event).proved
     with monkeypatch.context() as planted:
-        claimed = refusing(certify_event.check_events, lambda c: c["events"][0]["box"])
-        planted.setattr(certify_event, "check_events", claimed)
+        planted.setattr(JudgedEvent, "located", refusing(JudgedEvent.located))
         found = ns.certify_event(branch(), event)
     assert (found.claim, found.reason) == ("undecided", PLANTED)
     assert accepted(found, tmp_path).claims == {"events": "undecided"}
@@ -156,12 +155,10 @@ def test_an_end_of_a_branch(
 @pytest.mark.slow
 @pytest.mark.parametrize("what", [pytest.param("verdict", marks=pytest.mark.slow), "doubling"])
 def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def claimed(doubling: dict[str, Any], *_: Any) -> object:
-        return what == "doubling" or doubling["verdict"] != "undecided"
-
     with monkeypatch.context() as planted:
-        checked = refusing(certify_doubling.check_doubled, claimed)
-        planted.setattr(certify_doubling, "check_doubled", checked)
+        step = "verdict" if what == "verdict" else "locate"
+        check = getattr(JudgedDoubling, step)
+        planted.setattr(JudgedDoubling, step, refusing(check))
         found = ns.certify_doubling(branch(), tiles=1)
     if what == "verdict":
         assert found.doubled is not None

@@ -28,7 +28,7 @@ from nonsmooth.runtime.proof.branch.passage import (
     passed_by,
     time_of_touch,
 )
-from nonsmooth.runtime.proof.events.augmented_system import check_pair
+from nonsmooth.runtime.proof.multipliers import check_pair
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing, Which,
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle, passed_by
 from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at
-from nonsmooth.runtime.proof.events.augmented_system import check_pair
 from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.multipliers import check_pair
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 

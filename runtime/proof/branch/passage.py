@@ -10,9 +10,8 @@ from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
 from nonsmooth.runtime.proof.admissibility_conditions import Plan
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.events.augmented_system import determinant, pair_products
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
-from nonsmooth.runtime.proof.multipliers import reduced_map, trace_of
+from nonsmooth.runtime.proof.multipliers import determinant, pair_products, reduced_map, trace_of
 from nonsmooth.runtime.proof.orbit_claims import (
     MapClaim,
     claim_of_map,

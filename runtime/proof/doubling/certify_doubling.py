@@ -7,50 +7,40 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import Any, cast
 
 from nonsmooth.runtime.checker.branch import curve_of
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.doubling import check_doubled
+from nonsmooth.runtime.checker.doubling import JudgedDoubling, twofold
+from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.taylor_models import range_of
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 from nonsmooth.runtime.explore.continuation.orbit_family import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, STATED, certify_branch
-from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
-from nonsmooth.runtime.proof.certificate import Stated, file_json
-from nonsmooth.runtime.proof.doubling.beside_flip import (
-    begin_of_branch,
-    begins_with,
-    covered,
-    doubled_guess,
-    flip_with_direction,
-    in_tile,
-    start_of,
-    verdict_of,
-)
+from nonsmooth.runtime.proof.certificate import file_json
+from nonsmooth.runtime.proof.certify_orbit import stated
 from nonsmooth.runtime.proof.doubling.certified_doubling import (
     CertifiedDoubling,
     DoubledOrbits,
     Ended,
-    doubled_json,
 )
-from nonsmooth.runtime.proof.doubling.doubling_tube import ProvedTube, proved_tube
-from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.doubling.tube_proposal import (
+    begin_of_branch,
+    doubled_guess,
+    flip_with_direction,
+    start_of,
+    tubes,
+)
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, refusal
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["certify_doubling"]
 
@@ -177,40 +167,6 @@ class _Stopped(Exception):
         self.ended = ended
 
 
-class _Beside(NamedTuple):
-    """Proved orbits beside a flip, with the one at which their branch begins."""
-
-    tile: int  # of the flip
-    scaled: str
-    proved: ProvedTube
-    verdict: str
-    reason: str
-    value: Fraction  # parameter at which the branch begins
-    orbit: Orbit
-    sharp: list[arb]  # enclosures of the orbit's unknowns, and the parameter
-
-    @property
-    def above(self) -> bool:
-        """Whether they are above the flip's parameter."""
-        return bool(self.proved.rate > 0)
-
-    def with_branch(self, branch: CertifiedBranch) -> DoubledOrbits:
-        """Return what is stated of them, if they go on with this branch."""
-        tube = self.proved.tube
-        return DoubledOrbits(
-            tile=self.tile,
-            scaled=self.scaled,
-            amplitude=tube.amplitude,
-            side="above" if self.above else "below",
-            verdict=self.verdict,
-            reason=self.reason,
-            rate=Stated.around(self.proved.rate, STATED),
-            centre=tube.centre,
-            radii=tube.radii,
-            branch=branch,
-        )
-
-
 class _DoublingWork:
     """The work on a doubling: to the flip, to the tube beside it, and along the doubled branch."""
 
@@ -231,11 +187,6 @@ class _DoublingWork:
         self.value, self.tiles, self.progress, self.keep = value, tiles, progress, keep
         self.until = time.monotonic() + seconds
         self.stopped = False  # by Ctrl-C, along a branch
-
-    @cached_property
-    def region(self) -> Region:
-        """The region, over the parameter, of the orbit that has the flip."""
-        return region_of(self.base, {self.parameter: self.interval})
 
     @property
     def over(self) -> bool:
@@ -310,8 +261,9 @@ class _DoublingWork:
         tile = last.tiles[0 if last.start == 0 else -1]
         place = -1 if begin == tile.lower else 1
         near = [sum(c * place**k for k, c in enumerate(row)) for row in tile.centre]
+        twice = twofold(as_read(file_json(state.branch)))
         followed = continue_orbit(
-            self._doubled_orbit(near, begin), self.parameter, _floats(last.interval)
+            self._doubled_orbit(twice, near, begin), self.parameter, _floats(last.interval)
         )
 
         def with_last(found: CertifiedBranch) -> CertifiedDoubling:
@@ -335,60 +287,44 @@ class _DoublingWork:
 
         The largest amplitude is halved until a tube is proved and has a verdict.
         """
-        tile, region = branch.tiles[place], self.region
-        if reason := covered(region):
+        content = as_read(file_json(branch))
+        curve = curve_of(content)
+        tile, event = CheckedTile(curve, content["tiles"][place]), branch.tiles[place].event
+        if reason := refusal(lambda: twofold(content)):
             raise _Stopped(reason, "not covered")
-        assert tile.event is not None
-        point = [x.ball for x in tile.event.enclosures.values()]
-        found = flip_with_direction(region, point)
-        if found is None:
-            raise _Stopped("the flip is degenerate, or not proved to be regular")
-        scaled, flip = found
-        if not in_tile(OrbitCurve(region), tile, flip):
-            raise _Stopped("the flip is not proved to be that of the branch")
-        size = max(abs(float(x.mid())) for x in flip[: len(region.guess)])
+        assert event is not None
+        try:
+            scaled, flip = flip_with_direction(curve, [x.ball for x in event.enclosures.values()])
+        except Failure as problem:
+            told = f"the flip is degenerate, or not proved to be regular: {problem}"
+            raise _Stopped(told) from None
+        size = max(abs(float(x.mid())) for x in flip[: curve.last])
         kept: _Beside | None = None
-        reason, amplitude = "", size * _LARGEST
+        reason, amplitude = "Newton's method finds no doubled orbit", size * _LARGEST
         while amplitude > size * _LEAST:
-            if self.over:
-                raise _Stopped("the time is over", "unfinished")
-            proved = proved_tube(region, scaled, Fraction(f"{amplitude:.2g}"), flip)
+            for tube in tubes(curve, scaled, Fraction(f"{amplitude:.2g}"), flip):
+                if self.over:
+                    raise _Stopped("the time is over", "unfinished")
+                found = JudgedDoubling(tube, content, tile)
+                if reason := refusal(found.locate):
+                    continue
+                value = begin_of_branch(found)
+                if not self.interval[0] < value < self.interval[1]:
+                    break
+                try:
+                    orbit = self._doubled_orbit(found.twice, doubled_guess(found, value), value)
+                except _Stopped as problem:
+                    reason = str(problem)
+                    break
+                tried = _Beside(place, tube, found, refusal(found.decide), value, orbit)
+                kept = kept or tried
+                if not tried.undecided:
+                    return tried
+                break
             amplitude /= 2
-            if isinstance(proved, str):
-                reason = proved
-                continue
-            tried = self._judged(place, proved)
-            kept = kept or tried
-            if tried is not None and tried.verdict != UNDECIDED:
-                return tried
         if kept is None:
             raise _Stopped(reason)
         return kept
-
-    def _judged(self, place: int, proved: ProvedTube) -> _Beside | None:
-        """Return the doubled orbits of a tube with their verdict, or None if no orbit is known."""
-        value = begin_of_branch(proved)
-        low, high = self.interval
-        if not low < value < high or not self._inside(proved):
-            return None
-        try:
-            other = self._doubled_orbit([float(x) for x in doubled_guess(proved, value)], value)
-        except _Stopped:
-            return None
-        doubled = region_of(other, {self.parameter: self.interval})
-        verdict, reason, sharp = verdict_of(proved, doubled, value)
-        if sharp is None:
-            return None
-        scaled = OrbitCurve(self.region).names[proved.tube.scaled]
-        return _Beside(place, scaled, proved, verdict, reason, value, other, sharp)
-
-    def _inside(self, proved: ProvedTube) -> bool:
-        """Whether all parameters of a tube lie inside the interval."""
-        from flint import arb
-
-        low, high = (arb(rational_of(end)) for end in self.interval)
-        reached = range_of(proved.point[-1])
-        return bool(reached > low and reached < high)
 
     def _with_branch(self, state: CertifiedDoubling, beside: _Beside) -> CertifiedDoubling:
         """Return the state with doubled orbits and their branch, which begins inside the tube.
@@ -396,7 +332,8 @@ class _DoublingWork:
         The branch goes a bit beyond its own next flip, if the computed branch has one.
         """
         low, high = self.interval
-        value, above = beside.value, beside.above
+        above = beside.found.side == "above"
+        value = beside.value
         ends = (value, high) if above else (low, value)
         followed = continue_orbit(beside.orbit, self.parameter, _floats(ends))
         flips = [abs(e.value - float(value)) for e in followed.events if e.kind == "flip"]
@@ -404,64 +341,91 @@ class _DoublingWork:
             away = Fraction(f"{min(flips):.3g}") * (1 + _BEHIND)
             ends = (value, min(value + away, high)) if above else (max(value - away, low), value)
 
-        kept: list[DoubledOrbits] = []
+        def with_doubled(branch: CertifiedBranch) -> CertifiedDoubling:
+            return replace(state, doubled=beside.with_branch(branch)) if branch.tiles else state
 
-        def with_doubled(found: CertifiedBranch) -> CertifiedDoubling:
-            if not found.tiles:
-                return state
-            if not kept:  # it is the first tile of the branch that matters
-                kept.append(_accepted(beside.with_branch(found), state.branch))
-            return replace(state, doubled=replace(kept[0], branch=found))
-
-        found = self._certified(followed, ends, (_TUBE, 1), with_doubled)
-        if not found.tiles:
-            why = found.ends[1 if above else 0]
+        branch = self._certified(followed, ends, (_TUBE, 1), with_doubled)
+        if not branch.tiles:
+            why = branch.ends[1 if above else 0]
             if not why:
                 raise _Stopped("the time is over", "unfinished")
             raise _Stopped(f"the doubled branch is not proved to go on: {why}")
-        if not begins_with(found, value, beside.sharp):
-            raise _Stopped("the doubled branch is not proved to begin at the flip")
-        return with_doubled(found)
+        return with_doubled(branch)
 
-    def _doubled_orbit(self, near: Sequence[float], value: Fraction) -> Orbit:
+    def _doubled_orbit(self, twice: CheckedCurve, near: Sequence[float], value: Fraction) -> Orbit:
         """Return an orbit of twice the period in floating point, from about its unknowns."""
-        from flint import arb
-
         itinerary = self.base.itinerary * 2
         found = solve_itinerary(
             self.base.system,
             {**self.base.parameters, self.parameter: as_value(value)},
             itinerary,
             near[-len(itinerary) :],
-            start_of(self.region, [arb(x) for x in near], value),
+            start_of(twice, near, value),
         )
         if not found.converged:
             raise _Stopped("no orbit is found on the doubled branch")
         return found
 
 
-def _accepted(doubled: DoubledOrbits, branch: CertifiedBranch) -> DoubledOrbits:
-    """Return orbits beside a flip of a branch as far as the checker accepts them.
+class _Beside:
+    """Proved orbits beside a flip, whose branch is to be found.
 
-    If it refuses the verdict, that becomes undecided; if it refuses the orbits without a verdict
-    too, `_Stopped` is raised.
+    `undecided` says why they have no verdict together; it is empty where they have. At `value`
+    of the parameter the branch begins with about the `orbit`.
     """
 
-    def check(stated: DoubledOrbits) -> None:
-        told = [as_read(file_json(each)) for each in (branch, doubled.branch)]
-        tiles = [
-            [CheckedTile(curve, tile) for tile in each["tiles"]]
-            for each, curve in zip(told, map(curve_of, told), strict=True)
-        ]
-        check_doubled(as_read(doubled_json(stated)), told, tiles)
+    def __init__(
+        self,
+        tile: int,
+        tube: dict[str, Any],
+        found: JudgedDoubling,
+        undecided: str,
+        value: Fraction,
+        orbit: Orbit,
+    ) -> None:
+        self.tile, self.tube, self.found, self.undecided = tile, tube, found, undecided
+        self.value, self.orbit = value, orbit
+        self._verdict: tuple[str, str] | None = None
 
-    reason = refusal(lambda: check(doubled))
-    if not reason:
-        return doubled
-    stated = replace(doubled, verdict=UNDECIDED, reason=reason)
-    if doubled.verdict == UNDECIDED or refusal(lambda: check(stated)):
-        raise _Stopped(reason)
-    return stated
+    def with_branch(self, branch: CertifiedBranch) -> DoubledOrbits:
+        """Return what is stated of them, if they go on with this branch.
+
+        `_Stopped` if the branch is not proved to begin with one of them.
+        """
+        if self._verdict is None:  # it is the first tile of the branch that matters
+            self._verdict = self._judged(branch)
+        verdict, reason = self._verdict
+        with flint_precision(STATED):
+            rate = stated(self.found.rate, STATED)
+        tube, found = self.tube, self.found
+        return DoubledOrbits(
+            tile=self.tile,
+            scaled=tube["scaled"],
+            amplitude=Fraction(tube["amplitude"]),
+            side=found.side,
+            verdict=verdict,
+            reason=reason,
+            rate=rate,
+            centre=tuple(map(tuple, tube["centre"])),
+            radii=tuple(tube["radii"]),
+            branch=branch,
+        )
+
+    def _judged(self, branch: CertifiedBranch) -> tuple[str, str]:
+        """Return the verdict that all have as the one with which a branch begins, and a reason."""
+        content, orbit = as_read(file_json(branch)), list[Any]()
+
+        def begins() -> None:
+            tile = content["tiles"][0 if branch.start == 0 else -1]
+            orbit.extend(self.found.first_of(content, CheckedTile(curve_of(content), tile)))
+
+        if reason := refusal(begins):
+            raise _Stopped(reason)
+        verdict: list[str] = []
+        if reason := self.undecided or refusal(lambda: verdict.append(self.found.verdict(orbit))):
+            return UNDECIDED, reason
+        told = "the multipliers at one orbit are not told from the unit circle"
+        return verdict[0], told if verdict[0] == UNDECIDED else ""
 
 
 def _floats(interval: Interval) -> tuple[float, float]:

@@ -1,22 +1,19 @@
 """Enclose an event of a branch: the bifurcation or the limit of admissibility near a computed one.
 
-Over a box around it the augmented equations are H(z + r e) = c(e) + L(e) e, with e in
-[-1, 1]: c and L are continuous, with values in balls, and every matrix in the ball of L is
-regular. If -c/L lies in [-1, 1] for all e, then e -> -c(e)/L(e) has a fixed point by
-Brouwer's theorem (1911), which is a root; and every root of the box lies in -c/L.
+Newton's method proposes a box around it, and the checker judges whether that holds such an event.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from fractions import Fraction
 from functools import partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.events import check_events
-from nonsmooth.runtime.checker.exact import exact
+from nonsmooth.runtime.checker.events import JudgedEvent
+from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -28,15 +25,13 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
-from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented, instant_of
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     guess_of,
     system_of,
-    unknown_names,
 )
-from nonsmooth.runtime.proof.refusals import as_file, refusal
+from nonsmooth.runtime.proof.refusals import as_read
 from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
@@ -51,6 +46,12 @@ _KNOWN = 1e-6  # residual of the orbit at the computed event
 # how far from the computed event it is still that, in units of the unknowns
 _NEAR = 1e-6  # the parameter
 _ALIKE = 0.05  # the orbit, of which a neighbour may be all that is known
+# when in its phase each kind of event happens, if at any; others are no regular roots
+_INSTANTS = {
+    **dict.fromkeys(("flip", "fold", "neimark-sacker", "vanishing-phase"), ""),
+    **{"entry": "start", "tangent": "start", "grazing": "inside"},
+    **{"simultaneous": "end", "condition": "end"},
+}
 _SHARES = (0.6, 0.75, 0.9)  # of the bits: halves of the boxes that are tried
 
 
@@ -95,19 +96,19 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
         raise InputError(f"{event.text}: this is no event of the branch")
     undecided = _undecided(branch, event, bits)
     try:
+        if event.kind not in _INSTANTS:
+            raise NotCovered(
+                f"{event.kind}: it is no regular root of the equations of the whole orbit"
+            )
         orbit = _orbit_near(branch, event)
         region = _region(orbit, event)
         found = _about(undecided, orbit, event, region)
-        system, guess = _problem(region, event)
-        names, enclosures, box = _enclosed(system, guess, bits)
-    except NotCovered as reason:
+        box, enclosures = _enclosed(found, _guess(region, event))
+    except (NotCovered, Failure, ArithmeticError) as reason:
         return replace(undecided, reason=str(reason))
     with flint_precision(bits + GUARD):
-        told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
-    found = replace(found, claim="proved", enclosures=told, box=box)
-
-    refused = refusal(lambda: check_events(as_file({"events": [file_json(found)]})))
-    return replace(undecided, reason=refused) if refused else found
+        told = {name: stated(x, bits) for name, x in enclosures.items()}
+    return replace(found, claim="proved", enclosures=told, box=box)
 
 
 def certify_events(
@@ -147,6 +148,7 @@ def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:
 
 def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
     orbit = branch.orbit
+    ends = event.kind == "tangent" and event.time
     return EventCertificate(
         orbit=branch.name,
         system=system_of(orbit),
@@ -159,7 +161,7 @@ def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
         phase=event.phase,
         configuration=event.configuration,
         boundary=event.boundary,
-        instant=instant_of(event),
+        instant="end" if ends else _INSTANTS.get(event.kind, ""),
         claim="undecided",
         reason="",
         enclosures={},
@@ -200,8 +202,8 @@ def _region(orbit: Orbit, event: Event) -> Region:
     return region_of(orbit, {event.parameter: (min(value, own) - width, max(value, own) + width)})
 
 
-def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
-    """Return the event's equations, and their unknowns about."""
+def _guess(region: Region, event: Event) -> list[arb]:
+    """Return about the unknowns of the event's equations."""
     from flint import arb
 
     subject, known = region.subject, event.unknowns
@@ -211,14 +213,10 @@ def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
             start=[arb(known[name]) for name in subject.start_names],
             dwell=[arb(known[name]) for name in subject.dwell_names],
         )
-    system = augmented(region, event, unknown_names(subject, region.closing))
-    guess = [
-        *guess_of(subject, region.closing, partial(region.tables.near, values=[arb(event.value)])),
-        arb(event.value),
-    ]
-    if event.kind == "grazing":
-        guess.append(arb(float(event.time or 0.0)))
-    return system, guess
+    value = arb(event.value)
+    guess = guess_of(subject, region.closing, partial(region.tables.near, values=[value]))
+    time = [arb(float(event.time or 0.0))] if event.kind == "grazing" else []
+    return [*guess, value, *time]
 
 
 def _orbit_near(branch: Branch, event: Event) -> Orbit:
@@ -236,67 +234,54 @@ def _orbit_near(branch: Branch, event: Event) -> Orbit:
 
 
 def _enclosed(
-    system: Augmented, guess: Sequence[arb], bits: int
-) -> tuple[tuple[str, ...], list[arb], tuple[Unknown, ...]]:
-    """Return names, enclosures and box of the root, or raise `NotCovered` if none is proved."""
+    about: EventCertificate, guess: Sequence[arb]
+) -> tuple[tuple[Unknown, ...], dict[str, arb]]:
+    """Return a box that the checker proves to hold the event, and enclosures of all unknowns."""
     from flint import arb
 
+    judge, bits = JudgedEvent(as_read(file_json(about))), about.bits
     sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
-    point = _newton(system, guess, sizes, bits)
+    point = _newton(judge, guess, sizes)
     near = [_ALIKE] * len(sizes)
-    near[system.own] = _NEAR
+    near[judge.place] = _NEAR
     if not all(
         abs(x - g) < share * size
         for x, g, share, size in zip(point, guess, near, sizes, strict=True)
     ):
         raise NotCovered("Newton's method leaves the computed event")
-    with flint_precision(bits + GUARD):
-        for share in _SHARES:
+    for share in _SHARES:
+        with flint_precision(bits + GUARD):
             unit = arb(2) ** -int(bits * share)
             box = tuple(
                 Unknown(name, *decimals(x.mid() + arb(0, unit * size), bits + GUARD))
-                for name, x, size in zip(system.names, point, sizes, strict=True)
+                for name, x, size in zip(judge.names, point, sizes, strict=True)
             )
-            middles = [arb(exact(side.mid)) for side in box]
-            halves = [arb(exact(side.rad)) for side in box]
-            inside = _solved(system, middles, halves)
-            if inside is not None and all(abs(e) < 1 for e in inside):
-                if not system.closes(middles, halves):
-                    raise NotCovered("the energy does not give the coordinate that is left out")
-                moved = zip(middles, halves, inside, strict=True)
-                return system.names, [x + r * e for x, r, e in moved], box
-    raise NotCovered("the equations of the event are singular there, or nearly so")
+        try:
+            return box, judge.located([asdict(side) for side in box])
+        except (Failure, ArithmeticError, ValueError) as problem:
+            reason = f"the checker refuses it: {problem}"
+    raise NotCovered(reason)
 
 
-def _newton(system: Augmented, guess: Sequence[arb], sizes: Sequence[arb], bits: int) -> list[arb]:
+def _newton(judge: JudgedEvent, guess: Sequence[arb], sizes: Sequence[arb]) -> list[arb]:
     """Return a point near the root, by Newton's method; nothing is proved of it."""
-    from flint import arb
+    from flint import arb, arb_mat
 
-    precisions = [bits + GUARD]
+    precisions = [judge.bits + GUARD]
     while precisions[-1] > 2 * _ROUGH:
         precisions.append(precisions[-1] // 2 + GUARD)
     point = list(guess)
     for precision in [*(_ROUGH,) * _STEPS, *reversed(precisions)]:
         with flint_precision(precision):
-            halves = [size * arb(2) ** -(precision // 2) for size in sizes]
-            middles = [x.mid() for x in point]
-            change = _solved(system, middles, halves)
-            if change is None:
-                raise NotCovered("the equations of the event are singular there, or nearly so")
-            moved = zip(middles, halves, change, strict=True)
-            point = [(x + (r * e).mid()).mid() for x, r, e in moved]
+            radii = [size * arb(2) ** -(precision // 2) for size in sizes]
+            point = [x.mid() for x in point]
+            values = judge.equations(point, radii)
+            constants = arb_mat([[value.parts[0].mid()] for value in values])
+            slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
+            try:
+                change = slopes.mid().solve(constants).entries()
+            except ZeroDivisionError:
+                raise NotCovered("the equations of the event are singular there") from None
+            moved = zip(point, radii, change, strict=True)
+            point = [x - (r * e).mid() for x, r, e in moved]
     return point
-
-
-def _solved(system: Augmented, middles: Sequence[arb], halves: Sequence[arb]) -> list[arb] | None:
-    """Return -c/L over a box, or None where it is not known."""
-    from flint import arb_mat
-
-    values: list[Any] = system(middles, halves)
-    constants = arb_mat([[value.parts[0]] for value in values])
-    slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
-    try:
-        found = (-slopes.solve(constants)).entries()
-    except ZeroDivisionError:
-        return None
-    return list(found) if all(x.is_finite() for x in found) else None
