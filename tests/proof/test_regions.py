@@ -433,6 +433,20 @@ def test_a_band_holds_all_zeros_of_its_number() -> None:
             away_of(bad, (0.3, 0.5))
 
 
+def test_borders_that_are_crossed_in_both_directions_have_no_verdict() -> None:
+    borders = (Border("grazing", 0, "wall", "inside"),)
+    curve = DividingCurve("grazing", borders, (arb(1), arb(2)), 0, (0.0, 0.0))
+    division = Division(curve, ("proved", "undecided", "refuted"))
+    for signs, wanted in (
+        ({True}, ("unstable", "not admissible")), ({False}, ("not admissible", "unstable")),
+    ):  # fmt: skip
+        division.signs = signs
+        assert division.verdicts(lambda point: pytest.fail("it is not asked")) == wanted
+    division.signs = {True, False}
+    with pytest.raises(Failure, match="in both directions"):
+        division.verdicts(lambda point: pytest.fail("it is not asked"))
+
+
 @pytest.mark.parametrize("away", [0.0, 1e-9, 1e-7])
 def test_a_band_is_wider_than_what_it_has_to_hold(away: float) -> None:
     for level in range(12):
