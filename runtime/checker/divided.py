@@ -8,7 +8,7 @@ is farther from a curve c(q) than (R + |P(c(q), q)|) / min |dP/dp|: P is a polyn
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
@@ -28,86 +28,163 @@ from nonsmooth.runtime.checker.stability import (
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["Division", "Part", "checked_band", "fraction"]
+__all__ = ["Band", "DividingCurve", "Division", "Part", "curve_at", "fraction"]
 
 Part = Sequence[tuple[Any, Any]]
-_PARAMETERS = 2
+_WHOLE = ((fmpq(-1), fmpq(1)),) * 2
 _ORDER = 12  # of what is composed along a curve
 _NARROW = fmpq(1, 100_000)  # the largest radius of a band, as a share of the box
+_SPARE = 2  # times the radius that a band needs: another version of the arithmetic rounds otherwise
+_FINEST = 2.0**-41  # the least radius that is found, as a share of the box: all tiles round alike
 _VERDICTS = {"proved": "proved", "refuted": "unstable"}
 
 
-def checked_band(
-    event: dict[str, Any], names: Sequence[str], place: Sequence[tuple[int, int]]
-) -> tuple[int, list[Any], Any]:
-    """Return the band of a tile's event: the axis across it, its curve's coefficients, its radius.
+class Band(NamedTuple):
+    """A curve over one parameter of a tile, and how far from it the event may be.
 
-    The band runs over the tile's coordinates from -1 to 1; `place` has the tile's step
-    and level along each axis. `Failure` is raised if the band is too wide, or if one of
-    its sides in the tile may consist of several parts.
+    Both parameters are counted from -1 to 1 over the tile.
     """
-    demand(len(names) == _PARAMETERS and event["across"] in names, "a curve in no plane")
-    axis, centre = names.index(event["across"]), [fraction(c) for c in event["centre"]]
-    radius = fraction(event["radius"])
-    demand(len(centre) > 1 and radius > 0, "a curve without width")
-    share = radius / 2 ** (place[axis][1] + 1)
-    demand(share < _NARROW, "a band is too wide: a part of the tile has no verdict")
-    bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
-    over = sum((abs(c) for c in centre[1:]), fmpq(0))
-    whole = all(  # each side is on all lines along the axis, or on none
-        side * centre[0] + over + radius < 1 or side * centre[0] - over + radius >= 1
-        for side in (-1, 1)
-    )
-    demand(whole or abs(centre[1]) > bends, "a side may consist of several parts")
-    return axis, centre, radius
+
+    axis: int  # number of the parameter across; the curve is a graph over the other one
+    centre: tuple[float, ...]  # coefficients of a polynomial of the other parameter
+    radius: float
+
+    @staticmethod
+    def stated(
+        event: dict[str, Any], names: Sequence[str], place: Sequence[tuple[int, int]]
+    ) -> "Band":
+        """Return the band that a file states of an event; `Failure` as from `about`.
+
+        `place` has the tile's step and level along each axis.
+        """
+        demand(len(names) == len(_WHOLE) and event["across"] in names, "a curve in no plane")
+        band = Band(names.index(event["across"]), tuple(event["centre"]), event["radius"])
+        return band._checked(place)
+
+    @staticmethod
+    def about(
+        axis: int, centre: Sequence[float], away: Any, place: Sequence[tuple[int, int]]
+    ) -> "Band":
+        """Return a band about a curve from which an event is proved to be at most so far away.
+
+        `Failure` is raised if it is too wide, or if a side of it in the tile may consist of
+        several parts.
+        """
+        parts = 2.0 ** (place[axis][1] + 1)  # halves of the tile are in the box
+        radius = _SPARE * float(away.upper()) + _FINEST * parts
+        return Band(axis, tuple(centre), radius)._checked(place)
+
+    def _checked(self, place: Sequence[tuple[int, int]]) -> "Band":
+        centre, radius = [fraction(c) for c in self.centre], fraction(self.radius)
+        demand(len(centre) > 1 and radius > 0, "a curve without width")
+        share = radius / 2 ** (place[self.axis][1] + 1)
+        demand(share < _NARROW, "a band is too wide: a part of the tile has no verdict")
+        bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
+        over = sum((abs(c) for c in centre[1:]), fmpq(0))
+        whole = all(  # each side is on all lines along the axis, or on none
+            side * centre[0] + over + radius < 1 or side * centre[0] - over + radius >= 1
+            for side in (-1, 1)
+        )
+        demand(whole or abs(centre[1]) > bends, "a side may consist of several parts")
+        return self
+
+    def at(self, place: Any) -> Any:
+        """Return the curve's value where the other parameter is `place`, from -1 to 1."""
+        return curve_at(self.centre, place)
+
+    def side_of(self, point: Sequence[Any]) -> str | None:
+        """Return the side, "below" or "above", on which a point surely is; None in the band.
+
+        The point has both parameters, as fractions from -1 to 1 over the tile.
+        """
+        away = self.away(point)
+        if abs(away) <= Fraction(self.radius):
+            return None
+        return "above" if away > 0 else "below"
+
+    def away(self, point: Sequence[Any]) -> Fraction:
+        """Return how far a point is above the curve, along the axis."""
+        place = [Fraction(int(x.numerator), int(x.denominator)) for x in point]
+        found: Fraction = place[self.axis] - self.at(place[1 - self.axis])
+        return found
+
+
+class DividingCurve(NamedTuple):
+    """A curve across a tile of two parameters on which one event is said to happen."""
+
+    kind: str
+    borders: tuple[Border, ...]  # all that happen on it; none where multipliers tell
+    window: tuple[Any, Any] | None  # times in the phase of a grazing, between which it is
+    axis: int  # as of a band
+    centre: tuple[float, ...]
 
 
 class Division:
-    """The claims about a tile that a curve divides, with one event on the curve.
+    """What is proved of a tile that a curve divides, with one event on the curve.
 
-    `claims` are the verdicts on existence, admissibility and stability of the whole tile;
-    `place` is its step and level along each axis.
+    `claims` are the verdicts on existence, admissibility and stability of the whole tile. Of a
+    file, `band` and `beside` are what it states: the band, and the verdicts below and above it.
     """
 
     def __init__(
-        self, event: dict[str, Any], claims: tuple[str, str, str], names: Sequence[str],
-        place: Sequence[tuple[int, int]],
+        self, curve: DividingCurve, claims: Sequence[str], band: Band | None = None,
+        beside: tuple[str, str] = ("", ""),
     ) -> None:  # fmt: skip
+        _, admissible, self.stable = claims
+        self.curve, self.band, self.beside = curve, band, beside
+        self.borders, self.window = curve.borders, curve.window
+        if self.borders:
+            told = admissible == "undecided" and self.stable in _VERDICTS
+            demand(not {b.kind for b in self.borders} & {*MULTIPLIERS}, "a multiplier at a border")
+            demand(self.borders[0].kind == curve.kind, "a border of another kind")
+            demand(len({*self.borders}) == len(self.borders), "a border twice")
+        else:
+            told = (admissible, self.stable) == ("proved", "undecided")
+            demand(curve.kind in MULTIPLIERS and curve.kind != "fold", "at a fold the orbit ends")
+        demand(told, "claims of another event")
+        grazes = sum(border.kind == "grazing" for border in self.borders)
+        demand(grazes == (self.window is not None), "a window of no grazing")
+        self.signs: set[bool] = set()
+        self.far = arb(0)  # how far the event may be from the curve
+
+    @staticmethod
+    def stated(
+        event: dict[str, Any], claims: Sequence[str], names: Sequence[str],
+        place: Sequence[tuple[int, int]],
+    ) -> "Division":  # fmt: skip
+        """Return what a file states of a tile, whose step and level along each axis are `place`."""
         demand(event["kind"] != "fold" and event["fold"] is None, "at a fold the orbit ends")
-        self.event = event
-        self.axis, self.centre, self.radius = checked_band(event, names, place)
+        band = Band.stated(event, names, place)
         own = [event[name] for name in ("kind", "phase", "boundary", "instant")]
-        self.borders: list[Border] = []
-        self.window: tuple[Any, Any] | None = None
-        _, admissible, stable = claims
         window = [arb(exact(x)) for x in event["window"]]
+        demand(len(window) in (0, 2), "a window of no grazing")
+        borders: tuple[Border, ...] = ()
         if event["kind"] in MULTIPLIERS:
             named = [own[1], event["configuration"], *own[2:]]
-            demand(named == [None, "", "", ""] and not event["also"] and not window, "a phase")
-            demand((admissible, stable) == ("proved", "undecided"), "claims of another event")
-            demand("not admissible" not in (event["below"], event["above"]), "other verdicts")
+            demand(named == [None, "", "", ""] and not event["also"], "a phase")
         else:
-            told = admissible == "undecided" and stable in _VERDICTS
-            demand(told, "claims of another event")
             rows = [own, *event["also"]]
             demand(all(isinstance(place, int) for _, place, *_ in rows), "a border of no phase")
-            self.borders = [Border(kind, place - 1, *rest) for kind, place, *rest in rows]
-            demand(not {b.kind for b in self.borders} & {*MULTIPLIERS}, "a multiplier at a border")
-            demand(len({*self.borders}) == len(self.borders), "a border twice")
-            grazes = [b for b in self.borders if b.kind == "grazing"]
-            demand(len(grazes) == len(window) / 2 <= 1, "a window of no grazing")
-            self.window = (window[0], window[1]) if window else None
-            self.beside = {_VERDICTS[stable], "not admissible"}
-            demand({event["below"], event["above"]} == self.beside, "other verdicts")
-        self.signs: set[bool] = set()
+            borders = tuple(Border(kind, place - 1, *rest) for kind, place, *rest in rows)
+        times = (window[0], window[1]) if window else None
+        curve = DividingCurve(event["kind"], borders, times, band.axis, band.centre)
+        return Division(curve, claims, band, (event["below"], event["above"]))
 
-    def phases(self, orbit: CheckedOrbit) -> None:
-        """Demand that the phases of the event's borders are those of the orbit."""
+    def judge(
+        self, orbit: CheckedOrbit, energies: Any, parameters: Sequence[Any], constants: Any,
+        at: Callable[[Sequence[Any]], CheckedOrbit], place: Sequence[tuple[int, int]],
+    ) -> None:  # fmt: skip
+        """Find the band and the verdicts on both sides, on a whole tile; as `prove`, `verdicts`."""
+        self.phases(orbit)
+        self.prove(orbit, energies, parameters, constants, _WHOLE)
+        self.band = Band.about(self.curve.axis, self.curve.centre, self.far, place)
+        self.beside = self.verdicts(at)
+
+    def phases(self, orbit: CheckedOrbit) -> str:
+        """Return the configuration of the event's first border, if its phases are the orbit's."""
         steps = orbit.declared.steps
         demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
-        if self.borders:
-            name = steps[self.borders[0].phase].name
-            demand(self.event["configuration"] == name, "another configuration")
+        return steps[self.borders[0].phase].name if self.borders else ""
 
     def prove(
         self, orbit: CheckedOrbit, energies: Any, parameters: Sequence[Any], constants: Any,
@@ -120,11 +197,11 @@ class Division:
         1.
         """
         orbit.returns(energies)
-        kind = self.event["kind"]
-        moving = _moving(orbit, parameters, constants, self.axis)
+        kind = self.curve.kind
+        moving = _moving(orbit, parameters, constants, self.curve.axis)
         if self.borders:
             told = admissibility(orbit, self.borders, self.window).claim
-            beside = {-1: self.event["below"], 1: self.event["above"]}
+            beside = dict(zip((-1, 1), self.beside, strict=True))
             if told == "refuted" and beside.get(self._over(part)[0]) == "not admissible":
                 told = "proved" if admissibility(orbit).claim == "refuted" else told
             demand(told == "proved", f"but for the event admissibility is {told}")
@@ -141,17 +218,17 @@ class Division:
             self.signs.add(bool(rate > 0))
 
     def _beyond(self, number: TaylorModel, part: Part, sign: int) -> None:
-        """Demand that a number has one sign on each side of the band, on a part.
+        """Find how far from the curve a number may be zero, on a part; that is in the band, if any.
 
-        Its derivative by the parameter across the band has the given sign on the part.
+        Its derivative by the parameter across the curve has the given sign on the part.
         """
-        axis = self.axis
+        axis = self.curve.axis
         side, along, other = self._over(part)
         if side:
             value = range_of(number) * sign
             demand(value * side > 0, "there may be an event beside its band")
             return
-        radius, over = arb(2 * self.radius / (part[axis][1] - part[axis][0])), range_of(along)
+        over = range_of(along)
         polynomial = number.mid()
         rest = sum((p.rad() for p in number.parts if p is not None), arb(0))
         point: list[Any] = [along, along]
@@ -164,53 +241,49 @@ class Division:
                 others = _power(arb(1), exponents[1 - axis])
                 slope += (power + 1) * p * _power(reach, power) * others
         demand(slope * sign > 0, "there may be an event beside its band")
-        demand(missed < radius * abs(slope), "there may be an event beside its band")
+        far = missed / abs(slope) * arb((part[axis][1] - part[axis][0]) / 2)
+        held = self.band is None or far < arb(fraction(self.band.radius))
+        demand(held and far.is_finite(), "there may be an event beside its band")
+        self.far = self.far.max(far)
 
     def _over(self, part: Part) -> tuple[int, Any, Any]:
         """Return -1 or 1 if a part is below or above the band, else 0; the curve; its variable."""
         middles = [(low + high) / 2 for low, high in part]
         halves = [(high - low) / 2 for low, high in part]
-        space, axis = space_of(1, _ORDER), self.axis
+        space, axis = space_of(1, _ORDER), self.curve.axis
         other = space.variable(0, arb(0), arb(1))
         place = other * arb(halves[1 - axis]) + arb(middles[1 - axis])
-        along: Any = space.constant(arb(0))
-        for coefficient in reversed(self.centre):
-            along = along * place + arb(coefficient)
-        along = (along - arb(middles[axis])) / arb(halves[axis])
-        over, radius = range_of(along), arb(self.radius / halves[axis])
+        along = (curve_at(self.curve.centre, place) - arb(middles[axis])) / arb(halves[axis])
+        if self.band is None:
+            return 0, along, other
+        over, radius = range_of(along), arb(fraction(self.band.radius) / halves[axis])
         side = -1 if over - radius > 1 else 1 if over + radius < -1 else 0
         return side, along, other
 
-    def verdicts(self, at: Callable[[Sequence[Any]], CheckedOrbit]) -> None:
-        """Demand the verdicts on both sides, when all parts are proved.
+    def verdicts(self, at: Callable[[Sequence[Any]], CheckedOrbit]) -> tuple[str, str]:
+        """Return the verdicts below and above the band, when all parts are proved.
 
-        `at` gives the orbit at a point of the tile, in its coordinates from -1 to 1.
+        `at` gives the orbit at a point of the tile, in its coordinates from -1 to 1. Of an empty
+        side the verdict is that of the other one.
         """
-        demand(self.borders or len(self.signs) == 1, "an event may happen twice")
-        below, above = self.event["below"], self.event["above"]
+        demand(len(self.signs) == 1, "an event may happen twice, or in both directions")
         if self.borders:
-            demand(len(self.signs) == 1, "borders are crossed in both directions")
-            beyond = above if self.signs == {True} else below
-            demand(beyond == "not admissible", "other verdicts beside the event")
-            return
-        points = [(fmpq(i, 4), fmpq(j, 4)) for i, j in product(range(-4, 5), repeat=2)]
-        clear = 0
-        for side, verdict in ((-1, below), (1, above)):
-            away = [side * self._away(point) for point in points]
-            best = max(range(len(points)), key=away.__getitem__)
-            if away[best] > self.radius:
-                clear += 1
-                told = stability(at([arb(x) for x in points[best]]))
-                demand(_VERDICTS.get(told) == verdict, f"beside the event stability is {told}")
-            else:  # no corner is there: the side is empty
-                demand(below == above, "a verdict on an empty side")
-        demand(clear, "the tile is thinner than its band")
-
-    def _away(self, point: Sequence[Any]) -> Any:
-        total = fmpq(0)
-        for coefficient in reversed(self.centre):
-            total = total * point[1 - self.axis] + coefficient
-        return point[self.axis] - total
+            beside = _VERDICTS[self.stable], "not admissible"
+            return beside if self.signs == {True} else beside[::-1]
+        band = self.band
+        assert band is not None
+        grid = [(Fraction(i, 4), Fraction(j, 4)) for i, j in product(range(-4, 5), repeat=2)]
+        found = []
+        for side in ("below", "above"):
+            points = [point for point in grid if band.side_of(point) == side]
+            if not points:  # no corner is there: the side is empty
+                continue
+            clearest = max(points, key=lambda point: abs(band.away(point)))
+            told = stability(at([arb(fmpq(*x.as_integer_ratio())) for x in clearest]))
+            demand(told in _VERDICTS, f"beside the event stability is {told}")
+            found.append(_VERDICTS[told])
+        demand(found, "the tile is thinner than its band")
+        return found[0], found[-1]
 
 
 def _power(bound: Any, power: int) -> Any:
@@ -224,6 +297,15 @@ def fraction(number: float) -> Any:
     """Return the exact value of a file's float; `Failure` if it is not finite."""
     demand(abs(number) < float("inf"), "a curve without bounds")
     return fmpq(*Fraction(number).as_integer_ratio())
+
+
+def curve_at(centre: Sequence[float], place: Any) -> Any:
+    """Return the value of a polynomial, as a number of the same kind as the place."""
+    kind: Any = {fmpq: fraction, Fraction: Fraction}.get(type(place), arb)
+    total = place * 0
+    for coefficient in reversed(centre):
+        total = total * place + kind(coefficient)
+    return total
 
 
 def _moving(

@@ -8,13 +8,14 @@ for q, or none where it is not; P is there or less than P_s^2 / (2 min |P_ss|) a
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from math import isfinite
+from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry, without_entry
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.divided import checked_band, fraction
+from nonsmooth.runtime.checker.divided import Band, curve_at, fraction
 from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
@@ -29,10 +30,10 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 
-__all__ = ["BEYOND", "FoldedTile", "beyond_folds"]
+__all__ = ["BEYOND", "FoldedTile", "Sheets", "beyond_folds"]
 
 BEYOND = "beyond a fold"
-_ORDERS = (8,)  # of the models
+_ORDER = 8  # of the models
 _TRIES = (2, 4, 16)  # times the distance of the polynomials from the orbits: sizes of the box
 _NEAR = 0.0625  # how far from the stated numbers the orbits may be in the middle
 _CLEAR = fmpq(3, 4)  # of the tube: there a sheet is clearly one of the two
@@ -40,17 +41,53 @@ _NEWTON, _HALVINGS = 3, 64
 _VERDICTS = {"proved": "proved", "refuted": "unstable"}
 
 
+class Sheets(NamedTuple):
+    """A curve on which two orbits are said to meet, and a tube around both.
+
+    In the tube one unknown is within `half` of a polynomial of the parameter along the curve.
+    """
+
+    axis: int  # number of the parameter across; the curve is a graph over the other one
+    centre: tuple[float, ...]  # coefficients of the curve's polynomial
+    coordinate: str  # the unknown of the orbit's equations that distinguishes the orbits
+    middle: tuple[float, ...]  # coefficients of its polynomial
+    half: float
+    sheet: str  # "below" or "above": the map's own orbit, by that unknown
+    guess: Sequence[float]  # the other unknowns, and the parameter across, amid the tube
+
+
 class FoldedTile:
-    """A tile near a fold, with all its claims proved when it is made.
+    """What is proved of a tile near a fold when it is made: two orbits meet, each with a verdict.
 
     `energies` are those of `StatedSystem.closes`, `where` holds the tile's ends along
-    each axis.
+    each axis. `Failure` is raised if it is not proved.
     """
 
     def __init__(
-        self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any],
-        names: Sequence[str], where: Sequence[tuple[Any, Any]],
+        self, declared: StatedSystem, energies: Any, constants: Any, names: Sequence[str],
+        where: Sequence[tuple[Any, Any]], sheets: Sheets,
     ) -> None:  # fmt: skip
+        demand(sheets.coordinate in declared.unknowns, "there is no such unknown")
+        self.place = declared.unknowns.index(sheets.coordinate)
+        demand(all(isfinite(c) for c in sheets.middle), "a curve without bounds")
+        self.half = fraction(sheets.half)
+        demand(sheets.middle and self.half > 0, "a tube without width")
+        self.declared, self.energies, self.constants = declared, energies, constants
+        self.sheets, self.axis, self.where = sheets, sheets.axis, where
+        self.name = names[self.axis]
+        self.guess = [arb(float(x)) for x in sheets.guess]
+        demand(len(self.guess) == len(declared.unknowns), "the guess is of another size")
+        self.verdicts: dict[str, str] = {}  # of both orbits, by their sheet
+        self.far: Any = None  # how far from the curve they may meet
+        self.band: Band | None = None  # in which they do, once that is known
+        self._prove()
+
+    @staticmethod
+    def stated(
+        declared: StatedSystem, energies: Any, constants: Any, names: Sequence[str],
+        where: Sequence[tuple[Any, Any]], tile: dict[str, Any],
+    ) -> "FoldedTile":  # fmt: skip
+        """Prove all that a file states of a tile with a fold."""
         event = tile["event"]
         fold = event["fold"]
         demand(fold is not None, "a fold without its orbits")
@@ -59,24 +96,18 @@ class FoldedTile:
         demand(named, "a phase")
         demand({*tile["claims"].values()} == {"undecided"}, "claims of another event")
         demand(not tile["enclosures"], "enclosures of no orbit")
-        self.axis, self.centre, self.radius = checked_band(event, names, tile["place"])
-        demand(fold["coordinate"] in declared.unknowns, "there is no such unknown")
-        self.place = declared.unknowns.index(fold["coordinate"])
-        self.middle = [fraction(c) for c in fold["centre"]]
-        self.half = fraction(fold["half"])
-        demand(self.middle and self.half > 0, "a tube without width")
-        self.declared, self.energies, self.constants = declared, energies, constants
-        self.event, self.fold, self.where = event, fold, where
-        self.name = names[self.axis]
-        self.guess = [arb(float(x)) for x in tile["guess"]]
-        demand(len(self.guess) == len(declared.unknowns), "the guess is of another size")
-        for order in _ORDERS:
-            try:
-                self._prove(order)
-                return
-            except Failure:
-                if order == _ORDERS[-1]:
-                    raise
+        band = Band.stated(event, names, tile["place"])
+        tube = fold["coordinate"], tuple(fold["centre"]), fold["half"], fold["sheet"]
+        sheets = Sheets(band.axis, band.centre, *tube, tile["guess"])
+        found = FoldedTile(declared, energies, constants, names, where, sheets)
+        found.band = band
+        demand(found.far < arb(fraction(band.radius)), "they may meet beside the band")
+        ahead, behind = ("above", "below") if found.sign > 0 else ("below", "above")
+        demand(event[behind] == BEYOND, "a verdict on the side of no orbits")
+        demand(event[ahead] != BEYOND, "no verdict on the side of both orbits")
+        told = {"below": fold["other"], "above": fold["other"], sheets.sheet: event[ahead]}
+        demand(found.verdicts == told, "other verdicts beside the fold")
+        return found
 
     def _curve(self, change: Callable[[Any], Any], beside: Any) -> CheckedCurve:
         return CheckedCurve(
@@ -84,28 +115,28 @@ class FoldedTile:
             [change(beside)],
         )  # fmt: skip
 
-    def _prove(self, order: int) -> None:
-        """Prove all of it in Taylor models of one order, over the tube (e) and the tile (q)."""
-        space = space_of(2, order)
+    def _prove(self) -> None:
+        """Prove all of it in Taylor models over the tube (e) and the tile (q)."""
+        space = space_of(2, _ORDER)
         low, high = self.where[1 - self.axis]
         beside = space.variable(1, arb((low + high) / 2), arb((high - low) / 2))
         along = space.variable(1, arb(0), arb(1))
-        value = _sum(self.middle, along) + space.variable(0, arb(0), arb(self.half))
-        self._locate(order, beside, value)
+        value = curve_at(self.sheets.middle, along) + space.variable(0, arb(0), arb(self.half))
+        self._locate(beside, value)
         curve = self._curve(lambda x: x, beside)
         point = with_entry(self.place, value, self.root)
         jets = curve.jets(self.place, point, 2)
         slope, bend = part_of(jets[-1], 1), range_of(2 * part_of(jets[-1], 2))
         demand(bend > 0 or bend < 0, "the parameter may not be bent one way")
-        self._leaves(order, slope, bend)
-        self._meets(order, slope, bend)
-        self._verdicts(curve, beside, point)
+        self._leaves(slope, bend)
+        self._meets(slope, bend)
+        self._judge(curve, beside, point)
 
-    def _locate(self, order: int, beside: Any, value: Any) -> None:
+    def _locate(self, beside: Any, value: Any) -> None:
         """Prove one root for each place in the tube, next to polynomials of Newton's method."""
         others: list[Any] = list(self.guess)
         cuts: list[Callable[[Any], Any]] = [middle_of] * _NEWTON
-        cuts += [_cut(k) for k in (1, 3, order)]
+        cuts += [_cut(k) for k in (1, 3, _ORDER)]
         for cut in cuts:
             curve, others = self._curve(cut, beside), [cut(x) for x in others]
             values, slopes = curve.slopes(with_entry(self.place, cut(value), others))
@@ -133,54 +164,47 @@ class FoldedTile:
         near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in zip(at, self.guess, strict=True))
         demand(near, "the orbits are not near the numbers that are stated")
 
-    def _leaves(self, order: int, slope: Any, bend: Any) -> None:
+    def _leaves(self, slope: Any, bend: Any) -> None:
         """Demand that at both ends of the tube the parameter is beyond the tile and moves away."""
         self.sign = 1 if bend > 0 else -1
         edge = arb(self.where[self.axis][1 if self.sign > 0 else 0])
         for end in (-1, 1):
-            over, rate = (_along(x, end, order) for x in (self.root[-1], slope))
+            over, rate = (_along(x, end) for x in (self.root[-1], slope))
             demand((over - edge) * self.sign > 0, "the tube ends in the tile")
             demand(rate * end * self.sign > 0, "two orbits may not meet in the tube")
 
-    def _meets(self, order: int, slope: Any, bend: Any) -> None:
-        """Demand that the curve where orbits meet is in its band, with verdicts on its sides."""
+    def _meets(self, slope: Any, bend: Any) -> None:
+        """Find how far from the curve, and from the middle of the tube, the orbits may meet."""
         low, high = self.where[self.axis]
-        space = space_of(1, order)
-        along = space.variable(0, arb(0), arb(1))
+        along = space_of(1, _ORDER).variable(0, arb(0), arb(1))
         over = self.root[-1].at([arb(0), along])
-        away = (over - arb((low + high) / 2)) / arb((high - low) / 2) - _sum(self.centre, along)
-        rate = abs(_along(slope, 0, order))
+        away = (over - arb((low + high) / 2)) / arb((high - low) / 2)
+        rate = abs(_along(slope, 0))
         least = rate * rate / (2 * abs(bend)) / arb((high - low) / 2)
-        demand(abs(range_of(away)) + least < arb(self.radius), "they may meet beside the band")
+        self.far = abs(range_of(away - curve_at(self.sheets.centre, along))) + least
         self.apart = (rate / abs(bend) / arb(self.half)).upper()
         demand(self.apart < arb(_CLEAR), "they may meet far from the middle of the tube")
-        ahead, behind = ("above", "below") if self.sign > 0 else ("below", "above")
-        demand(self.event[behind] == BEYOND, "a verdict on the side of no orbits")
-        self.verdict = self.event[ahead]
-        demand(self.verdict != BEYOND, "no verdict on the side of both orbits")
 
-    def _verdicts(self, curve: CheckedCurve, beside: Any, point: Sequence[Any]) -> None:
-        """Demand both orbits' verdicts; only on the curve is a multiplier on the unit circle."""
+    def _judge(self, curve: CheckedCurve, beside: Any, point: Sequence[Any]) -> None:
+        """Find both orbits' verdicts; only on the curve is a multiplier on the unit circle."""
         orbit = curve.orbit(point)
         orbit.returns(self.energies)
-        told = {"below": self.fold["other"], "above": self.fold["other"]}
-        told[self.fold["sheet"]] = self.verdict
         admissible = admissibility(orbit).claim
         if admissible == "refuted":
-            demand({*told.values()} == {"not admissible"}, "they are no motions")
+            self.verdicts = dict.fromkeys(("below", "above"), "not admissible")
             return
         demand(admissible == "proved", f"admissibility is {admissible}")
         demand_alone(orbit, "fold")
         for sheet, end in (("below", -_CLEAR), ("above", _CLEAR)):
             at = [x.at([arb(end), arb(0)]) for x in point]
-            there = self._curve(lambda x: x, beside.at([arb(end), arb(0)])).orbit(at)
-            found = _VERDICTS.get(stability(there))
-            demand(found == told[sheet], f"an orbit beside the fold is {found}")
+            told = stability(self._curve(lambda x: x, beside.at([arb(end), arb(0)])).orbit(at))
+            demand(told in _VERDICTS, f"stability of an orbit beside the fold is {told}")
+            self.verdicts[sheet] = _VERDICTS[told]
 
     def claims_at(self, point: Sequence[Any]) -> bool:
         """Return whether a point, from -1 to 1 over the tile, clearly has orbits."""
-        away = point[self.axis] - _sum(self.centre, point[1 - self.axis])
-        return bool(away * self.sign > self.radius)
+        assert self.band is not None
+        return self.band.side_of(point) == ("above" if self.sign > 0 else "below")
 
     def at(self, point: Sequence[Any]) -> list[Any]:
         """Return enclosed unknowns of the map's orbit at a point, from -1 to 1 over the tile.
@@ -191,14 +215,14 @@ class FoldedTile:
             arb((low + high) / 2 + x * (high - low) / 2)
             for x, (low, high) in zip(point, self.where, strict=True)
         ]
-        side, other = -1 if self.fold["sheet"] == "below" else 1, arb(point[1 - self.axis])
+        side, other = -1 if self.sheets.sheet == "below" else 1, arb(point[1 - self.axis])
         near, far = arb(0), arb(side)
         for _ in range(_HALVINGS):  # nothing is proved of it
             middle = ((near + far) / 2).mid()
             beyond = (self.root[-1].at([middle, other]) - values[self.axis]).mid() * self.sign > 0
             near, far = (near, middle) if beyond else (middle, far)
         rest = [x.at([near, other]).mid() for x in self.root[:-1]]
-        start = _sum(self.middle, other) + near * arb(self.half)
+        start = curve_at(self.sheets.middle, other) + near * arb(self.half)
         orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
         cuts = (middle_of,) * _NEWTON
         guess = with_entry(self.place, start.mid(), rest)
@@ -216,14 +240,14 @@ class FoldedTile:
         other = arb(point[1 - self.axis])
         low, high = self.where[self.axis]
         value = arb((low + high) / 2 + point[self.axis] * (high - low) / 2)
-        away = (found[self.place] - _sum(self.middle, other)) / arb(self.half)
+        away = (found[self.place] - curve_at(self.sheets.middle, other)) / arb(self.half)
         if not abs(away) < 1:
             return False
         rest = [*without_entry(self.place, found), value]
         sides = zip(rest, self.polynomials, self.radii, strict=True)
         if not all(abs(x - c.at([away, other])) < r for x, c, r in sides):
             return False
-        return bool(away < -self.apart if self.fold["sheet"] == "below" else away > self.apart)
+        return bool(away < -self.apart if self.sheets.sheet == "below" else away > self.apart)
 
 
 def beyond_folds(
@@ -294,23 +318,15 @@ def _is_beyond(
     over = sum((abs(c) for c in centre[1:]), fmpq(0))
     bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
     if abs(centre[1]) > bends:
-        curve = [_sum(centre, other) for other in sides[1 - axis]]
+        curve = [curve_at(event["centre"], other) for other in sides[1 - axis]]
     else:
         curve = [centre[0] - over, centre[0] + over]
     return all((at - c) * sign > radius for at in sides[axis] for c in curve)
 
 
-def _sum(centre: Sequence[Any], place: Any) -> Any:
-    """Return the value of a polynomial at a place."""
-    total: Any = place * 0
-    for coefficient in reversed(centre):
-        total = total * place + (coefficient if isinstance(place, fmpq) else arb(coefficient))
-    return total
-
-
-def _along(model: Any, end: int, order: int) -> Any:
+def _along(model: Any, end: int) -> Any:
     """Return the range of a model where e has a given value."""
-    other = space_of(1, order).variable(0, arb(0), arb(1))
+    other = space_of(1, _ORDER).variable(0, arb(0), arb(1))
     return range_of(model.at([arb(end), other]))
 
 

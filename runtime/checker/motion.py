@@ -156,6 +156,8 @@ class _Told(NamedTuple):
     sign: int | None  # -1, it does; 1, it does not; else it is not known
     false: str = ""  # what is said where it does not hold
     unknown: str = ""  # what is said where that is not known
+    # the inequalities that are not known then; None stands for what is no border
+    open: Sequence[Border | None] = (None,)
 
 
 def admissibility(
@@ -168,9 +170,10 @@ def admissibility(
     """Return whether a located orbit is a motion of its system, with margins if they are asked for.
 
     Inequalities `assumed` are taken to hold; if one of them is a grazing, its function is concave
-    between the times of `window`.
+    between the times of `window`. Without margins an undecided verdict comes with the inequalities
+    that are open; None stands for anything else that is.
     """
-    undecided, kept = "", list[Margin]()
+    undecided, opens, kept = "", list[Border | None](), list[Margin]()
     for place, phase in enumerate(orbit.declared.phases(vanishing(orbit))):
         name = f"phase {place + 1}, {orbit.declared.steps[place].name}"
         measured = list[Margin]() if margins else None
@@ -180,10 +183,13 @@ def admissibility(
         for told in found:
             if told.sign == 1:
                 return Verdict("refuted", f"{name}: {told.false}")
-        left = [told.unknown for told in found if told.sign != -1]
-        undecided = undecided or (f"{name}: {left[0]}" if left else "")
+        left = [told for told in found if told.sign != -1]
+        undecided = undecided or (f"{name}: {left[0].unknown}" if left else "")
+        # where a phase may vanish all else in it is open too
+        for told in left if found[0].sign == -1 else left[:1]:
+            opens += told.open
     if undecided:
-        return Verdict("undecided", undecided)
+        return Verdict("undecided", undecided, () if margins else tuple(opens))
     return Verdict("proved", found=tuple(kept))
 
 
@@ -203,6 +209,7 @@ def _phase(
             step = orbit.declared.steps[place]
             margins.append(Margin(place, step.name, name, quantity, least.lower()))
 
+    ending = "+".join(orbit.declared.itinerary[place]["boundaries"])
     own = {(b.kind, b.boundary, b.instant) for b in assumed if b.phase == place}
     vanishes = any(kind == "vanishing-phase" for kind, *_ in own)
     found = [
@@ -210,6 +217,7 @@ def _phase(
             -1 if vanishes else _sign(-orbit.dwell[place]),
             "its dwell time is negative",
             "its dwell time cannot be told from 0",
+            [Border("vanishing-phase", place, ending, "")],
         )
     ]
     for row in phase.held:
@@ -241,6 +249,7 @@ def _phase(
                     f"{name} is passed where it begins",
                     f"{name} where it begins: its derivative of order {order}"
                     " cannot be told from 0",
+                    [Border("tangent" if order else "entry", place, name, "start")],
                 )
             )
             if order:
@@ -256,6 +265,7 @@ def _phase(
                         _sign(-speed),
                         f"{name} is reached from outside",
                         f"{name} may be reached tangentially",
+                        [Border("tangent", place, name, "end")],
                     )
                 )
                 margin(name, "speed", range_of(speed))
@@ -269,8 +279,12 @@ def _phase(
                   if border.kind == "condition" and border.phase == place]  # fmt: skip
     found.append(_follows(orbit, place, phase, last, conditions))
     if all(told.sign != 1 for told in found):
+        opens = [border for told in found if told.sign is None for border in told.open if border]
+        ends = {b.boundary for b in opens if b.kind in ("entry", "tangent")}
         below, heights = _below(orbit, place, waves)
-        found.append(below)
+        # near an end a function is as open as its sign there
+        left = [b for b in below.open if b is None or b.boundary not in ends]
+        found.append(below._replace(open=left))
         for (watched, shape), height in zip(waves, heights, strict=True):
             if shape.apart:
                 margin(watched.name, "distance", -height)
@@ -363,7 +377,20 @@ def _follows(
     sign = None if None in found else -1
     if 1 in found:
         sign = None if phase.lawful else 1
-    return _Told(sign, f"{target} does not follow, or not by this transition", unknown)
+    opens = [None] if len(orders) > 1 or phase.lawful else _open_conditions(orbit, place, orders[0])
+    return _Told(sign, f"{target} does not follow, or not by this transition", unknown, opens)
+
+
+def _open_conditions(orbit: CheckedOrbit, place: int, ways: list[Way]) -> list[Border | None]:
+    """Return the conditions that are not decided; None where a way has several of them."""
+    last, found = orbit.now.ends[place].entries(), list[Border | None]()
+    for number, way in enumerate(ways, 1):
+        held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
+        if False not in held and None in held:
+            name = f"{number}.{held.index(None) + 1}"
+            alone = held.count(None) == 1
+            found.append(Border("condition", place, name, "end") if alone else None)
+    return found
 
 
 def _first(orbit: CheckedOrbit, ways: list[Way], last: Any) -> int | None:
@@ -425,9 +452,10 @@ def _below(
         return (size * r).exp() * arb(0, r)
 
     windows = [(start, 0, list(range(len(waves))), True, True, fmpq(0))]
-    count = 0
+    count, lost = 0, list[int]()  # functions of which it is not known
     while windows:
         begin, depth, left, first, last, since = windows.pop()
+        left = [i for i in left if i not in lost]
         r, middle = arb(2) ** -(depth + 1), since + fmpq(1, 2 ** (depth + 1))
         around, rest = arb(0, r), []
         y = ahead(depth + 1) * begin
@@ -467,12 +495,23 @@ def _below(
             if not done:
                 rest.append(i)
         count += 1
-        if rest and (depth == _DEEPEST or count > _MOST):
-            return _Told(None, unknown=_CLOSE.format(waves[rest[0]][0].name)), heights
-        if rest:
+        if depth == _DEEPEST or count > _MOST:
+            lost += rest
+        elif rest:
             windows.append((y, depth + 1, rest, False, last, middle))
             windows.append((begin, depth + 1, rest, first, False, since))
+    if lost:
+        opens = [_maximum(orbit, place, waves[i][0]) for i in lost]
+        return _Told(None, unknown=_CLOSE.format(waves[lost[0]][0].name), open=opens), heights
     return _Told(-1), heights
+
+
+def _maximum(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> Border:
+    """Return the border at which a function comes to zero, inside a phase or where it ends."""
+    last = orbit.value(watched.end, orbit.now.ends[place].entries())
+    if not watched.ends_it and _sign(last) is None:
+        return Border("simultaneous", place, watched.name, "end")
+    return Border("grazing", place, watched.name, "inside")
 
 
 def _turns_down(n: Any, b: Any, wide: Any, rate: Any, fast: Any, order: int, around: Any) -> bool:

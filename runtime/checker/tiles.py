@@ -10,7 +10,7 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.divided import Division
+from nonsmooth.runtime.checker.divided import Band, DividingCurve, Division
 from nonsmooth.runtime.checker.edges import SMALLEST, neighbours
 from nonsmooth.runtime.checker.exact import (
     Failure,
@@ -21,7 +21,7 @@ from nonsmooth.runtime.checker.exact import (
     exact,
     inside,
 )
-from nonsmooth.runtime.checker.folded import BEYOND, FoldedTile, beyond_folds
+from nonsmooth.runtime.checker.folded import BEYOND, FoldedTile, Sheets, beyond_folds
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
@@ -29,14 +29,14 @@ from nonsmooth.runtime.checker.shape import MAP, check_shape
 from nonsmooth.runtime.checker.stability import judged_stability, stability
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
-__all__ = ["CheckedBox", "MapTile", "check_tiles", "check_whole"]
+__all__ = ["SHARES", "CheckedBox", "MapTile", "check_tiles", "check_whole"]
 
 _BITS = 64
 _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
 _SHARP, _PLANE = 6, 2  # order where a curve divides a tile, or the low one tells too little
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
-_SHARES = tuple(fmpq(k, 32) for k in (16, 8, 24, 4, 28, 1, 31, 0, 32))  # of an edge
+SHARES = tuple(fmpq(k, 32) for k in (16, 8, 24, 4, 28, 1, 31, 0, 32))  # of an edge
 _NEWTON = 3  # steps to the orbit in the middle of a tile
 
 Interval = tuple[Any, Any]
@@ -128,19 +128,31 @@ class CheckedBox:
                 raise Failure(f"{_in_tile(where)}: {failure}") from None
         return found
 
-    def judged(self, place: Sequence[Any], guess: Sequence[float], order: int = 0) -> "MapTile":
-        """Return a tile with what is proved of the one orbit near a guess in its middle.
+    def judged(
+        self, place: Sequence[Any], guess: Sequence[float], order: int = 0
+    ) -> tuple["MapTile", CheckedOrbit]:
+        """Return a tile with what is proved of the orbit near a guess in its middle, and the orbit.
 
         `order` is that of the Taylor models, by default what costs least. `Failure` is raised if
         the orbit is not proved to exist.
         """
+        with ctx.workprec(_BITS):
+            found = self._tile(place, guess)
+            return found, found.judge(self.where(place), order or _ORDERS.get(len(place), 2))
+
+    def folded(self, place: Sequence[Any], sheets: Sheets) -> "MapTile":
+        """Return a tile with a fold, as it is proposed; `Failure` is raised if it is not proved."""
+        with ctx.workprec(_BITS):
+            found = self._tile(place, sheets.guess)
+            found.bend(self.where(place), sheets)
+        return found
+
+    def _tile(self, place: Sequence[Any], guess: Sequence[float]) -> "MapTile":
+        """Return a tile of which nothing is claimed."""
         undecided = dict.fromkeys(("existence", "admissibility", "stability"), "undecided")
         empty = {"place": place, "guess": guess, "claims": undecided, "event": None,
                  "reasons": dict.fromkeys(undecided, ""), "enclosures": {}}  # fmt: skip
-        with ctx.workprec(_BITS):
-            found = MapTile(self.declared, self.energies, self.constants, empty, self.names)
-            found.judge(self.where(place), order or _ORDERS.get(len(place), 2))
-        return found
+        return MapTile(self.declared, self.energies, self.constants, empty, self.names)
 
     def where(self, place: Sequence[Any]) -> list[Interval]:
         """Return the ends of each parameter over a tile."""
@@ -180,7 +192,7 @@ class MapTile:
         self.division: Division | None = None
         self.fold: FoldedTile | None = None
         if event is not None and event["kind"] != "fold":
-            self.division = Division(event, self.claims, names, tile["place"])
+            self.division = Division.stated(event, self.claims, names, tile["place"])
         self.where: Sequence[Interval] = ()
         self.deepest = 0  # halvings, at most
 
@@ -188,9 +200,7 @@ class MapTile:
         """Prove the claims, on smaller tiles or in higher orders if need be."""
         self.where = where
         if self.tile["event"] is not None and self.division is None:
-            self.fold = FoldedTile(
-                self.declared, self.energies, self.constants, self.tile, self.names, where
-            )
+            self.fold = FoldedTile.stated(*self._system, self.names, where, self.tile)
             return
         if self.claims[0] == "undecided":
             demand(not self.tile["enclosures"], "enclosures of no orbit")
@@ -209,10 +219,11 @@ class MapTile:
                 if order == orders[-1] or isinstance(failure, _Contradicted):
                     raise
 
-    def judge(self, where: Sequence[Interval], order: int) -> None:
+    def judge(self, where: Sequence[Interval], order: int) -> CheckedOrbit:
         """Find what is true of the tile's orbit on the whole tile, in models of one order.
 
-        `verdicts` and `enclosures` hold it. `Failure` is raised if there may be no orbit.
+        `verdicts` and `enclosures` hold it, and the orbit is returned. `Failure` is raised if there
+        may be none.
         """
         self.where, self.space = where, space_of(len(where), order)
         orbit = self._whole(where)
@@ -223,11 +234,30 @@ class MapTile:
             except Failure as failure:
                 self.verdicts[name] = Verdict("undecided", str(failure))
         self.enclosures = {name: range_of(x) for name, x in orbit.enclosures().items()}
+        return orbit
+
+    def divide(self, orbit: CheckedOrbit, curve: DividingCurve) -> Division:
+        """Return what is proved of a judged tile and its orbit if one event happens on a curve.
+
+        `Failure` is raised if that is not proved.
+        """
+        found = Division(curve, [verdict.claim for verdict in self.verdicts.values()])
+        parameters, place = _values(self.where, self.space), self.tile["place"]
+        found.judge(orbit, self.energies, parameters, self.constants, self._orbit_at, place)
+        return found
+
+    def bend(self, where: Sequence[Interval], sheets: Sheets) -> None:
+        """Prove that two orbits meet in the tile or near it, and find in which band.
+
+        `Failure` is raised if that is not proved.
+        """
+        self.where = where
+        self.fold = found = FoldedTile(*self._system, self.names, where, sheets)
+        found.band = Band.about(sheets.axis, sheets.centre, found.far, self.tile["place"])
 
     @property
-    def parameters(self) -> list[Any]:
-        """All parameters of the tile, as models of the order in which it was judged."""
-        return _values(self.where, self.space)
+    def _system(self) -> tuple[StatedSystem, Any, Any]:
+        return self.declared, self.energies, self.constants
 
     def _whole(self, where: Sequence[Interval]) -> CheckedOrbit:
         """Return the orbit near the tile's guess, which becomes the tile's."""
@@ -243,10 +273,12 @@ class MapTile:
         """Prove the claims in Taylor models of one order."""
         whole = self._whole(where)
         if self.division is not None:
-            self.division.phases(whole)
+            named = self.tile["event"]["configuration"] == self.division.phases(whole)
+            demand(named, "another configuration")
         self._judge(whole, whole, where, [(fmpq(-1), fmpq(1))] * len(where), 0)
         if self.division is not None:
-            self.division.verdicts(self._orbit_at)
+            below, above = self.division.verdicts(self._orbit_at)
+            demand(self.division.beside == (below, above), "other verdicts beside the event")
 
     def _orbit_at(self, point: Sequence[Any]) -> CheckedOrbit:
         """Return the tile's orbit at a point, from -1 to 1 over it."""
@@ -275,14 +307,10 @@ class MapTile:
         """
         pairs = zip(self.where, other.where, strict=True)
         both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
-        for share in _SHARES:
+        for share in SHARES:
             point = [low + share * (high - low) for low, high in both]
-            own, its = (
-                [(2 * x - low - high) / (high - low) for x, (low, high) in
-                 zip(point, tile.where, strict=True)]
-                for tile in (self, other)
-            )  # fmt: skip
-            if self._claims_at(own) and other._claims_at(its):
+            own, its = self.inside(point), other.inside(point)
+            if self.claims_at(own) and other.claims_at(its):
                 break
         else:
             return  # none are claimed
@@ -290,7 +318,12 @@ class MapTile:
             found = self._sharply(own)
             demand(other.holds(its, found), "its orbit is not that of a tile beside it")
 
-    def _claims_at(self, point: Sequence[Any]) -> bool:
+    def inside(self, values: Sequence[Any]) -> list[Any]:
+        """Return the point of the tile, from -1 to 1 over it, at values of the parameters."""
+        ends = zip(values, self.where, strict=True)
+        return [(2 * x - low - high) / (high - low) for x, (low, high) in ends]
+
+    def claims_at(self, point: Sequence[Any]) -> bool:
         """Return whether there is clearly an orbit of the tile at a point."""
         return self.fold is None or self.fold.claims_at(point)
 

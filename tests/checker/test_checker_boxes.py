@@ -59,7 +59,7 @@ MAPS: dict[str, tuple[Callable[[], Any], Box, int]] = {
         9,
     ),
     "flip": (lambda: loop(r="-9/10"), {"r": ("-11/10", "-4/5")}, 17),
-    "wall": (lambda: loop(a="11/5"), {"a": ("3/2", "3"), "r": ("2/5", "11/20")}, 9),
+    "wall": (lambda: loop(a="11/5"), {"a": ("1/2", "3"), "r": ("1/5", "3/5")}, 11),
     "rigid": (
         lambda: ns.solve(RIGID, {"T": "6.3"}),
         {"T": ("6.2", "6.4"), "m1": ("0.99", "1.01")},

@@ -389,7 +389,7 @@ def test_ctrl_c_while_what_is_left_is_checked(monkeypatch: pytest.MonkeyPatch) -
 
 @pytest.mark.slow
 def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
-    found = ns.certify_box(loop(), {"k": ("1/2", "3"), "a": ("1.9", "4")}, tiles=80)
+    found = ns.certify_box(loop(), {"k": ("1/4", "3"), "a": ("1.9", "4")}, tiles=120)
     assert len(found.tiles) > 40
     period = found.enclosures["period"]
     proved = [t.enclosures["period"] for t in found.tiles if t.enclosures]

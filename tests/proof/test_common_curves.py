@@ -21,6 +21,7 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.parameters import values_of
+from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import checked_box, region_of
 from nonsmooth.runtime.proof.branch.passage import CyclePassage
@@ -186,6 +187,14 @@ def test_false_files_are_refused(name: str) -> None:
     change(next(tile["event"] for tile in edited["tiles"] if tile["event"]))
     with pytest.raises((Failure, Malformed), match=told):
         check_tiles(signed(edited))
+
+
+def test_the_checker_tells_which_inequalities_it_leaves_open() -> None:
+    told = json.loads(content())
+    (tile,) = told["tiles"]
+    judged, _ = CheckedBox(told).judged(tile["place"], tile["guess"], 6)
+    verdict = judged.verdicts["admissibility"]
+    assert (verdict.claim, [*verdict.found]) == ("undecided", TOGETHER)
 
 
 @pytest.mark.slow

@@ -7,7 +7,6 @@ import json
 import math
 import random
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -16,23 +15,22 @@ from typing import Any
 import mpmath
 import pytest
 import sympy as sp
-from flint import arb
+from flint import ctx, fmpq
 
 import nonsmooth as ns
 from nonsmooth import Orbit
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
+from nonsmooth.runtime.checker.edges import neighbours
+from nonsmooth.runtime.checker.folded import beyond_folds
+from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes.regions import map_json
-from nonsmooth.runtime.proof.boxes.tile_edges import beyond_folds
-from nonsmooth.runtime.proof.boxes.tile_event import Band
-from nonsmooth.runtime.proof.boxes.tile_fold import fold_tube
-from tests.certified import signed
+from tests.certified import accepted, signed
 
 BEYOND = "beyond a fold"
 IMPACT = (("free", "wall-reaches-stop"),)
 W, PERIOD = Fraction(12, 5), 2 * math.pi / 2.4
-BOX = {"sigma": ("-1.7", "-1.0"), "r": ("0.785", "0.815")}
+BOX = {"sigma": ("-1.9", "-0.9"), "r": ("0.76", "0.84")}
 SMALL = {"sigma": ("-1.26", "-1.21"), "r": ("0.795", "0.805")}  # one tile
 
 
@@ -161,53 +159,43 @@ def test_the_curve_is_that_of_the_closed_form_to_forty_digits() -> None:
 @pytest.mark.slow
 def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
     found, drawn, seen = folded(), random.Random(3), set()
-    region = region_of(orbit(True), found.box)
-    for tile in folds(found):
+    told = json.loads(content(small=False))
+    for tile, entry in zip(found.tiles, told["tiles"], strict=True):
         event = tile.event
-        assert event is not None
+        if event is None:
+            continue
         assert event.fold is not None
-        tube = tube_of(found, tile)
+        tube = CheckedBox(told).proved(entry).fold
+        assert tube is not None
+        unknowns = tube.declared.unknowns
         for _ in range(6):
             point = {
                 n: low + Fraction(drawn.random()) * (high - low)
                 for n, (low, high) in found.where(tile).items()
             }
-            side = event.band.side_of(inside(found, tile, point))
+            at = inside(found, tile, point)
+            side = event.band.side_of(at)
             speeds = velocities(*(number(point[n]) for n in ("sigma", "r")))
             if side is None:
                 continue
             assert bool(speeds) == (getattr(event, side) != BEYOND)
             seen.add(bool(speeds))
-            values = [point[n] for n in region.names]
-            for sheet in ("below", "above") if speeds else ():
-                its = replace(tube, fold=replace(event.fold, sheet=sheet)).at(values)
-                assert its is not None
+            values = [fmpq(x.numerator, x.denominator) for x in at]
+            for sheet in ("below", "above"):
+                tube.sheets = tube.sheets._replace(sheet=sheet)
+                if not speeds:
+                    with ctx.workprec(64), pytest.raises(Failure):
+                        tube.at(values)
+                    continue
+                with ctx.workprec(64):
+                    its = tube.at(values)
                 # v0 is -r U behind the impact
-                speed = -float(its[region_names(region).index("v0")]) / float(point["r"])
+                speed = -float(its[unknowns.index("v0")]) / float(point["r"])
                 (near,) = [u for u in speeds if abs(float(u) - speed) < 1e-9]
                 stated = getattr(event, side) if sheet == event.fold.sheet else event.fold.other
                 stable = is_stable(near, *(number(point[n]) for n in ("sigma", "r")))
                 assert stated == ("proved" if stable else "unstable")
-            if not speeds:
-                assert tube.at(values) is None
     assert seen == {True, False}
-
-
-def region_names(region: Any) -> list[str]:
-    from nonsmooth.runtime.proof.orbit_to_prove import unknown_names
-
-    return unknown_names(region.subject, region.closing)
-
-
-def tube_of(found: ns.BoxCertificate, tile: Any) -> Any:
-    """The tube of a tile, proved again from what the map states."""
-    assert tile.event is not None
-    assert tile.event.fold is not None
-    region = region_of(orbit(True), found.box)
-    guess = [arb(x) for x in tile.guess]
-    tube = fold_tube(region, tile.place, tile.event.band.axis, tile.event.fold, guess)
-    assert tube is not None
-    return tube
 
 
 @pytest.mark.slow
@@ -237,30 +225,24 @@ def test_a_map_with_a_fold_is_kept_and_resumed(tmp_path: Path) -> None:
 
 def test_only_what_folds_alone_border_is_beyond_them() -> None:
     found = folded()
-    beyond = beyond_folds(found.tiles)
-    assert beyond
-    assert {found.verdicts[k] for k in beyond} == {BEYOND}
-    # a fold that is not known leaves what is behind it open
-    unknown = [replace(tile, event=None) if tile.event else tile for tile in found.tiles]
-    assert beyond_folds(unknown) == frozenset()
-    # and so does one whose orbits are on the other side
-    turned = [
-        replace(t, event=replace(t.event, below=t.event.above, above=t.event.below))
-        if t.event
-        else t
-        for t in found.tiles
-    ]
-    assert beyond_folds(turned) == frozenset()
+    assert BEYOND in found.verdicts
+    tiles = json.loads(content(small=False))["tiles"]
+    beside = neighbours([tile["place"] for tile in tiles])
 
+    def beyond() -> set[int]:
+        told = beyond_folds(tiles, [tile.verdict for tile in found.tiles], [*found.box], beside)
+        return {k for k, own in enumerate(told) if own}
 
-def test_an_edge_is_on_one_side_only_if_all_of_it_is() -> None:
-    hill = Band(1, (0.9995, 0.0, -0.4), 1e-3)  # a parabola that nearly reaches the upper edge
-    ends = [Fraction(-1), Fraction(1)], [Fraction(1), Fraction(1)]
-    assert all(hill.side_of(end) == "above" for end in ends)
-    assert hill.side_of_edge(*ends) is None
-    rising = Band(1, (0.0, 0.5), 1e-3)
-    assert rising.side_of_edge(*ends) == "above"
-    assert rising.side_of_edge([Fraction(1), Fraction(0)], [Fraction(1), Fraction(1)]) is None
+    assert beyond() == {k for k, verdict in enumerate(found.verdicts) if verdict == BEYOND}
+    # one whose orbits are on the other side leaves what is behind it open
+    for tile in tiles:
+        if tile["event"]:
+            exchanged(tile["event"])
+    assert beyond() == set()
+    # and so does a fold that is not known
+    for tile in tiles:
+        tile["event"] = None
+    assert beyond() == set()
 
 
 def test_a_map_with_a_fold_is_drawn() -> None:
@@ -290,6 +272,20 @@ def test_true_maps_pass_and_a_wider_band_is_true() -> None:
     wider = copy.deepcopy(found)
     event_in(wider)["radius"] *= 2
     check_tiles(signed(wider))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_stated_beside_folds_is_accepted(seed: int, tmp_path: Path) -> None:
+    drawn = random.Random(seed)
+    sides = [Fraction(drawn.randint(1, 40), 1000) for _ in range(4)]
+    box = {
+        "sigma": (Fraction(-1225, 1000) - 4 * sides[0], Fraction(-1225, 1000) + sides[1]),
+        "r": (Fraction(8, 10) - sides[2] / 4, Fraction(8, 10) + sides[3] / 4),
+    }
+    found = ns.certify_box(orbit(bool(seed % 2)), box, tiles=20)
+    assert folds(found)
+    accepted(found, tmp_path)
 
 
 def event_in(found: dict[str, Any]) -> dict[str, Any]:

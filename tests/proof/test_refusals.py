@@ -115,7 +115,7 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     box = {"V": ("0.999", "1.001"), "eta": ("0.999", "1.001")}
     with monkeypatch.context() as planted:
-        whole = refusing(CheckedBox.judged, lambda _, place, *told: place == [[0, 0], [0, 0]])
+        whole = refusing(CheckedBox.judged, lambda _, place, *told: place == ((0, 0), (0, 0)))
         planted.setattr(CheckedBox, "judged", whole)
         planted.setattr(CheckedBox, "check_joint", refusing(CheckedBox.check_joint))
         found = ns.certify_box(orbit(), box)

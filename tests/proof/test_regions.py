@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 import random
 from collections.abc import Callable
 from fractions import Fraction
@@ -12,19 +13,21 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from flint import arb
+from flint import arb, ctx, fmpq
 from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
+from nonsmooth.runtime.checker.divided import Band, DividingCurve, Division
+from nonsmooth.runtime.checker.motion import Border
+from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_of
-from nonsmooth.runtime.proof.boxes.regions import map_json
-from nonsmooth.runtime.proof.boxes.tile_edges import edges_of
-from nonsmooth.runtime.proof.boxes.tile_event import Band, _away
+from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
+from nonsmooth.runtime.proof.boxes.regions import edges_of, map_json
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from tests.certified import loop, signed
+from tests.certified import accepted, loop, signed
 
 SYMMETRIC = "dry-friction/symmetric"
 # the kicked mass reaches 1/(1 - r), where the wall stands, and has the multiplier r
@@ -239,7 +242,7 @@ def wide(event: dict[str, Any]) -> None:
 
 
 CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
-    "other sides of a flip": ("flip", exchanged, "beside the event stability"),
+    "other sides of a flip": ("flip", exchanged, "other verdicts beside the event"),
     "other sides of a grazing": ("grazing", exchanged, "other verdicts|admissibility"),
     "another curve": ("grazing", moved, "beside its band"),
     "a curve that is moved": ("flip", moved, "beside its band"),
@@ -303,6 +306,54 @@ def test_true_curves_pass_and_a_wider_band_is_true() -> None:
         check_tiles(signed(wider))
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(4))
+def test_what_is_stated_beside_curves_is_never_refused(
+    seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The curve is proposed, and what the checker finds beside it is what the file states."""
+    drawn, refused = random.Random(seed), []
+    of_tile = BoxRefusals.of_tile
+
+    def told(self: BoxRefusals, tile: Any) -> str:
+        reason = of_tile(self, tile)
+        if tile.event is not None:
+            refused.append(reason)
+        return reason
+
+    monkeypatch.setattr(BoxRefusals, "of_tile", told)
+    size, a = Fraction(drawn.randint(8, 40), 100), Fraction(drawn.randint(600, 700), 1000)
+    r = -1 + size * Fraction(drawn.randint(-9, 9), 20)
+    box = {"r": (-1 - size, -1 + size / 2), "a": (a - size, a + size / 3)}
+    found = ns.certify_box(loop(r=str(r), a=str(a)), box, tiles=20)
+    assert refused
+    assert {*refused} == {""}
+    accepted(found, tmp_path)
+
+
+@pytest.mark.parametrize("far", [0.0, *(10.0**-k for k in range(1, 12))])
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("kind", ["flip", "neimark-sacker", "fold", "grazing"])
+def test_no_false_proposal_is_believed(far: float, axis: int, kind: str) -> None:
+    """The flip is at r = -1, the middle of the tile: a band holds it, or there is no band."""
+    content = json.loads(corner_content())["flip"]
+    box = CheckedBox({**content, "box": {"r": ("-11/10", "-9/10"), "a": ("3/5", "7/10")}})
+    tile, orbit = box.judged(((0, 0), (0, 0)), [0.0, 0.5, math.pi, math.pi / 2], 6)
+    borders = (Border("grazing", 0, "wall", "inside"),) if kind == "grazing" else ()
+    window = (arb(1), arb(2)) if kind == "grazing" else None
+    curve = DividingCurve(kind, borders, window, axis, (far, far / 2, 0.0))
+    try:
+        with ctx.workprec(64):
+            found = tile.divide(orbit, curve)
+    except Failure:
+        assert (kind, axis) != ("flip", 0) or far > 1e-6
+        return
+    assert (kind, axis) == ("flip", 0)
+    assert found.band is not None
+    assert 1.5 * far <= found.band.radius < 1e-4
+    assert found.beside == ("unstable", "proved")
+
+
 def test_a_curve_that_is_left_out_is_refused() -> None:
     content = json.loads(corner_content())["flip"]
     for tile in content["tiles"]:
@@ -360,26 +411,57 @@ def test_edges_are_shared_by_more_than_a_point() -> None:
     }
 
 
+def away_of(number: Any, centre: tuple[float, ...]) -> float:
+    """How far the zeros of a number of p and q are from p = c(q), as the checker finds it."""
+    curve = DividingCurve("flip", (), None, 0, centre)
+    division = Division(curve, ("proved", "proved", "undecided"))
+    division._beyond(number, [(fmpq(-1), fmpq(1))] * 2, 1)
+    return float(division.far.upper())
+
+
 def test_a_band_holds_all_zeros_of_its_number() -> None:
     # p = 0.3 + 0.5 q + rho, |rho| < 1/100, and a slope between 1 and 3
     space = space_of(2, 3)
     p, q = (space.variable(k, arb(0), arb(1)) for k in (0, 1))
     number = (p - arb("0.3") - q * arb("0.5") + arb(0, 0.01)) * 2
-    away = _away(number, 0, (0.3, 0.5))
-    assert away is not None
-    assert 0.01 <= float(away.upper()) < 0.0101
+    assert 0.01 <= away_of(number, (0.3, 0.5)) < 0.0101
     steeper = number + p * p * p * arb("0.2")
-    away = _away(steeper, 0, (0.3, 0.5))
-    assert away is not None
     # at q = 1 the zeros of 2 (p - 0.8 - rho) + 0.2 p^3 are up to 0.052 away
-    assert 0.052 < float(away.upper()) < 0.08
-    assert _away(number * 0 + p * p, 0, (0.3, 0.5)) is None
+    assert 0.052 < away_of(steeper, (0.3, 0.5)) < 0.08
+    for bad in (number * 0 + p * p, -number):
+        with pytest.raises(Failure, match="beside its band"):
+            away_of(bad, (0.3, 0.5))
+
+
+def test_borders_that_are_crossed_in_both_directions_have_no_verdict() -> None:
+    borders = (Border("grazing", 0, "wall", "inside"),)
+    curve = DividingCurve("grazing", borders, (arb(1), arb(2)), 0, (0.0, 0.0))
+    division = Division(curve, ("proved", "undecided", "refuted"))
+    for signs, wanted in (
+        ({True}, ("unstable", "not admissible")), ({False}, ("not admissible", "unstable")),
+    ):  # fmt: skip
+        division.signs = signs
+        assert division.verdicts(lambda point: pytest.fail("it is not asked")) == wanted
+    division.signs = {True, False}
+    with pytest.raises(Failure, match="in both directions"):
+        division.verdicts(lambda point: pytest.fail("it is not asked"))
+
+
+@pytest.mark.parametrize("away", [0.0, 1e-9, 1e-7])
+def test_a_band_is_wider_than_what_it_has_to_hold(away: float) -> None:
+    for level in range(12):
+        band = Band.about(0, (0.0, 0.5), arb(away), ((0, level), (0, 0)))
+        assert band.radius > away
+    with pytest.raises(Failure, match="too wide"):
+        Band.about(0, (0.0, 0.5), arb(1e-5), ((0, 0), (0, 0)))
 
 
 def test_sides_of_a_band_are_connected() -> None:
-    assert Band(0, (0.0, 0.0, 0.5), 0.1).connected  # it stays inside
-    assert Band(0, (0.9, 0.5, 0.1), 0.1).connected  # it rises
-    assert not Band(0, (0.9, 0.0, 0.5), 0.1).connected
+    for centre in ((0.0, 0.0, 0.5), (0.9, 0.5, 0.1)):  # it stays inside; it rises
+        assert Band.about(0, centre, arb(0), ((0, 0), (0, 0))).centre == centre
+    for centre in ((0.9, 0.0, 0.5), (-0.9, 0.0, -0.5)):
+        with pytest.raises(Failure, match="several parts"):
+            Band.about(0, centre, arb(0), ((0, 0), (0, 0)))
     band = Band(1, (0.0, 1.0), 0.25)
     assert band.side_of((Fraction(1, 2), Fraction(1))) == "above"
     assert band.side_of((Fraction(1, 2), Fraction(3, 4))) is None

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from nonsmooth.runtime.checker.divided import Band
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
@@ -23,7 +24,7 @@ from nonsmooth.runtime.present.files.claim_entries import (
 )
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
-from nonsmooth.runtime.proof.boxes.tile_event import Band, Fold, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import VERSION
 

@@ -8,7 +8,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.exact import exact
+from nonsmooth.runtime.checker.folded import BEYOND, beyond_folds
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.proof.boxes.regions import (
@@ -19,8 +21,7 @@ from nonsmooth.runtime.proof.boxes.regions import (
     open_boxes_of,
     regions_of,
 )
-from nonsmooth.runtime.proof.boxes.tile_edges import beyond_folds
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
@@ -138,8 +139,13 @@ class BoxCertificate(Kept):
     @cached_property
     def verdicts(self) -> tuple[str, ...]:
         """What each tile comes to, one of `VERDICTS`."""
-        beyond = beyond_folds(self.tiles) if len(self.box) == _PLANE else frozenset()
-        return tuple(BEYOND if k in beyond else t.verdict for k, t in enumerate(self.tiles))
+        told = [tile.verdict for tile in self.tiles]
+        if len(self.box) == _PLANE:
+            beside = neighbours([tile.place.steps for tile in self.tiles])
+            entries = [tile_json(tile, tuple(self.box)) for tile in self.tiles]
+            beyond = beyond_folds(entries, told, tuple(self.box), beside)
+            told = [BEYOND if own else one for own, one in zip(beyond, told, strict=True)]
+        return tuple(told)
 
     @property
     def shares(self) -> dict[str, Fraction]:

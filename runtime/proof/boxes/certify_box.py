@@ -5,11 +5,16 @@ from __future__ import annotations
 import heapq
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import count
 from typing import TYPE_CHECKING
 
+from nonsmooth.runtime.checker.edges import neighbours
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.folded import BEYOND
+from nonsmooth.runtime.checker.tiles import SHARES, MapTile
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
@@ -24,10 +29,9 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     with_open_ones,
 )
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals, unproved, whole_map
-from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, prove
-from nonsmooth.runtime.proof.boxes.tile_edges import edges_of, meeting_point
-from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
-from nonsmooth.runtime.proof.boxes.tile_fold import FoldTube, fold_on, fold_tube
+from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, is_same, prove
+from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -151,7 +155,7 @@ class _Work:
         self.waiting: list[tuple[Fraction, int, Tile]] = []
         self.stranded: list[Tile] = []  # no orbit has reached them
         self.reached: dict[Place, Tile] = {}  # the orbit is proved there
-        self.tubes: dict[Place, Tube | FoldTube] = {}
+        self.tubes: dict[Place, MapTile] = {}
         self.decided = 0.0
         self._order = count()
         for tile in state.tiles:
@@ -179,16 +183,17 @@ class _Work:
         tiles = [self._stated(tile, whole) for tile in self.tiles]
         if len(self.region.names) != _PLANE:
             return tiles
-        for edge in edges_of([tile.place for tile in tiles]):
-            first, second = tiles[edge.first], tiles[edge.second]
-            pair = frozenset((first.place, second.place))
-            if "undecided" in (first.verdict, second.verdict) or pair in self.same:
-                continue
-            reason = "" if pair <= self.known else self.refusals.of_joint(second, first)
-            if reason:
-                tiles[edge.second] = unproved(second.place, reason, looked_at=True)
-            else:
-                self.same.add(pair)
+        for number, others in enumerate(neighbours([tile.place.steps for tile in tiles])):
+            for other in filter(number.__gt__, others):
+                tile, before = tiles[number], tiles[other]
+                pair = frozenset((tile.place, before.place))
+                if "undecided" in (tile.verdict, before.verdict) or pair in self.same:
+                    continue
+                reason = "" if pair <= self.known else self.refusals.of_joint(tile, before)
+                if reason:
+                    tiles[number] = unproved(tile.place, reason, looked_at=True)
+                else:
+                    self.same.add(pair)
         return tiles
 
     def _stated(self, tile: Tile, whole: bool) -> Tile:
@@ -218,13 +223,12 @@ class _Work:
                 self.stranded.append(tile)
                 continue
             proof = self._proved(tile, anchor)
-            if proof.tube is not None:
-                self.tubes[tile.place] = proof.tube
+            if proof.found is not None:
+                self.tubes[tile.place] = proof.found
             elif len(self.region.names) == _PLANE:
-                folded = fold_on(self.region, tile.place, anchor.point, anchor.numbers)
+                folded = self._folded(tile.place, anchor)
                 if folded is not None:
-                    self.tubes[tile.place], event = folded
-                    self._take(_folded(tile, event, folded[0]))
+                    self._finish(folded)
                     return True
             self._take(self._judged(tile, proof))
             return True
@@ -241,14 +245,14 @@ class _Work:
         region, place = self.region, tile.place
         rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
         proof = prove(self.refusals, region, place, anchor, rough=rough)
-        if proof.tube is None and rough:
+        if proof.found is None and rough:
             proof = prove(self.refusals, region, place, anchor)
-        if len(region.names) != _PLANE or proof.tube is None or proof.decided:
+        if len(region.names) != _PLANE or proof.found is None or proof.decided:
             return proof
         if self._judged(tile, proof).verdict != "undecided":
             return proof
         sharp = prove(self.refusals, region, place, anchor, sharp=True)
-        return proof if sharp.tube is None else sharp
+        return proof if sharp.found is None else sharp
 
     def _judged(self, tile: Tile, proof: TileProof) -> Tile:
         """A tile after its proof; a claim that was decided before stays so if it is not now."""
@@ -269,6 +273,7 @@ class _Work:
                 for name, ball in proof.found.enclosures.items()
                 if ball.is_finite()
             }
+        same = claims == {name: verdict.claim for name, verdict in verdicts.items()}
         found = Tile(
             place=tile.place,
             claims=claims,
@@ -276,14 +281,24 @@ class _Work:
             enclosures=enclosures,
             guess=tuple(proof.found.tile["guess"]),
             looked_at=True,
-            event=None,
+            event=proof.event if same else None,
         )
-        if found.verdict == "undecided":
-            return replace(found, event=proof.event)
-        same = claims == {name: verdict.claim for name, verdict in verdicts.items()}
         if same and not proof.rough:
             self.refusals.take(found, proof.found)
         return found
+
+    def _folded(self, place: Place, anchor: Anchor) -> Tile | None:
+        """A tile in which or near which the map's own orbit meets another one; None for none."""
+        point = [rational_of(x) for x in anchor.point]
+        search = FoldSearch(self.refusals.box, place.steps, point, anchor.numbers)
+        with flint_precision(BITS), suppress(Failure, NotCovered):
+            found = self.refusals.folded(place, search.proposal())
+            if is_same(self.region, found, anchor):
+                tile = _tile_with(found, place)
+                self.tubes[place] = found
+                self.refusals.take(tile, found)
+                return tile
+        return None
 
     def _anchor(self, tile: Tile) -> Anchor | None:
         """A point of a tile with the approximate orbit there; None if no orbit has reached it."""
@@ -295,28 +310,30 @@ class _Work:
         beside = [other for other in self.reached if other.touches(place)]
         for other in sorted(beside, key=lambda other: (-other.share, other.steps)):
             tube = self._tube(self.reached[other])
-            point = meeting_point(self.reached[other], tile, region.box)
-            found = None if tube is None or point is None else tube.at(point)
-            if found is not None and point is not None:
-                return Anchor(point, found)
+            found = None if tube is None else self._handed_on(tube, other, place)
+            if found is not None:
+                return found
         return None
 
-    def _tube(self, tile: Tile) -> Tube | FoldTube | None:
-        """The orbit's tube over a tile, proved again if it is not in memory; None if that fails."""
+    def _handed_on(self, tube: MapTile, own: Place, place: Place) -> Anchor | None:
+        """A point that two tiles share, with the orbit that a tube has clearly there."""
+        for share in SHARES:
+            point = own.shared(place, self.region.box, Fraction(int(share.p), int(share.q)))
+            inside = tube.inside([rational_of(x) for x in point])
+            with flint_precision(BITS), suppress(Failure):
+                if tube.claims_at(inside):
+                    return Anchor(point, tube.at(inside))
+        return None
+
+    def _tube(self, tile: Tile) -> MapTile | None:
+        """The orbit over a tile, proved again if it is not in memory; None if that fails."""
         if tile.place not in self.tubes:
             if not tile.guess:
                 return None
-            if tile.event is not None and tile.event.fold is not None:
-                fold, axis = tile.event.fold, tile.event.band.axis
-                folded = fold_tube(self.region, tile.place, axis, fold, _balls(tile.guess))
-                if folded is not None:
-                    self.tubes[tile.place] = folded
-                return folded
-            anchor = Anchor(tile.place.middle(self.region.box), _balls(tile.guess))
-            tube = prove(self.refusals, self.region, tile.place, anchor).tube
-            if tube is None:
+            try:
+                self.tubes[tile.place] = self.refusals.stated(tile)
+            except NotCovered:
                 return None
-            self.tubes[tile.place] = tube
         return self.tubes[tile.place]
 
     def _finish(self, tile: Tile) -> None:
@@ -340,9 +357,11 @@ class _Work:
         tube = self.tubes.get(place)
         for half in place.halves(axis):
             guess: tuple[float, ...] = ()
-            if isinstance(tube, Tube):
+            if tube is not None:
                 self.tubes[half] = tube  # until it has one of its own
-                guess = tuple(float(x.mid()) for x in tube.at(half.middle(self.region.box)))
+                middle = tube.inside([rational_of(x) for x in half.middle(self.region.box)])
+                with flint_precision(BITS):
+                    guess = tuple(float(x.mid()) for x in tube.at(middle))
             # what is proved for a tile is proved for its halves
             self._wait(replace(tile, place=half, guess=guess, looked_at=False))
 
@@ -364,16 +383,23 @@ def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
     return entry[:2]
 
 
-def _folded(tile: Tile, event: TileEvent, tube: FoldTube) -> Tile:
-    """An undecided tile with a fold: two orbits meet in it or near it."""
+def _tile_with(found: MapTile, place: Place) -> Tile:
+    """What is stated of a tile with a fold: two orbits meet in it or near it."""
+    fold = found.fold
+    assert fold is not None
+    assert fold.band is not None
+    sheets = fold.sheets
+    own, other = (fold.verdicts[s] for s in sorted(fold.verdicts, key=lambda s: s != sheets.sheet))
+    below, above = (BEYOND, own) if fold.sign > 0 else (own, BEYOND)
+    kept = Fold(sheets.coordinate, sheets.middle, sheets.half, sheets.sheet, other)
     return Tile(
-        place=tile.place,
+        place=place,
         claims=dict.fromkeys(CLAIMS, "undecided"),
         reasons={"existence": _MEET},
         enclosures={},
-        guess=tube.guess,
+        guess=tuple(sheets.guess),
         looked_at=True,
-        event=event,
+        event=TileEvent("fold", None, "", "", "", (), (), fold.band, below, above, kept),
     )
 
 

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TypeVar
 
+from nonsmooth.runtime.checker.divided import DividingCurve, Division
+from nonsmooth.runtime.checker.folded import Sheets
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.tiles import CheckedBox, MapTile, check_whole
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile, tile_json
 from nonsmooth.runtime.proof.boxes.tile_places import Place
@@ -13,6 +17,8 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, refusal
 
 __all__ = ["BoxRefusals", "unproved", "whole_map"]
+
+_T = TypeVar("_T")
 
 
 class BoxRefusals:
@@ -31,17 +37,37 @@ class BoxRefusals:
             raise NotCovered(reason)
         self._checked: dict[Place, tuple[Tile, MapTile]] = {}
 
-    def judged(self, place: Place, guess: Sequence[float], order: int = 0) -> MapTile:
-        """What the checker proves of the orbit near a guess in the middle of a tile.
+    def judged(
+        self, place: Place, guess: Sequence[float], order: int = 0
+    ) -> tuple[MapTile, CheckedOrbit]:
+        """What the checker proves of the orbit near a guess in the middle of a tile, and the orbit.
 
         `order` is that of the Taylor models, by default what costs least. `NotCovered` if there may
         be no orbit.
         """
-        found: list[MapTile] = []
+        return self._answer(lambda: self.box.judged(place.steps, list(guess), order))
+
+    def divided(self, tile: MapTile, orbit: CheckedOrbit, curve: DividingCurve) -> Division:
+        """What the checker proves of a judged tile if one event happens on a curve.
+
+        `NotCovered` if it may be otherwise.
+        """
+        return self._answer(lambda: tile.divide(orbit, curve))
+
+    def folded(self, place: Place, sheets: Sheets) -> MapTile:
+        """What the checker proves of a tile with a fold; `NotCovered` if there may be none."""
+        return self._answer(lambda: self.box.folded(place.steps, sheets))
+
+    def stated(self, tile: Tile) -> MapTile:
+        """A tile as far as the checker proves what is stated of it; `NotCovered` if it does not."""
+        return self._answer(lambda: self._proved(tile))
+
+    def _answer(self, ask: Callable[[], _T]) -> _T:
+        """What the checker answers, at constants on which its divisors do not vanish."""
+        found: list[_T] = []
 
         def judge() -> None:
-            steps = [list(step) for step in place.steps]
-            found.append(self.box.judged(steps, list(guess), order))
+            found.append(ask())
             self.box.check_divisors()
 
         if reason := refusal(judge):

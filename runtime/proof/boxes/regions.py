@@ -7,15 +7,17 @@ both; a curve is made of tiles which one event divides, and whose common edge it
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise, product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.proof.boxes.tile_edges import Edge, Groups, joined_edges
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Band, TileEvent
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Point
+from nonsmooth.runtime.checker.divided import Band
+from nonsmooth.runtime.checker.edges import neighbours
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
@@ -63,6 +65,24 @@ class OpenBox:
     reason: str  # why its largest tile is undecided
 
 
+class Edge(NamedTuple):
+    """The common edge of two tiles."""
+
+    first: int  # number of a tile
+    second: int  # number of a tile
+    ends: tuple[Point, Point]  # two points, in shares of the box from 0 to 1
+
+
+def edges_of(places: Sequence[Place]) -> Iterator[Edge]:
+    """The common edges of tiles of a box of two parameters, where they are longer than a point."""
+    for first, others in enumerate(neighbours([place.steps for place in places])):
+        for second in others:
+            if first < second:
+                sides = zip(places[first].shares, places[second].shares, strict=True)
+                (a, b), (c, d) = ((max(x[0], y[0]), min(x[1], y[1])) for x, y in sides)
+                yield Edge(first, second, ((a, c), (b, d)))
+
+
 def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
     """The regions of a map of two parameters, the largest first."""
     tiles = found.tiles
@@ -71,8 +91,8 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
         for k, tile in enumerate(tiles)
         for side, v in _verdicts(tile, found.verdicts[k])
     }
-    groups = Groups(verdicts)
-    for edge in joined_edges(found):
+    groups = _Groups(verdicts)
+    for edge in _joined_edges(found):
         first, second = tiles[edge.first], tiles[edge.second]
         for point in _samples(edge):
             own, its = (edge.first, _side(first, point)), (edge.second, _side(second, point))
@@ -95,7 +115,7 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
         if tile.event is not None and _passes(tile.event.band)
     }
     beside: dict[int, list[int]] = {k: [] for k in events}
-    for edge in joined_edges(found):
+    for edge in _joined_edges(found):
         pair = edge.first, edge.second
         if all(k in events for k in pair) and events[pair[0]].name == events[pair[1]].name:
             told = [[events[k].band.side_of(found.tiles[k].place.inside(end))
@@ -104,7 +124,7 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
             if passed or any(a is None and b is None for a, b in zip(*told, strict=True)):
                 beside[pair[0]].append(pair[1])
                 beside[pair[1]].append(pair[0])
-    groups = Groups(events)
+    groups = _Groups(events)
     for k, others in beside.items():
         for other in others:
             groups.unite(k, other)
@@ -115,7 +135,7 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
 def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
     """The undecided parts of a map of any number of parameters, the largest first."""
     undecided = [k for k, verdict in enumerate(found.verdicts) if verdict == "undecided"]
-    groups = Groups(undecided)
+    groups = _Groups(undecided)
     for place, k in enumerate(undecided):
         for other in undecided[:place]:
             if found.tiles[k].place.touches(found.tiles[other].place):
@@ -200,6 +220,37 @@ def sheets_json(found: BoxCertificate, event: TileEvent) -> dict[str, str]:
     own = event.below if event.above == BEYOND else event.above
     told = {"own": own, "other": event.fold.other}
     return {name: found.stability if v == "proved" else v for name, v in told.items()}
+
+
+def _joined_edges(found: BoxCertificate) -> Iterator[Edge]:
+    """Edges between tiles with verdicts, where their orbits are the same; of two parameters."""
+    decided = [verdict != "undecided" for verdict in found.verdicts]
+    edges = edges_of([tile.place for tile in found.tiles])
+    return (edge for edge in edges if decided[edge.first] and decided[edge.second])
+
+
+class _Groups:
+    """Things that are united step by step: a disjoint-set forest (B. Galler, M. Fisher, 1964)."""
+
+    def __init__(self, things: Iterable[Any]) -> None:
+        self.parents: dict[Any, Any] = {thing: thing for thing in things}
+
+    def _first(self, thing: Hashable) -> Any:
+        while self.parents[thing] != thing:
+            self.parents[thing] = self.parents[self.parents[thing]]
+            thing = self.parents[thing]
+        return thing
+
+    def unite(self, one: Hashable, other: Hashable) -> None:
+        """Unite the groups of two things."""
+        self.parents[self._first(one)] = self._first(other)
+
+    def all(self) -> list[list[Any]]:
+        """All groups, each as a list of its things."""
+        found: dict[Any, list[Any]] = defaultdict(list)
+        for thing in self.parents:
+            found[self._first(thing)].append(thing)
+        return list(found.values())
 
 
 def _event_text(event: TileEvent) -> str:

@@ -12,12 +12,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 from nonsmooth.runtime.checker.tiles import MapTile
-from nonsmooth.runtime.core.taylor_models import TaylorModel
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, event_on
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.krawczyk import joined, newton
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
@@ -25,7 +24,7 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Anchor", "TileProof", "Tube", "prove"]
+__all__ = ["Anchor", "TileProof", "is_same", "prove"]
 
 _LOWEST, _SHARP = 2, 6
 _ROUGH = 50  # bits of the orbit in the middle of a tile
@@ -39,43 +38,11 @@ class Anchor(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Tube:
-    """The orbit over a tile, between polynomials of the parameters."""
-
-    place: Place
-    box: tuple[Interval, ...]  # ends of each parameter over the whole box
-    unknowns: Sequence[TaylorModel]
-    centre: Sequence[TaylorModel]  # polynomials, one for each unknown
-    radii: Sequence[arb]  # within these distances of the polynomials there is no other orbit
-
-    def at(self, point: Sequence[Fraction]) -> list[arb]:
-        """Balls around the unknowns at a point, given by the values of the box's parameters."""
-        with flint_precision(BITS):
-            inside = self._inside(point)
-            return [x.at(inside) for x in self.unknowns]
-
-    def holds(self, point: Sequence[Fraction], found: Sequence[arb]) -> bool:
-        """Whether an orbit, enclosed by `found` at a point, is proved to be the tube's."""
-        with flint_precision(BITS):
-            inside = self._inside(point)
-            sides = zip(found, self.centre, self.radii, strict=True)
-            return all(abs(x - c.at(inside)) < r for x, c, r in sides)
-
-    def _inside(self, point: Sequence[Fraction]) -> list[arb]:
-        """The parameters at a point, scaled to run from -1 to 1 over the tile."""
-        from flint import arb
-
-        places = ((x, *self.place.interval(axis, self.box)) for axis, x in enumerate(point))
-        return [arb(rational_of((2 * x - low - high) / (high - low))) for x, low, high in places]
-
-
-@dataclass(frozen=True, eq=False)
 class TileProof:
     """What is proved on a tile."""
 
     reason: str = ""  # why no orbit is proved to exist there
     found: MapTile | None = None  # verdicts and enclosures, None unless existence is proved
-    tube: Tube | None = None  # likewise
     event: TileEvent | None = None  # a curve on the two sides of which verdicts are proved
     rough: bool = False  # whether that was in an order that a file is not checked in
 
@@ -112,21 +79,25 @@ def prove(
         if point is None:
             return TileProof("Newton's method finds no orbit in the middle")
         try:
-            found = judge.judged(place, [float(x) for x in point], order)
+            found, orbit = judge.judged(place, [float(x) for x in point], order)
         except NotCovered as reason:
             return TileProof(str(reason))
-        unknowns, centre = (
-            [x if isinstance(x, TaylorModel) else found.space.constant(x) for x in numbers]
-            for numbers in (found.root, found.centre)
-        )
-        tube = Tube(place, region.box, unknowns, centre, found.radii)
-        number = region.tables.number_at(_balls(anchor.point))
-        if not joined(region.equations(number), tube.at(anchor.point), anchor.numbers):
+        if not is_same(region, found, anchor):
             return TileProof("another orbit may have been found")
-        proof = TileProof("", found, tube, rough=rough)
+        proof = TileProof("", found, rough=rough)
         if sharp and not proof.decided:
-            return replace(proof, event=event_on(region, place, unknowns, found.parameters))
+            return replace(proof, event=event_on(judge, found, orbit))
         return proof
+
+
+def is_same(region: Region, found: MapTile, anchor: Anchor) -> bool:
+    """Whether a tile's orbit is proved to be the one that is known at a point of it.
+
+    `Failure` if the tile has no orbit there.
+    """
+    number = region.tables.number_at(_balls(anchor.point))
+    own = found.at(found.inside([rational_of(x) for x in anchor.point]))
+    return joined(region.equations(number), own, anchor.numbers)
 
 
 def _balls(point: Sequence[Fraction]) -> list[arb]:

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 __all__ = [
     "AlongUnknown",
     "OrbitCurve",
-    "along_parameter",
     "directions",
     "largest_of",
     "linearised_by_parameter",
@@ -179,29 +178,6 @@ def directions(
         ]
         jets = curve.point(coordinate, jets[coordinate], moved)
     return jets
-
-
-def along_parameter(region: Region, point: Sequence[Any], axis: int) -> list[Any] | None:
-    """An orbit's unknowns and parameters as jets by one of the parameters; the others stay.
-
-    `point` encloses the unknowns of the orbit's equations and the region's parameters; `axis` is
-    the number of the parameter. None where the equations may be singular.
-    """
-    from flint import arb
-
-    count = len(point) - len(region.names)
-    own, parameters = list(point[:count]), list(point[count:])
-    parameters[axis] = jet(parameters[axis], arb(1))
-    now = linearised_in_jets(region, own, parameters)
-    slopes = part_of(now.jacobian, 0)
-    try:
-        inverse = slopes.mid().inv().mid()
-    except ZeroDivisionError:
-        return None
-    step = solution(slopes, inverse, -part_of(now.residual, 1))
-    if step is None:
-        return None
-    return [*(jet(x, d) for x, d in zip(own, step, strict=True)), *parameters]
 
 
 def largest_of(numbers: Sequence[arb]) -> arb:
