@@ -13,8 +13,8 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
+from nonsmooth.runtime.proof.branch.certified_branch import UNDECIDED
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, linearised_by_parameter
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle
 from nonsmooth.runtime.proof.branch.tube import BranchTube, orbit_near
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations

@@ -23,10 +23,9 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, STATED, certify_branch
+from nonsmooth.runtime.proof.branch.certified_branch import STATED, UNDECIDED, CertifiedBranch
+from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.doubling.beside_flip import (
     begin_of_branch,
