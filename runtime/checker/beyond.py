@@ -9,12 +9,12 @@ itinerary at its border, and it lies in the tube of the other tile, where there 
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.branch import checked_tiles
-from nonsmooth.runtime.checker.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.branch_tile import BITS, NO_MOTION, SHARP, CheckedTile
 from nonsmooth.runtime.checker.exact import (
     Elimination,
     Failure,
@@ -31,10 +31,9 @@ from nonsmooth.runtime.checker.stability import MULTIPLIERS
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 
-__all__ = ["check_beyond", "check_branch"]
+__all__ = ["Beyond", "check_branch", "found_beyond"]
 
-_BITS, _SHARP = 64, 192
-_NONE, _FORCING_PHASE = "not admissible", "forcing-phase"
+_FORCING_PHASE = "forcing-phase"
 _ALIKE = ("system", "parameter", "interval", "stability")
 
 _Parts = list[tuple[int, tuple[int, ...]]]
@@ -52,7 +51,7 @@ def check_branch(content: dict[str, Any]) -> None:
         told = [] if tile.event is None else tile.event.get("beyond", [])
         for beyond in told:
             try:
-                check_beyond(content, tile, beyond)
+                _check(content, tile, beyond)
             except Failure as failure:
                 raise Failure(f"beyond the event of tile {number}: {failure}") from None
         ways = [_rotations(beyond["branch"]["itinerary"]) for beyond in told]
@@ -65,37 +64,57 @@ def _rotations(itinerary: Sequence[Sequence[str]]) -> set[tuple[tuple[str, ...],
     return {phases[k:] + phases[:k] for k in range(len(phases))}
 
 
-def check_beyond(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:
-    """Prove what is stated of the orbits of another itinerary that begin at an event.
+class Beyond(NamedTuple):
+    """What is proved of orbits of another itinerary that begin at an event."""
 
-    `content` holds the entries of the event's branch, `tile` is the event's tile, already proved,
-    and `beyond` holds the entries of the orbits that begin there.
+    side: str  # of the event's parameter on which they are: "above" or "below"
+    own: str  # on which the orbits of the event's branch are
+    verdict: str  # on all of them
+
+
+def found_beyond(
+    content: dict[str, Any], tile: CheckedTile, branch: dict[str, Any], other: CheckedTile
+) -> Beyond:
+    """Return what is proved of the orbits of another itinerary that begin at an event.
+
+    `content` holds the entries of the event's branch, `branch` those of the other one; `tile` and
+    `other` are their tiles with the event, already proved. `Failure` is raised if no orbits are
+    proved to begin there.
     """
-    with ctx.workprec(_BITS):
-        _check(content, tile, beyond)
+    with ctx.workprec(BITS):
+        _demand_alike(content, branch)
+        demand(other.event is not None, "no border is met in its tile")
+        border = other.event["kind"] not in MULTIPLIERS and tile.event["kind"] not in MULTIPLIERS
+        demand(border, "one of the events is no border")
+        _one_system(tile, other)
+        own, side = _side(tile), _side(other)
+        (verdict,) = {other.tile["before"], other.tile["after"]} - {NO_MOTION}
+        with ctx.workprec(SHARP):
+            pair = [_Met(tile), _Met(other)]
+            pair.sort(key=lambda met: (met.free, -len(met.steps)))
+            _demand_one_motion(*pair)
+    return Beyond(side, own, verdict)
 
 
 def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:
-    branch = beyond["branch"]
-    demand(all(content[name] == branch[name] for name in _ALIKE), "another system's branch")
-    given, other = content["parameters"], branch["parameters"]
-    common = given.keys() & other.keys()
-    demand(all(given[name] == other[name] for name in common), "other parameters")
-    tiles = checked_tiles(branch)
+    """Demand that what is stated of orbits that begin at the event of a proved tile is found."""
+    _demand_alike(content, beyond["branch"])
+    tiles = checked_tiles(beyond["branch"])
     demand(len(tiles) == 1, "what begins there is proved in one tile")
-    demand(tiles[0].event is not None, "no border is met in its tile")
-    demand(not tiles[0].event.get("beyond", []), "what begins there has a beyond of its own")
-    border = tiles[0].event["kind"] not in MULTIPLIERS and tile.event["kind"] not in MULTIPLIERS
-    demand(border, "one of the events is no border")
-    _one_system(tile, tiles[0])
-    demand(beyond["own"] == _side(tile), "the branch is on another side of its event")
-    demand(beyond["side"] == _side(tiles[0]), "it begins on another side of the event")
-    verdict = {tiles[0].tile["before"], tiles[0].tile["after"]} - {_NONE}
-    demand(verdict == {beyond["verdict"]}, "it has another verdict")
-    with ctx.workprec(_SHARP):
-        pair = [_Met(tile), _Met(tiles[0])]
-        pair.sort(key=lambda met: (met.free, -len(met.steps)))
-        _demand_one_motion(*pair)
+    nested = tiles[0].event is not None and tiles[0].event.get("beyond", [])
+    demand(not nested, "what begins there has a beyond of its own")
+    found = found_beyond(content, tile, beyond["branch"], tiles[0])
+    demand(beyond["own"] == found.own, "the branch is on another side of its event")
+    demand(beyond["side"] == found.side, "it begins on another side of the event")
+    demand(beyond["verdict"] == found.verdict, "it has another verdict")
+
+
+def _demand_alike(content: dict[str, Any], branch: dict[str, Any]) -> None:
+    """Demand that two branches are said to be of one system, over the same parameter."""
+    demand(all(content[name] == branch[name] for name in _ALIKE), "another system's branch")
+    given, others = content["parameters"], branch["parameters"]
+    common = given.keys() & others.keys()
+    demand(all(given[name] == others[name] for name in common), "other parameters")
 
 
 def _one_system(tile: CheckedTile, other: CheckedTile) -> None:
@@ -124,8 +143,8 @@ def _one_system(tile: CheckedTile, other: CheckedTile) -> None:
 def _side(tile: CheckedTile) -> str:
     """Return the side of the event's parameter on which the tile's orbits are motions."""
     before, after = tile.tile["before"], tile.tile["after"]
-    demand((before == _NONE) != (after == _NONE), "no orbits begin at the event")
-    sign = 1 if (before == _NONE) == tile.forwards else -1
+    demand((before == NO_MOTION) != (after == NO_MOTION), "no orbits begin at the event")
+    sign = 1 if (before == NO_MOTION) == tile.forwards else -1
     if tile.place != tile.curve.last:
         signs: set[bool] = set()
         order = 2 if tile.turns else 1

@@ -10,15 +10,15 @@ from typing import Any
 from flint import arb, ctx
 
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve, without_entry
-from nonsmooth.runtime.checker.branch_tile import BITS, OPEN, SHARP, CheckedTile
+from nonsmooth.runtime.checker.branch_tile import BITS, NO_MOTION, OPEN, SHARP, CheckedTile
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.parameters import independent, values_of
 from nonsmooth.runtime.core.jets import part_of
 
-__all__ = ["check_ends", "check_joint", "checked_tiles", "curve_of"]
+__all__ = ["FINISHED", "VANISHED", "check_joint", "checked_tiles", "curve_of", "ending"]
 
-_FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
+FINISHED, VANISHED = "end of the interval", "a phase vanishes"
 
 
 def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
@@ -30,7 +30,9 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
     curve = curve_of(content)
     with ctx.workprec(BITS):
         found = [CheckedTile(curve, tile) for tile in tiles]
-        check_ends(found, content["ends"])
+        reached = ending(found[0], last=False), ending(found[-1], last=True)
+        for why, proved in zip(content["ends"], reached, strict=True):
+            demand(why == proved or why not in (FINISHED, VANISHED), f"it goes on: not {why!r}")
         for number, tile in enumerate(found, 1):
             try:
                 tile.check_sharply()
@@ -71,7 +73,7 @@ def _claimed(content: dict[str, Any]) -> None:
     low, high = map(exact, content["interval"])
     demand(low < high, "the interval is empty")
     every = all(OPEN not in (tile["before"], tile["after"]) for tile in tiles)
-    whole = bool(tiles) and every and {*content["ends"]} <= {_FINISHED, _VANISHED}
+    whole = bool(tiles) and every and {*content["ends"]} <= {FINISHED, VANISHED}
     demand((content["claims"]["branch"] == "proved") == whole, "the claim is not that of the tiles")
     for tile in tiles:
         left = tile["before"] == OPEN
@@ -92,14 +94,14 @@ def check_joint(tile: CheckedTile, other: CheckedTile) -> None:
         _same_equations(tile, other)
         if tile.place == other.place:
             demand(tile.end == other.begin and tile.forwards == other.forwards, "they are apart")
-            point = tile.at(arb(tile.end))
+            point = tile.at_end(tile.end)
             demand(other.holds(arb(tile.end), without_entry(other.place, point)), "two orbits")
             return
         try:
-            point = tile.at(arb(tile.end))
+            point = tile.at_end(tile.end)
             _meets(other, point, entering=True)
         except Failure:
-            point = other.at(arb(other.begin))
+            point = other.at_end(other.begin)
             _meets(tile, point, entering=False)
         slope = part_of(curve.jets(tile.place, point, 1)[other.place], 1)
         same = tile.forwards == other.forwards
@@ -112,7 +114,7 @@ def _same_equations(tile: CheckedTile, other: CheckedTile) -> None:
         return
     names = tile.curve.declared.dwell
     first = tile.curve.last - len(names)
-    for own, point in ((tile, tile.at(arb(tile.end))), (other, other.at(arb(other.begin)))):
+    for own, point in ((tile, tile.at_end(tile.end)), (other, other.at_end(other.begin))):
         for divided in (tile.curve.short, other.curve.short):
             if divided is not None:
                 time = point[first + divided.place]
@@ -130,19 +132,14 @@ def _meets(tile: CheckedTile, point: Sequence[Any], *, entering: bool) -> None:
         demand(value < low if below else value > high, "an event is left out")
 
 
-def check_ends(tiles: Sequence[CheckedTile], ends: Sequence[str]) -> None:
-    """Prove that a branch ends as `ends` says: at an end of the interval, or at a vanishing phase.
+def ending(tile: CheckedTile, *, last: bool) -> str:
+    """Return how a branch is proved to end with its last tile, or to begin with its first one.
 
-    `tiles` contains at least the first and the last tile of the branch.
+    It is at an end of the interval, or turns where a phase vanishes and no motions are beyond;
+    "" is returned where it goes on. What the tile states is proved elsewhere.
     """
-    curve = tiles[0].curve
-    reached = (tiles[0].begin, tiles[0].place), (tiles[-1].end, tiles[-1].place)
-    outside = (tiles[0], tiles[0].tile["before"]), (tiles[-1], tiles[-1].tile["after"])
-    for why, (value, place), (tile, verdict) in zip(ends, reached, outside, strict=True):
-        if why == _VANISHED:
-            vanishes = tile.event is not None and tile.event["kind"] == "vanishing-phase"
-            demand(vanishes and verdict == "not admissible", "no phase vanishes at its end")
-            demand(tile.turns, "it goes on where a phase vanishes at its end")
-        if why == _FINISHED:
-            there = place == curve.last and value in curve.interval
-            demand(there, "it does not reach the end of the interval")
+    reached, beyond = (tile.end, "after") if last else (tile.begin, "before")
+    if tile.place == tile.curve.last and reached in tile.curve.interval:
+        return FINISHED
+    vanishes = tile.turns and tile.event["kind"] == "vanishing-phase"
+    return VANISHED if vanishes and tile.tile[beyond] == NO_MOTION else ""

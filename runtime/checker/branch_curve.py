@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, demand
@@ -15,6 +15,9 @@ from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
 __all__ = ["CheckedCurve", "solution", "with_entry", "without_entry"]
+
+_STEPS = 8  # of Newton's method
+_CLOSE, _SETTLED = 0.6, 0.45  # of the bits: half of the box around a root, and the last step to it
 
 
 class CheckedCurve:
@@ -34,6 +37,7 @@ class CheckedCurve:
         self.interval = tuple(interval)
         self.axis, self.beside = axis, list(beside)
         self.short: Short | None = None
+        self._divided: dict[int, CheckedCurve] = {}
 
     def divided(self, place: int | None) -> "CheckedCurve":
         """Return the same curve with one phase's switching condition divided by its dwell time.
@@ -42,9 +46,11 @@ class CheckedCurve:
         """
         if place is None:
             return self
-        found = copy(self)
-        found.short = short_phase(self.declared, place - 1)
-        return found
+        if place not in self._divided:
+            found = copy(self)
+            found.short = short_phase(self.declared, place - 1)
+            self._divided[place] = found
+        return self._divided[place]
 
     def undivided(self) -> "CheckedCurve":
         """Return the same curve with no switching condition divided."""
@@ -69,14 +75,14 @@ class CheckedCurve:
         return orbit
 
     def slopes(
-        self, point: Sequence[Any], middle: Sequence[Any] | None = None
+        self, point: Sequence[Any], middle: Sequence[Any] | None = None, *, moves: bool = True
     ) -> tuple[list[Any], list[list[Any]]]:
         """Return values (n) of the equations, and derivatives (n, n + 1) by all coordinates.
 
         If `middle` is given, flows over a box are those of its middle times flows over short
-        times.
+        times. The last derivative, by the parameter, is left out unless that `moves`.
         """
-        parameter = jet(point[-1], arb(1))
+        parameter = jet(point[-1], arb(1)) if moves else point[-1]
         orbit = self._with(parameter)
         times = point[orbit.first : -1]
         known = times if middle is None else middle[orbit.first : -1]
@@ -86,9 +92,57 @@ class CheckedCurve:
             short = zip(orbit.chain.fields, away, flows, strict=True)
             flows = [(b * d).exp() * flow for b, d, flow in short]
         now = orbit.passage(orbit.chain, point[:-1], flows)
-        own, along = part_of(now.slopes, 0), part_of(now.values, 1)
-        rows = [[*(own[i, j] for j in range(self.last)), along[i, 0]] for i in range(self.last)]
+        own = part_of(now.slopes, 0)
+        rows = [[own[i, j] for j in range(self.last)] for i in range(self.last)]
+        if moves:
+            along = part_of(now.values, 1).entries()
+            rows = [[*row, rate] for row, rate in zip(rows, along, strict=True)]
         return part_of(now.values, 0).entries(), rows
+
+    def square(
+        self, place: int, point: Sequence[Any], middle: Sequence[Any] | None = None
+    ) -> tuple[Any, Any]:
+        """Return values (n, 1) of the equations, and derivatives (n, n) by all coordinates but one.
+
+        `middle` is as for `slopes`.
+        """
+        moves = place != self.last
+        values, slopes = self.slopes(point, middle, moves=moves)
+        rows = [without_entry(place, row) if moves else row for row in slopes]
+        return matrix([[v] for v in values]), matrix(rows)
+
+    def near(self, place: int, value: Any, guess: Sequence[Any]) -> list[Any]:
+        """Return the other coordinates of a point near a root, by Newton's method from a guess.
+
+        The coordinate at `place` has an exact value. Nothing is proved; `Failure` is raised where
+        the slopes are singular.
+        """
+        point = [x.mid() for x in guess]
+        small = arb(2) ** -int(_SETTLED * ctx.prec)
+        for _ in range(_STEPS):
+            values, square = self.square(place, with_entry(place, value, point))
+            try:
+                step = square.mid().solve(values.mid()).entries()
+            except ZeroDivisionError:
+                raise Failure("the equations are singular at a point of it") from None
+            point = [(x - d).mid() for x, d in zip(point, step, strict=True)]
+            if all(abs(d) < small * (1 + abs(x)) for x, d in zip(point, step, strict=True)):
+                break
+        return point
+
+    def located(self, place: int, value: Any, guess: Sequence[Any]) -> list[Any]:
+        """Return sharp enclosures of all coordinates of the one root near a guess.
+
+        The coordinate at `place` has a value, which may be a ball. `Failure` is raised if no root
+        is proved to be there.
+        """
+        point = self.near(place, value.mid(), guess)
+        unit = arb(2) ** -int(_CLOSE * ctx.prec) + 64 * value.rad()
+        radii = [(unit * (1 + abs(x))).upper() for x in point]
+        found = self.krawczyk(place, value, point, radii)
+        if found is None:
+            raise Failure("the orbit at a point of it is not proved")
+        return with_entry(place, value, found)
 
     def krawczyk(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
@@ -121,16 +175,16 @@ class CheckedCurve:
         None is returned where the slopes are singular.
         """
         box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
-        values, slopes = self.slopes(with_entry(place, value, centre))
+        middle = with_entry(place, value, centre)
+        values, square = self.square(place, middle)
         try:
-            y = matrix([without_entry(place, row) for row in slopes]).mid().inv().mid()
+            y = square.mid().inv().mid()
         except ZeroDivisionError:
             return None
-        _, over = self.slopes(with_entry(place, value, box), with_entry(place, value, centre))
+        _, over = self.square(place, with_entry(place, value, box), middle)
         size = self.last
         unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
-        rest = unit - y * matrix([without_entry(place, row) for row in over])
-        moved = rest * arb_mat([[arb(0, r)] for r in radii]) - y * matrix([[v] for v in values])
+        moved = (unit - y * over) * arb_mat([[arb(0, r)] for r in radii]) - y * values
         entries: list[Any] = moved.entries()
         return entries
 
@@ -139,8 +193,7 @@ class CheckedCurve:
         none = [None] * (order - 1)
         found: list[Any] = [jet(x, None, *none) for x in point]
         found[place] = jet(point[place], arb(1), *none)
-        _, slopes = self.slopes(point)
-        square = matrix([without_entry(place, row) for row in slopes])
+        _, square = self.square(place, point)
         try:
             y = square.mid().inv().mid()
         except ZeroDivisionError:

@@ -156,8 +156,7 @@ class _Told(NamedTuple):
     sign: int | None  # -1, it does; 1, it does not; else it is not known
     false: str = ""  # what is said where it does not hold
     unknown: str = ""  # what is said where that is not known
-    # the inequalities that are not known then; None stands for what is no border
-    open: Sequence[Border | None] = (None,)
+    border: Border | None = None  # the inequality that says it, if it may be assumed
 
 
 def admissibility(
@@ -173,7 +172,7 @@ def admissibility(
     between the times of `window`. Without margins an undecided verdict comes with the inequalities
     that are open; None stands for anything else that is.
     """
-    undecided, opens, kept = "", list[Border | None](), list[Margin]()
+    undecided, kept, opened = "", list[Margin](), list[Border | None]()
     for place, phase in enumerate(orbit.declared.phases(vanishing(orbit))):
         name = f"phase {place + 1}, {orbit.declared.steps[place].name}"
         measured = list[Margin]() if margins else None
@@ -185,11 +184,9 @@ def admissibility(
                 return Verdict("refuted", f"{name}: {told.false}")
         left = [told for told in found if told.sign != -1]
         undecided = undecided or (f"{name}: {left[0].unknown}" if left else "")
-        # where a phase may vanish all else in it is open too
-        for told in left if found[0].sign == -1 else left[:1]:
-            opens += told.open
+        opened += [told.border for told in left]
     if undecided:
-        return Verdict("undecided", undecided, () if margins else tuple(opens))
+        return Verdict("undecided", undecided, () if margins else tuple(opened))
     return Verdict("proved", found=tuple(kept))
 
 
@@ -212,14 +209,15 @@ def _phase(
     ending = "+".join(orbit.declared.itinerary[place]["boundaries"])
     own = {(b.kind, b.boundary, b.instant) for b in assumed if b.phase == place}
     vanishes = any(kind == "vanishing-phase" for kind, *_ in own)
-    found = [
-        _Told(
-            -1 if vanishes else _sign(-orbit.dwell[place]),
-            "its dwell time is negative",
-            "its dwell time cannot be told from 0",
-            [Border("vanishing-phase", place, ending, "")],
-        )
-    ]
+    lasts = _Told(
+        -1 if vanishes else _sign(-orbit.dwell[place]),
+        "its dwell time is negative",
+        "its dwell time cannot be told from 0",
+        Border("vanishing-phase", place, ending, ""),
+    )
+    if lasts.sign != -1:
+        return [lasts]
+    found = [lasts]
     for row in phase.held:
         found.append(
             _zero(orbit, row, first, "what it holds {} where it begins", ("holds", "does not hold"))
@@ -249,7 +247,7 @@ def _phase(
                     f"{name} is passed where it begins",
                     f"{name} where it begins: its derivative of order {order}"
                     " cannot be told from 0",
-                    [Border("tangent" if order else "entry", place, name, "start")],
+                    Border("tangent" if order else "entry", place, name, "start"),
                 )
             )
             if order:
@@ -265,7 +263,7 @@ def _phase(
                         _sign(-speed),
                         f"{name} is reached from outside",
                         f"{name} may be reached tangentially",
-                        [Border("tangent", place, name, "end")],
+                        Border("tangent", place, name, "end"),
                     )
                 )
                 margin(name, "speed", range_of(speed))
@@ -277,14 +275,11 @@ def _phase(
             margin(name, "distance", -range_of(leading))
     conditions = [border.listed for border in assumed
                   if border.kind == "condition" and border.phase == place]  # fmt: skip
-    found.append(_follows(orbit, place, phase, last, conditions))
+    found += _follows(orbit, place, phase, last, conditions)
     if all(told.sign != 1 for told in found):
-        opens = [border for told in found if told.sign is None for border in told.open if border]
-        ends = {b.boundary for b in opens if b.kind in ("entry", "tangent")}
         below, heights = _below(orbit, place, waves)
-        # near an end a function is as open as its sign there
-        left = [b for b in below.open if b is None or b.boundary not in ends]
-        found.append(below._replace(open=left))
+        told_of = {told.border.boundary for told in found if told.sign != -1 and told.border}
+        found += [t for t in below if t.border is None or t.border.boundary not in told_of]
         for (watched, shape), height in zip(waves, heights, strict=True):
             if shape.apart:
                 margin(watched.name, "distance", -height)
@@ -331,7 +326,7 @@ def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
     if not orbit.value(bend, orbit.now.starts[place].entries()) < 0:
         return False
     falling = watched._replace(row=bend, ends_it=False, order=0)
-    return _below(orbit, place, [(falling, _Shape())])[0].sign == -1
+    return all(told.sign == -1 for told in _below(orbit, place, [(falling, _Shape())])[0])
 
 
 def _follows(
@@ -340,7 +335,7 @@ def _follows(
     phase: StatedPhase,
     last: Any,
     assumed: Sequence[tuple[int, int]],
-) -> _Told:
+) -> list[_Told]:
     """Return whether in every order the itinerary's transition follows.
 
     The first transition whose conditions hold follows. Conditions `assumed` to be as the
@@ -355,19 +350,19 @@ def _follows(
         ending = " and ".join(orbit.declared.itinerary[place]["boundaries"])
         unknown = f"the orders in which {ending} act need not agree"
     if not phase.decided:
-        return _Told(None, unknown=unknown)
+        return [_Told(None, unknown=unknown)]
     if assumed:
         if len(orders) > 1 or phase.lawful or sum(way.wanted for way in orders[0]) > 1:
-            return _Told(None, unknown=unknown)
+            return [_Told(None, unknown=unknown)]
         if len({number for number, _ in assumed}) < len(assumed):
-            return _Told(None, unknown=unknown)
+            return [_Told(None, unknown=unknown)]
         ways = []
         taken = dict(assumed)
         for number, way in enumerate(orders[0]):
             if number in taken:
                 others = [c for k, c in enumerate(way.conditions) if k != taken[number]]
                 if not all(_holds(orbit, row, last, expected) for row, expected in others):
-                    return _Told(None, unknown=unknown)
+                    return [_Told(None, unknown=unknown)]
                 if way.wanted:
                     ways.append(way._replace(conditions=[]))
                 continue
@@ -377,19 +372,28 @@ def _follows(
     sign = None if None in found else -1
     if 1 in found:
         sign = None if phase.lawful else 1
-    opens = [None] if len(orders) > 1 or phase.lawful else _open_conditions(orbit, place, orders[0])
-    return _Told(sign, f"{target} does not follow, or not by this transition", unknown, opens)
+    told = _Told(sign, f"{target} does not follow, or not by this transition", unknown)
+    if sign is not None or assumed or phase.lawful or len(orders) > 1:
+        return [told]
+    opened = _open_conditions(orbit, place, orders[0], last)
+    return [told._replace(border=border) for border in opened] or [told]
 
 
-def _open_conditions(orbit: CheckedOrbit, place: int, ways: list[Way]) -> list[Border | None]:
-    """Return the conditions that are not decided; None where a way has several of them."""
-    last, found = orbit.now.ends[place].entries(), list[Border | None]()
+def _open_conditions(orbit: CheckedOrbit, place: int, ways: list[Way], last: Any) -> list[Border]:
+    """Return the open conditions on which alone it depends which transition follows.
+
+    A transition has at most one: all its other conditions hold, so where it changes, another
+    transition follows, or none.
+    """
+    found = []
     for number, way in enumerate(ways, 1):
         held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
-        if False not in held and None in held:
-            name = f"{number}.{held.index(None) + 1}"
-            alone = held.count(None) == 1
-            found.append(Border("condition", place, name, "end") if alone else None)
+        if False in held:
+            continue
+        left = [k for k, holds in enumerate(held, 1) if holds is None]
+        if len(left) > 1 or not (left or way.wanted):
+            return []
+        found += [Border("condition", place, f"{number}.{k}", "end") for k in left]
     return found
 
 
@@ -411,8 +415,8 @@ def _holds(orbit: CheckedOrbit, row: Any, last: Any, expected: bool) -> bool | N
 
 def _below(
     orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, _Shape]]
-) -> tuple[_Told, list[Any]]:
-    """Return whether functions are negative inside a phase, and what each of them stays below.
+) -> tuple[list[_Told], list[Any]]:
+    """Return what is not known of functions being negative inside a phase, and what they are below.
 
     Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of
     times c - r ... c + r the motion stays within r exp(r |b|) |b Y(c)| of Y(c), by
@@ -425,7 +429,8 @@ def _below(
     function may touch zero it is concave in all of a window, which is left to its one
     maximum there. Where zero may be reached without speed the function is concave at the
     end. Where the distance of a function is asked for, bounds in its windows are not far
-    above its values; the heights are bounds of these functions alone.
+    above its values; the heights are bounds of these functions alone. Of a function of which
+    neither the value nor the rate can be told from zero no smaller windows tell more.
     """
     length = orbit.dwell[place]
     lasts = bool(length > 0)
@@ -452,10 +457,9 @@ def _below(
         return (size * r).exp() * arb(0, r)
 
     windows = [(start, 0, list(range(len(waves))), True, True, fmpq(0))]
-    count, lost = 0, list[int]()  # functions of which it is not known
+    count, unknown = 0, set[int]()
     while windows:
         begin, depth, left, first, last, since = windows.pop()
-        left = [i for i in left if i not in lost]
         r, middle = arb(2) ** -(depth + 1), since + fmpq(1, 2 ** (depth + 1))
         around, rest = arb(0, r), []
         y = ahead(depth + 1) * begin
@@ -464,6 +468,8 @@ def _below(
         rates = fast + wide * (reach(depth + 1) * matrix([[abs(x)] for x in fast.entries()]))
         bent = wide * rates
         for i in left:
+            if i in unknown:
+                continue
             (watched, shape), n = waves[i], rows[i]
             value, slope = range_of((n * y)[0, 0]), range_of((n * rate)[0, 0])
             curve = (range_of(n) * bent)[0, 0]
@@ -478,8 +484,10 @@ def _below(
             if value > 0:
                 time = (middle * dwell).str(6, radius=False)
                 told = f"{watched.name} is crossed before it ends, {time} after its start"
-                # a phase that may vanish may end before
-                return _Told(1 if lasts else None, told, _CLOSE.format(watched.name)), heights
+                if lasts:
+                    return [_Told(1, told)], heights
+                unknown.add(i)  # the phase may end before
+                continue
             change = slope + curve * around
             top = value + slope * around + curve * arb(0).union(r * r / 2)
             rising = watched.ends_it or shape.ends or not last
@@ -493,25 +501,27 @@ def _below(
             if first and order > 1:
                 done = _turns_down(n, b, wide, rate, rates, order, around)
             if not done:
-                rest.append(i)
+                near_zero = not (value < 0 or slope < 0 or slope > 0)
+                (unknown.add if near_zero else rest.append)(i)
         count += 1
         if depth == _DEEPEST or count > _MOST:
-            lost += rest
+            unknown.update(rest)
         elif rest:
             windows.append((y, depth + 1, rest, False, last, middle))
             windows.append((begin, depth + 1, rest, first, False, since))
-    if lost:
-        opens = [_maximum(orbit, place, waves[i][0]) for i in lost]
-        return _Told(None, unknown=_CLOSE.format(waves[lost[0]][0].name), open=opens), heights
-    return _Told(-1), heights
+    return [_not_below(orbit, place, *waves[i]) for i in sorted(unknown)], heights
 
 
-def _maximum(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> Border:
-    """Return the border at which a function comes to zero, inside a phase or where it ends."""
+def _not_below(orbit: CheckedOrbit, place: int, watched: StatedBoundary, shape: _Shape) -> _Told:
+    """Return what is said of a function that may not be negative inside a phase."""
     last = orbit.value(watched.end, orbit.now.ends[place].entries())
-    if not watched.ends_it and _sign(last) is None:
-        return Border("simultaneous", place, watched.name, "end")
-    return Border("grazing", place, watched.name, "inside")
+    at_end = not (watched.ends_it or shape.ends or last < 0 or last > 0)
+    kind = (
+        ("simultaneous", place, watched.name, "end")
+        if at_end
+        else ("grazing", place, watched.name, "inside")
+    )
+    return _Told(None, unknown=_CLOSE.format(watched.name), border=Border(*kind))
 
 
 def _turns_down(n: Any, b: Any, wide: Any, rate: Any, fast: Any, order: int, around: Any) -> bool:

@@ -3,7 +3,6 @@
 import copy
 import json
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -27,18 +26,11 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.checker import Failure, check_branch
-from nonsmooth.runtime.checker.beyond import _CheckedState, _Met
+from nonsmooth.runtime.checker.beyond import _CheckedState, _demand_one_motion, _Met
 from nonsmooth.runtime.checker.branch import checked_tiles
 from nonsmooth.runtime.checker.motion import Border
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.values import as_value, flint_precision
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.proof.admissibility import OpenInequality
-from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
-from nonsmooth.runtime.proof.branch import beyond_border
-from nonsmooth.runtime.proof.branch.curve import OrbitCurve
-from nonsmooth.runtime.proof.branch.same_motion import is_same_motion
-from nonsmooth.runtime.proof.branch.tube import BranchTube
+from nonsmooth.runtime.core.values import as_value
 from tests.certified import accepted, certified_over, edited
 from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
 
@@ -342,33 +334,26 @@ def test_a_branch_is_not_beyond_itself(relay: Any) -> None:
 
 def test_orbits_beside_the_event_are_not_its_motion(symmetric: Any) -> None:
     """The exact conditions hold for any such itinerary: the tube tells the orbits apart."""
-    found, _ = symmetric
-    beyond = only(found)
-    tiles = [tile for tile in found.tiles if tile.event is not None and tile.event.beyond]
-    mets = []
-    for branch, tile in ((found, tiles[0]), (beyond.branch, beyond.branch.tiles[0])):
-        given = {**branch.parameters, branch.parameter: as_value("0.6653")}
-        if branch is found:
-            orbit = ns.solve("dry-friction/symmetric", {n: v.text for n, v in given.items()})
-        else:
-            names = [*branch.unknown_names, branch.parameter]
-            guess = [float(branch.events[0].enclosures[name]) for name in names]
-            guess[names.index(tile.coordinate)] = 0.01
-            system = ns.solve("dry-friction/symmetric").system
-            given[branch.parameter] = as_value("0.66525")
-            orbit = solve_itinerary(system, given, branch.itinerary, guess[4:-1], guess[:4])
-        curve = OrbitCurve(region_of(orbit, {"V": (Fraction("0.66"), Fraction("0.67"))}))
-        by = curve if tile.divided is None else curve.divided[tile.divided]
-        place = by.parameter if tile.coordinate == "V" else by.names.index(tile.coordinate)
-        tube = BranchTube(place, tile.lower, tile.upper, tile.centre, tile.radii)
-        mets.append(beyond_border._met(by, tile, tube))
-    own, other = mets
-    with flint_precision(192):
-        assert is_same_motion(other, own)
-        moved = replace(other, point=[x + 1e-3 for x in other.point])
-        assert not is_same_motion(moved, own)
-        later = replace(own, window=tuple(x + 1 for x in own.window))
-        assert not is_same_motion(other, later)
+    content = json.loads(symmetric[1].read_text())
+    beyond = next(t["event"] for t in content["tiles"] if t["event"])["beyond"][0]
+    (other,) = checked_tiles(beyond["branch"])
+    own = next(tile for tile in checked_tiles(content) if tile.event is not None)
+
+    def same(longer: Any = (), shorter: Any = (), more: Any = ()) -> bool:
+        pair = _Met(other), _Met(own)
+        for met, changed in zip(pair, (longer, shorter), strict=True):
+            vars(met).update(changed)
+        pair[0].borders += more
+        try:
+            _demand_one_motion(*pair)
+        except Failure:
+            return False
+        return True
+
+    with ctx.workprec(192):
+        assert same()
+        assert not same({"point": [x + 1e-3 for x in _Met(other).point]})
+        later = [str(Fraction(x) + 1) for x in own.event["window"]]
+        assert not same(shorter={"event": {**own.event, "window": later}})
         # a border that is met elsewhere
-        more = (*other.borders, OpenInequality("tangent", 2, "second-reaches-belt", "end"))
-        assert not is_same_motion(replace(other, borders=more), own)
+        assert not same(more=[Border("tangent", 2, "second-reaches-belt", "end")])

@@ -15,23 +15,20 @@ from flint import arb, fmpq
 
 import nonsmooth as ns
 from nonsmooth import CertifiedBranch, InputError, Interrupted, certify_event
-from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker import Failure, check_branch, stability
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.motion import Border, time_of_touch
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
-from nonsmooth.runtime.proof.branch import passage as passage_module
-from nonsmooth.runtime.proof.branch.certified_branch import BranchTile
-from nonsmooth.runtime.proof.branch.certify_branch import _begin
-from nonsmooth.runtime.proof.branch.crossing import crossing_of
-from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
-from nonsmooth.runtime.proof.branch.look import look
-from nonsmooth.runtime.proof.branch.march import _equations_for
-from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
-from nonsmooth.runtime.proof.branch.stating import _event, stated_branch
-from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
+from nonsmooth.runtime.proof.branch import certify_branch as certifying
+from nonsmooth.runtime.proof.branch import tiles
+from nonsmooth.runtime.proof.branch.certified_branch import event_json
+from nonsmooth.runtime.proof.branch.march import _short_phase
+from nonsmooth.runtime.proof.branch.stating import checked_curve, stated_branch
+from nonsmooth.runtime.proof.branch.tiles import REFUSED, JudgedTile, judged_tile, proposed_tile
+from nonsmooth.runtime.proof.refusals import as_read
 from tests.certified import accepted, edited, prove_branch
 from tests.explore import test_continuation_forced as impacts
 from tests.shared import shared_file
@@ -49,19 +46,26 @@ def found() -> CertifiedBranch:
     return ns.load(shared_file("branch of friction", prove_branch))
 
 
-def curve_near(value: str) -> OrbitCurve:
-    ends = {"V": (Fraction("0.6"), Fraction("1.3"))}
-    orbit, _ = with_open_ones(ns.solve("dry-friction/symmetric", {"V": value}), ends)
-    return OrbitCurve(region_of(orbit, ends))
+def tile_of(
+    orbit: Any, parameter: str, ends: tuple[str, str], tile: tuple[str, str]
+) -> tuple[CertifiedBranch, JudgedTile]:
+    """A branch of which nothing is proved, and one tile of it in which there are orbits."""
+    lower, upper = map(Fraction, ends)
+    box = {parameter: (lower, upper)}
+    known, chosen = with_open_ones(orbit, box)
+    region = region_of(known, box)
+    empty = stated_branch(known, box, chosen, region)
+    _, curve = checked_curve(empty)
+    low, high = map(Fraction, tile)
+    place = curve.last
+    return empty, proposed_tile(
+        curve, place, (low, high), region.guess, forwards=True, divided=None
+    )
 
 
-def piece_of(curve: OrbitCurve, low: str, high: str) -> Any:
-    begin = _begin(curve)
-    last = curve.parameter
-    ends = Fraction(low), Fraction(high)
-    piece = proved_piece(curve, last, ends, curve.others(last, begin), None)
-    assert not isinstance(piece, str), piece
-    return piece
+def tile_near(value: str, low: str, high: str) -> JudgedTile:
+    orbit = ns.solve("dry-friction/symmetric", {"V": value})
+    return tile_of(orbit, "V", ("0.6", "1.3"), (low, high))[1]
 
 
 @pytest.mark.slow
@@ -155,19 +159,12 @@ def test_progress_rises_to_all_of_it(branch: Any) -> None:
 
 
 def test_derivatives_along_the_branch_are_those_of_differences() -> None:
-    curve = curve_near("1.08")
-    piece = piece_of(curve, "1.07", "1.09")
-    step = Fraction(1, 10**12)
+    tile = tile_near("1.08", "1.07", "1.09").checked
+    curve, step = tile.curve, Fraction(1, 10**12)
     with flint_precision(192):
-        ends = [
-            orbit_at(curve, piece.tube, arb(x), 192)
-            for x in ("1.08", "1.080000000001", "1.079999999999")
-        ]
-        assert all(end is not None for end in ends)
-        at, ahead, behind = (end or [] for end in ends)
-        for coordinate in (curve.parameter, 2):
-            jets = directions(curve, coordinate, at, 2)
-            assert jets is not None
+        at, ahead, behind = (tile.at(arb(x)) for x in ("1.08", "1.080000000001", "1.079999999999"))
+        for coordinate in (curve.last, 2):
+            jets = curve.jets(coordinate, at, 2)
             rate = (ahead[coordinate] - behind[coordinate]) / (2 * arb(str(float(step))))
             for x, a, b in zip(jets, ahead, behind, strict=True):
                 slope = (a - b) / (2 * arb(str(float(step)))) / rate
@@ -190,70 +187,52 @@ def test_a_vanishing_phase_is_one_event(tmp_path: Path) -> None:
 
 
 def test_two_zeros_of_one_number_are_not_one_event() -> None:
-    """A tile that holds a point where a number is touched, or passed twice, proves nothing."""
-    curve = curve_near("1.08")
-    piece = piece_of(curve, "1.07", "1.09")
-    assert crossing_of(curve, piece, "flip") is not None
-    assert crossing_of(curve, piece, "neimark-sacker") is None
-    assert crossing_of(curve, piece, "fold") is None
-    beside = piece_of(curve, "1.085", "1.09")
-    assert crossing_of(curve, beside, "flip") is None
+    """A tile that holds no event of a kind, or not inside of it, proves nothing of one."""
+    tile = tile_near("1.08", "1.07", "1.09")
+    event = judged_tile(tile).stated.event
+    assert event is not None
+    assert event.kind == "flip"
+    for kind in ("neimark-sacker", "fold"):
+        with pytest.raises(Failure):
+            tile.checked.stating(event=as_read(event_json(replace(event, kind=kind)))).claims()
+    beside = tile_near("1.087", "1.085", "1.09")
+    assert judged_tile(beside).stated.event is None
+    with pytest.raises(Failure):
+        beside.checked.stating(event=as_read(event_json(event))).claims()
 
 
 def test_a_tile_with_two_events_is_undecided() -> None:
-    curve = curve_near("0.9")
-    begin = _begin(curve)
-    last = curve.parameter
-    piece = proved_piece(
-        curve, last, (Fraction("0.65"), Fraction("1.1")), curve.others(last, begin), None
-    )
-    if not isinstance(piece, str):
-        assert look(curve, piece).below == "undecided"
+    try:
+        tile = tile_near("0.9", "0.65", "1.1")
+    except REFUSED:
+        return
+    assert judged_tile(tile).stated.before == "undecided"
 
 
 def test_another_orbit_is_not_taken_for_the_one_that_is_known() -> None:
-    curve = curve_near("1.08")
-    begin = _begin(curve)
-    last = curve.parameter
-    ends = Fraction("1.07"), Fraction("1.09")
-    others = curve.others(last, begin)
-    moved = [x + arb("1e-6") for x in others]
-    assert isinstance(proved_piece(curve, last, ends, others, (begin[last], moved)), str)
-    assert not isinstance(proved_piece(curve, last, ends, others, (begin[last], others)), str)
+    tile = tile_near("1.08", "1.07", "1.09").checked
+    with flint_precision(192):
+        *others, value = tile.at(arb("1.08"))
+        assert tile.holds(value, others)
+        assert not tile.holds(value, [x + arb("1e-6") for x in others])
 
 
 def forged(
     orbit: Any, parameter: str, ends: tuple[str, str], near: tuple[str, str], kind: str
 ) -> CertifiedBranch:
     """One tile, unstable beside an event that was found in a smaller one."""
-    low, high = Fraction(ends[0]), Fraction(ends[1])
-    box = {parameter: (low, high)}
-    known, chosen = with_open_ones(orbit, box)
-    curve = OrbitCurve(region_of(known, box))
-    last, begin = curve.parameter, _begin(curve)
-    piece = proved_piece(curve, last, (low, high), curve.others(last, begin), None)
-    assert not isinstance(piece, str), piece
-    small = Fraction(near[0]), Fraction(near[1])
-    with flint_precision(64):
-        guess = [x.mid() for x in piece.tube.at(arb(float(sum(small) / 2)))]
-    place = proved_piece(curve, last, small, guess, None)
-    assert not isinstance(place, str), place
-    event = crossing_of(curve, place, kind)
-    assert event is not None
-    tile = BranchTile(
-        coordinate=parameter,
-        lower=low,
-        upper=high,
-        forwards=True,
-        before="unstable",
-        after="unstable",
-        reason="",
-        centre=piece.tube.centre,
-        radii=piece.tube.radii,
-        event=_event(curve, event),
-    )
-    empty = stated_branch(known, box, chosen, curve)
-    return replace(empty, tiles=(tile,), ends=(FINISHED,) * 2)
+    empty, tile = tile_of(orbit, parameter, ends, ends)
+    curve, small = tile.checked.curve, (Fraction(near[0]), Fraction(near[1]))
+    with flint_precision(192):
+        guess = tile.checked.centre(arb(float(sum(small) / 2)))
+        place = proposed_tile(curve, curve.last, small, guess, forwards=True, divided=None)
+        event = tiles._event(place.checked, kind)
+        middle, half = (event.lower + event.upper) / 2, (event.upper - event.lower) / 2
+        exact = [fmpq(x.numerator, x.denominator) for x in (middle, half)]
+        orbits = tile.checked.at(arb(exact[0]) + arb(0, arb(exact[1])))
+        event = tiles._stated(event, dict(zip(curve.names, orbits, strict=True)))
+    stated = replace(tile.stated, before="unstable", after="unstable", reason="", event=event)
+    return replace(empty, tiles=(stated,), ends=(FINISHED,) * 2)
 
 
 @pytest.mark.slow
@@ -273,54 +252,40 @@ def test_a_pair_that_may_leave_the_circle_on_both_sides_is_undecided(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A flip of a conservative orbit is one event if m + 1/m is nowhere 2 on the tile."""
-    ends = {"T": (Fraction("7.235"), Fraction("7.25"))}
     values = {"m2": "1.13", "k1": "7.74", "k2": "0.85", "T": "7.24"}
-    orbit, _ = with_open_ones(ns.solve("rigid-stop/one-impact", values), ends)
-    curve = OrbitCurve(region_of(orbit, ends))
-    piece = proved_piece(
-        curve, curve.parameter, ends["T"], curve.others(curve.parameter, _begin(curve)), None
-    )
-    assert not isinstance(piece, str), piece
-    found = look(curve, piece)
-    assert (found.below, found.above) == ("unstable", "neutral")
+    ends = "7.235", "7.25"
+    _, tile = tile_of(ns.solve("rigid-stop/one-impact", values), "T", ends, ends)
+    found = judged_tile(tile).stated
+    assert (found.before, found.after) == ("unstable", "neutral")
     assert found.event is not None
-    assert found.event.which == "flip"
-    monkeypatch.setattr(passage_module, "trace_of", lambda section: arb(1, "2.01"))
-    assert look(curve, piece).event is None
+    assert found.event.kind == "flip"
+    monkeypatch.setattr(stability, "trace_of", lambda section: arb(1, "2.01"))
+    assert judged_tile(tile).stated.event is None
 
 
 def test_a_touch_behind_the_end_of_its_phase_is_none() -> None:
     """A window of time may reach beyond the phase; what is touched there is not touched."""
-    curve = curve_near("0.6653")
+    tile = tile_near("0.6653", "0.665", "0.666").checked
     with flint_precision(192):
-        begin = _begin(curve)
-        passage = CyclePassage(curve.region, begin)
-        opens = [
-            OpenInequality("grazing", place, watched.name, "inside")
-            for place, plan in enumerate(curve.region.plans)
-            for watched in plan.watched
-        ]
+        point = tile.at(arb("0.6653"))
+        orbit = tile.curve.orbit(point)
         found = []
-        for which in opens:
-            dwell = passage.dwell[which.phase]
-            window = dwell / 20, dwell * 19 / 20
-            time = time_of_touch(passage, which, window)
-            if time is not None:
-                found.append((which, window, time))
+        for place, phase in enumerate(orbit.declared.phases([])):
+            for watched in phase.watched:
+                border = Border("grazing", place, watched.name, "inside")
+                window = orbit.dwell[place] / 20, orbit.dwell[place] * 19 / 20
+                try:
+                    found.append((border, window, time_of_touch(orbit, border, window)))
+                except Failure:
+                    continue
         assert found
-        for which, window, time in found:
-            dwell = [*passage.dwell]
-            dwell[which.phase] = time - arb("1e-9")
-            shorter = SimpleNamespace(
-                region=passage.region,
-                number=passage.number,
-                equations=passage.equations,
-                shooting=passage.shooting,
-                dwell=dwell,
-            )
-            assert time_of_touch(shorter, which, window) is None
-            dwell[which.phase] = time + arb("1e-9")
-            assert time_of_touch(shorter, which, window) is not None
+        for border, window, time in found:
+            shorter = tile.curve.orbit(point)
+            shorter.dwell[border.phase] = time - arb("1e-9")
+            with pytest.raises(Failure, match="outside of its phase"):
+                time_of_touch(shorter, border, window)
+            shorter.dwell[border.phase] = time + arb("1e-9")
+            assert time_of_touch(shorter, border, window) is not None
 
 
 @pytest.mark.slow
@@ -396,16 +361,16 @@ def test_a_tile_that_the_check_refuses_is_divided(
     near_a_flip: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What is stated is what the check proves, however little that can do."""
-    sharply, widest = CheckedTile.check_sharply, fmpq(1, 250)
+    claims, widest = CheckedTile.claims, fmpq(1, 250)
     refused: list[CheckedTile] = []
 
-    def weak(tile: CheckedTile) -> None:
+    def weak(tile: CheckedTile) -> Any:
         if tile.high - tile.low >= widest:
             refused.append(tile)
             raise Failure("planted: it is too wide")
-        sharply(tile)
+        return claims(tile)
 
-    monkeypatch.setattr(CheckedTile, "check_sharply", weak)
+    monkeypatch.setattr(CheckedTile, "claims", weak)
     found = ns.certify_branch(near_a_flip, interval=("1.06", "1.1"))
     assert found.complete, found.statement
     assert [event.kind for event in found.events] == ["flip"]
@@ -421,7 +386,7 @@ def test_what_the_check_does_not_join_is_not_stated(
     def refuse(*_: Any) -> None:
         raise Failure("planted")
 
-    monkeypatch.setattr(CheckedTile, "holds", refuse)
+    monkeypatch.setattr(certifying, "check_joint", refuse)
     found = ns.certify_branch(near_a_flip, interval=("1.06", "1.1"))
     assert len(found.tiles) == 1
     assert not found.complete
@@ -585,8 +550,10 @@ def test_an_end_that_claims_nothing_is_accepted(grazing: Path) -> None:
 
 def test_of_many_phases_none_is_short_for_being_one_of_many() -> None:
     """All of 64 impacts last a 64th of the period; divided equations are not seen from frames."""
-    curve: Any = SimpleNamespace(first_time=3, divided=dict.fromkeys(range(64), "divided"))
+    curve: Any = SimpleNamespace(
+        last=67, declared=SimpleNamespace(dwell=[""] * 64), divided=lambda place: place
+    )
     point = [arb(0)] * 3 + [arb("2.2")] * 64 + [arb(1)]
-    assert _equations_for(curve, point) == (curve, None)
-    point[curve.first_time + 5] = arb("0.001")
-    assert _equations_for(curve, point) == ("divided", 5)
+    assert _short_phase(curve, point) is None
+    point[3 + 5] = arb("0.001")
+    assert _short_phase(curve, point) == 5

@@ -17,14 +17,13 @@ from nonsmooth.runtime.checker.doubling import JudgedDoubling
 from nonsmooth.runtime.checker.events import JudgedEvent
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
-from nonsmooth.runtime.proof.branch import refusals as of_branches
+from nonsmooth.runtime.proof.branch import certify_branch as of_branches
 from nonsmooth.runtime.proof.counting import certify_all
 from nonsmooth.runtime.proof.refusals import refusal
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
 
 ORBIT, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
-FINISHED = "end of the interval"
 PLANTED = "the checker refuses it: planted"
 
 pytestmark = pytest.mark.usefixtures("_restored")
@@ -133,21 +132,15 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert accepted(found, tmp_path).claims == found.claims
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("refused", "begins"), [({0, 1}, "inside"), ({0}, "first"), ({1}, "last")])
-def test_an_end_of_a_branch(
-    refused: set[int], begins: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_tile_of_a_branch_that_is_not_joined(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It alone is given up, wherever the branch begins."""
-    lower = "1.078" if begins == "first" else "1.077"
-    upper = "1.078" if begins == "last" else "1.079"
+    """The branch is given up where it is, on both sides, and the first tile stays."""
     with monkeypatch.context() as planted:
-        claimed = refusing(
-            of_branches.check_ends, lambda tiles, ends: any(ends[k] == FINISHED for k in refused)
-        )
-        planted.setattr(of_branches, "check_ends", claimed)
-        found = ns.certify_branch(branch(), interval=(lower, upper))
-    assert found.ends == tuple(PLANTED if k in refused else FINISHED for k in (0, 1))
+        planted.setattr(of_branches, "check_joint", refusing(of_branches.check_joint))
+        found = ns.certify_branch(branch(), interval=("1.077", "1.079"))
+    assert len(found.tiles) == 1
+    assert any("planted" in end for end in found.ends)
     assert not found.complete
     assert accepted(found, tmp_path).claims == {"branch": "undecided"}
 

@@ -14,8 +14,7 @@ from nonsmooth.runtime.cli.tables import STYLES, console_as_wide, listing, show_
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedBranch
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
+from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, UNDECIDED, CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Bounds, Census

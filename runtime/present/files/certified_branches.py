@@ -18,12 +18,12 @@ from nonsmooth.runtime.present.files.claim_entries import (
     stated,
 )
 from nonsmooth.runtime.proof.branch.certified_branch import (
+    STATED,
     BranchEvent,
     BranchTile,
     CertifiedBranch,
     OrbitBeyond,
 )
-from nonsmooth.runtime.proof.branch.stating import STATED
 from nonsmooth.runtime.proof.certificate import VERSION
 
 __all__ = [

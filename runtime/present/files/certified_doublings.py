@@ -14,7 +14,7 @@ from nonsmooth.runtime.present.files.certified_branches import (
     certified_branch_of,
 )
 from nonsmooth.runtime.present.files.claim_entries import Ball
-from nonsmooth.runtime.proof.branch.stating import STATED
+from nonsmooth.runtime.proof.branch.certified_branch import STATED
 from nonsmooth.runtime.proof.doubling.certified_doubling import (
     CertifiedDoubling,
     DoubledOrbits,

@@ -10,11 +10,13 @@ from typing import Any, ClassVar
 
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.branch.look import NOT_ADMISSIBLE, UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
 
 __all__ = [
     "FINISHED",
+    "NOT_ADMISSIBLE",
+    "STATED",
+    "UNDECIDED",
     "VANISHED",
     "BranchEvent",
     "BranchInterval",
@@ -27,6 +29,8 @@ __all__ = [
     "told_json",
 ]
 
+STATED = 112  # bits of the numbers at an event
+NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"  # beside what stability is called
 FINISHED = "end of the interval"
 VANISHED = "a phase vanishes"
 

@@ -4,43 +4,38 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.branch import check_joint, ending
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve
+from nonsmooth.runtime.checker.branch_tile import BITS, SHARP, CheckedTile
+from nonsmooth.runtime.checker.parameters import independent
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import check_same_question
-from nonsmooth.runtime.core.values import Value, as_value, flint_precision
+from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import (
+    Region,
     checked_box,
     region_of,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.branch.beyond_border import with_beyond
-from nonsmooth.runtime.proof.branch.certified_branch import (
-    FINISHED,
-    VANISHED,
-    BranchTile,
-    CertifiedBranch,
-)
-from nonsmooth.runtime.proof.branch.curve import OrbitCurve
-from nonsmooth.runtime.proof.branch.march import JOINT, BranchStep, MarchPlace, march
-from nonsmooth.runtime.proof.branch.refusals import Refusals
-from nonsmooth.runtime.proof.branch.stating import STATED, stated_branch, stated_tile
-from nonsmooth.runtime.proof.branch.tube import BranchTube, orbit_at, orbit_near
+from nonsmooth.runtime.proof.branch.beyond_border import BordersOfBranch
+from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
+from nonsmooth.runtime.proof.branch.march import BranchStep, MarchPlace, march, place_behind
+from nonsmooth.runtime.proof.branch.stating import checked_curve, checked_tile, stated_branch
+from nonsmooth.runtime.proof.branch.tiles import REFUSED
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
-if TYPE_CHECKING:
-    from flint import arb
-
-__all__ = ["MOST_TILES", "STATED", "certify_branch"]
+__all__ = ["MOST_TILES", "certify_branch"]
 
 MOST_TILES = 2000
 _EVERY = 10.0  # seconds between states that are kept
+_NO_STATE = "the state to resume is not one of this branch"
 _NEAR = 1e-5  # how far the orbit may be from the numbers that were given, in their own size
 
 
@@ -120,10 +115,10 @@ def certify_branch(
     box = checked_box(orbit, {branch.parameter: interval})
     try:
         orbit, chosen = with_open_ones(orbit, box)
-        curve = OrbitCurve(region_of(orbit, box))
-        begin = _begin(curve)
-        empty = stated_branch(orbit, box, chosen, curve)
-        refusals = Refusals(empty)
+        region = region_of(orbit, box)
+        empty = stated_branch(orbit, box, chosen, region)
+        content, curve = checked_curve(empty)
+        begin = _begin(curve, region)
     except NotCovered as reason:
         found = stated_branch(orbit, box, (), None)
         found = replace(found, ends=(str(reason),) * 2)
@@ -132,7 +127,7 @@ def certify_branch(
         return found
     if resume is not None:
         _check_same(empty, resume)
-    work = _Following(curve, begin, resume or empty, branch, refusals)
+    work = _Following(curve, begin, resume or empty, branch)
     kept = begun = time.monotonic()
     try:
         steps = work.steps()
@@ -144,7 +139,9 @@ def certify_branch(
             if time.monotonic() - begun > seconds:
                 break
         if beyond:
-            work.go_beyond(orbit.opened)
+            borders = BordersOfBranch(content, curve, branch, orbit)
+            for place, tile in enumerate(work.state.tiles):
+                work.put(place, borders.with_beyond(tile))
     except KeyboardInterrupt:
         raise Interrupted(work.state) from None
     return work.state
@@ -154,130 +151,88 @@ class _Following:
     """The state of a branch that is followed both ways, tile after tile."""
 
     def __init__(
-        self, curve: OrbitCurve, begin: list[arb], state: CertifiedBranch, branch: Branch,
-        refusals: Refusals,
-    ) -> None:  # fmt: skip
+        self, curve: CheckedCurve, begin: MarchPlace, state: CertifiedBranch, branch: Branch
+    ) -> None:
         self.curve, self.begin, self.state, self.branch = curve, begin, state, branch
-        self.refusals = refusals
         self.share = 0.0
         self.pieces = [0, 0]  # between two points of the branch, on each side: where it has come
+        self.outer: list[CheckedTile | None] = [None, None]
+        if state.tiles:
+            try:
+                self.outer = [checked_tile(curve, state.tiles[place]) for place in (0, -1)]
+            except REFUSED:
+                raise InputError(_NO_STATE) from None
 
-    def steps(self) -> Any:
+    def steps(self) -> Iterator[BranchStep]:
         """Yield the tiles as they are proved: first towards the beginning, then towards the end."""
-        for side in (0, 1):
-            if self.state.ends[side]:
+        for onwards in (False, True):
+            if self.state.ends[onwards] or self._outwards(onwards):
                 continue
-            place = self._place(side)
-            if place.value in self.curve.region.box[0] and place.coordinate == self.curve.parameter:
-                outwards = place.forwards == (place.value == self.curve.region.box[0][1])
-                if outwards:
-                    self._end(side, FINISHED)
-                    if self.state.tiles:
-                        self._settle()
-                    continue
-            for step in march(self.curve, place, partial(self._refused, side)):
-                self._take(side, step)
+            place, join = self._place(onwards), partial(self._join, onwards)
+            for step in march(self.curve, place, onwards=onwards, join=join):
+                self._take(step, onwards)
                 yield step
 
-    def go_beyond(self, opened: Mapping[str, Value]) -> None:
-        """Prove which orbits of other itineraries begin at the borders."""
-        for place, tile in enumerate(self.state.tiles):
-            found = with_beyond(self.curve, tile, self.branch, opened)
-            if found is not tile:
-                found = self.refusals.without_refused(found)
-            before, behind = self.state.tiles[:place], self.state.tiles[place + 1 :]
-            self.state = replace(self.state, tiles=(*before, found, *behind))
+    def put(self, place: int, tile: BranchTile) -> None:
+        """Replace one tile."""
+        before, behind = self.state.tiles[:place], self.state.tiles[place + 1 :]
+        self.state = replace(self.state, tiles=(*before, tile, *behind))
 
-    def _place(self, side: int) -> MarchPlace:
-        """The point at which the march goes on, on one side of the branch."""
-        curve, state = self.curve, self.state
-        mine = state.tiles[: state.start] if side == 0 else state.tiles[state.start :]
-        if not mine:
-            slopes = [0.0] * curve.parameter + [1.0]
-            value = curve.region.at[0]
-            return MarchPlace(curve.parameter, value, side == 1, self.begin, slopes)
-        tile = mine[0] if side == 0 else mine[-1]
-        coordinate = curve.names.index(tile.coordinate)
-        tube = BranchTube(coordinate, tile.lower, tile.upper, tile.centre, tile.radii)
-        forwards = tile.forwards == (side == 1)
-        value = tile.upper if forwards else tile.lower
-        with flint_precision(JOINT):
-            from flint import arb
+    def _place(self, onwards: bool) -> MarchPlace:
+        """Return the point at which the march goes on, on one side of the branch."""
+        state, outer = self.state, self.outer[onwards]
+        mine = state.tiles[state.start :] if onwards else state.tiles[: state.start]
+        if not mine or outer is None:
+            return replace(self.begin, forwards=onwards)
+        try:
+            return place_behind(outer, onwards=onwards)
+        except REFUSED:
+            raise InputError(_NO_STATE) from None
 
-            equations = curve if tile.divided is None else curve.divided[tile.divided]
-            point = orbit_at(equations, tube, arb(rational_of(value)), JOINT)
-        if point is None:
-            raise InputError("the state to resume is not one of this branch")
-        others = tube.slopes(1.0 if forwards else -1.0)
-        slopes = [*others[:coordinate], 1.0, *others[coordinate:]]
-        return MarchPlace(coordinate, value, forwards, point, slopes)
+    def _outwards(self, onwards: bool) -> bool:
+        """Return whether a way leads out of the interval, at an end of which the branch begins."""
+        state, value = self.state, rational_of(self.begin.value)
+        begun = state.start < len(state.tiles) if onwards else state.start > 0
+        return not begun and bool(value == self.curve.interval[onwards])
 
-    def _tile(self, side: int, step: BranchStep) -> BranchTile | None:
-        """The tile that states a step; None where nothing is proved."""
-        if step.piece is None:
-            return None
-        forwards = step.forwards == (side == 1)
-        return stated_tile(self.curve, step.piece.tube, step.found, step.divided, forwards=forwards)
+    def _join(self, onwards: bool, tile: CheckedTile) -> None:
+        """Raise `Failure` where a tile is not proved to go on from the one that it follows."""
+        outer = self.outer[onwards]
+        if outer is not None:
+            check_joint(*((outer, tile) if onwards else (tile, outer)))
+        with flint_precision(BITS):
+            independent(self.curve.declared, self.curve.constants, [self.curve.interval])
 
-    def _refused(self, side: int, step: BranchStep) -> str:
-        """Why the checker refuses a step behind those that were taken; "" if it does not."""
-        tile, tiles = self._tile(side, step), self.state.tiles
-        assert tile is not None
-        before = tiles[-1] if side == 1 and tiles else None
-        after = tiles[0] if side == 0 and tiles else None
-        return self.refusals.of_tile(tile, before, after)
-
-    def _take(self, side: int, step: BranchStep) -> None:
+    def _take(self, step: BranchStep, onwards: bool) -> None:
         state = self.state
-        end = ""
-        if step.piece is None:
-            end = f"nothing is proved further: {step.found.reason}"
-        elif step.place.coordinate == self.curve.parameter and (
-            step.place.value in self.curve.region.box[0]
-        ):
-            end = FINISHED
-        elif step.found.ends:
-            end = VANISHED
-        tile = self._tile(side, step)
-        if tile is not None:
-            if side == 0:
-                state = replace(state, tiles=(tile, *state.tiles), start=state.start + 1)
-            else:
+        if step.tile is not None:
+            tile, checked = step.tile
+            if onwards:
                 state = replace(state, tiles=(*state.tiles, tile))
-        self.state = state
-        if end:
-            self._end(side, end)
-        if tile is not None:
-            self._settle()
-        self._tell(side, step)
+            else:
+                state = replace(state, tiles=(tile, *state.tiles), start=state.start + 1)
+            self.outer = [
+                checked if own == onwards or self.outer[own] is None else self.outer[own]
+                for own in (False, True)
+            ]
+        ends = [*state.ends]
+        ends[onwards] = step.end
+        other = self.outer[not onwards]
+        if other is not None and self._outwards(not onwards):
+            ends[not onwards] = ending(other, last=not onwards)
+        self.state = replace(state, ends=(ends[0], ends[1]))
+        self._tell(step, onwards)
 
-    def _settle(self) -> None:
-        """State the ends as the checker proves them; it is asked of each where it refuses both."""
-        reached, ends = {FINISHED, VANISHED}, self.state.ends
-        if not reached & {*ends} or not self.refusals.of_ends(self.state):
-            return
-        alone = (ends[0], ""), ("", ends[1])
-        first, last = (
-            self.refusals.of_ends(replace(self.state, ends=each)) or why if why in reached else why
-            for why, each in zip(ends, alone, strict=True)
-        )
-        self.state = replace(self.state, ends=(first, last))
-
-    def _end(self, side: int, why: str) -> None:
-        ends = [*self.state.ends]
-        ends[side] = why
-        self.state = replace(self.state, ends=(ends[0], ends[1]))
-
-    def _tell(self, side: int, step: BranchStep) -> None:
+    def _tell(self, step: BranchStep, onwards: bool) -> None:
         """Update the share of the branch that is done, by the branch in floating point."""
         values, own = self.branch.parameter_values, self.branch.start
-        mine = values[own::-1] if side == 0 else values[own:]
+        mine = values[own:] if onwards else values[own::-1]
         at, lengths = float(step.place.point[-1].mid()), abs(mine[1:] - mine[:-1])
         total = abs(values[1:] - values[:-1]).sum() or 1.0
-        passed = 0.0 if side == 0 else abs(values[1 : own + 1] - values[:own]).sum()
-        for piece in range(self.pieces[side], len(lengths)):
+        passed = abs(values[1 : own + 1] - values[:own]).sum() if onwards else 0.0
+        for piece in range(self.pieces[onwards], len(lengths)):
             if min(mine[piece : piece + 2]) <= at <= max(mine[piece : piece + 2]):
-                self.pieces[side] = piece
+                self.pieces[onwards] = piece
                 done = passed + lengths[:piece].sum() + abs(at - mine[piece])
                 self.share = max(self.share, min(1.0, float(done / total)))
                 break
@@ -285,24 +240,26 @@ class _Following:
             self.share = 1.0
 
 
-def _begin(curve: OrbitCurve) -> list[arb]:
-    """An enclosure of the orbit from which the branch is followed, at `JOINT` bits.
+def _begin(curve: CheckedCurve, region: Region) -> MarchPlace:
+    """Return the orbit from which the branch is followed, sharply enclosed.
 
     `NotCovered` if it is not proved to be there.
     """
     from flint import arb
 
-    region = curve.region
-    with flint_precision(JOINT):
+    with flint_precision(SHARP):
         value = arb(rational_of(region.at[0]))
-        found = orbit_near(curve, curve.parameter, value, region.guess, JOINT)
-        if found is None:
-            raise NotCovered("no orbit is proved to exist where the branch was started")
+        try:
+            found = curve.located(curve.last, value, region.guess)
+        except REFUSED:
+            reason = "no orbit is proved to exist where the branch was started"
+            raise NotCovered(reason) from None
         sizes = [1 + abs(x) for x in region.guess]
         pairs = zip(found, region.guess, sizes, strict=False)
         if not all(abs(x - g) < _NEAR * size for x, g, size in pairs):
             raise NotCovered("Newton's method leaves the orbit that was given")
-    return found
+    slopes = [0.0] * curve.last + [1.0]
+    return MarchPlace(curve.last, region.at[0], True, found, slopes)
 
 
 def _check_same(wanted: CertifiedBranch, found: CertifiedBranch) -> None:

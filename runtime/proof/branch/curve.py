@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.branch.short_phases import divided_regions
 from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 from nonsmooth.runtime.proof.orbit_to_prove import unknown_names
 
@@ -46,11 +45,6 @@ class OrbitCurve:
         """The unknowns of the orbit's equations, and last the parameter."""
         region = self.region
         return (*unknown_names(region.subject, region.closing), region.names[self.axis])
-
-    @cached_property
-    def divided(self) -> dict[int, OrbitCurve]:
-        """The same curve for each phase that may vanish, its condition divided by its time."""
-        return {place: OrbitCurve(found) for place, found in divided_regions(self.region).items()}
 
     @property
     def parameter(self) -> int:

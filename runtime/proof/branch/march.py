@@ -8,20 +8,22 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.core.jets import part_of
-from nonsmooth.runtime.core.taylor_models import range_of
+from nonsmooth.runtime.checker.branch import ending
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve, without_entry
+from nonsmooth.runtime.checker.branch_tile import SHARP, CheckedTile
+from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
-from nonsmooth.runtime.proof.branch.look import UNDECIDED, Look, look
-from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at, proved_piece
-from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.branch.tiles import (
+    REFUSED,
+    JudgedTile,
+    judged_tile,
+    proposed_tile,
+)
 
 if TYPE_CHECKING:
     from flint import arb
 
-JOINT = 128  # bits of the orbits at which tiles are joined
-
-__all__ = ["JOINT", "BranchStep", "MarchPlace", "march"]
+__all__ = ["BranchStep", "MarchPlace", "march", "place_behind"]
 
 _FIRST = Fraction(1, 8)  # of the interval, or of the size of an unknown
 _GROWTH, _SHRINK = Fraction(2), Fraction(1, 3)
@@ -44,28 +46,23 @@ class MarchPlace:
 
 @dataclass(frozen=True, eq=False)
 class BranchStep:
-    """One tile of a march."""
+    """One tile of a march, with how it ends; or no tile, and why nothing is proved further."""
 
-    coordinate: int  # number of the coordinate over which the tile is
-    lower: Fraction
-    upper: Fraction
-    forwards: bool  # the coordinate increases along the march
-    piece: Piece | None  # None unless existence is proved
-    found: Look
+    tile: JudgedTile | None
+    end: str
     place: MarchPlace  # the point behind the tile
-    divided: int | None = None  # phase, from 0, by whose dwell time its condition is divided
 
 
 def march(
-    curve: OrbitCurve, place: MarchPlace, refused: Callable[[BranchStep], str]
+    curve: CheckedCurve, place: MarchPlace, *, onwards: bool, join: Callable[[CheckedTile], None]
 ) -> Iterator[BranchStep]:
     """Yield the tiles along a branch up to the end of the parameter's interval.
 
-    `refused` gives the reason why a tile cannot be stated, "" if it can; instead of a refused
-    tile a smaller one is tried. The last tile ends at the interval's end or where a phase
-    vanishes, or it has no piece: nothing is proved behind it.
+    The march leads `onwards` along the branch, or back. `join` raises `Failure` where a tile is
+    not proved to go on from the one before it; instead of such a tile a smaller one is tried. The
+    last tile ends at the interval's end or where a phase vanishes, or there is none: nothing is
+    proved behind the one before.
     """
-    low, high = curve.region.box[0]
     sizes = _sizes(curve, place.point)
     step = sizes[place.coordinate] * _FIRST
     left = Fraction(0)  # what was left undecided right behind: more is left with it
@@ -73,188 +70,145 @@ def march(
         sizes = [max(pair) for pair in zip(sizes, _sizes(curve, place.point), strict=True)]
         turned = _turned(curve, place, sizes)
         if turned.coordinate != place.coordinate:
-            rate = rational(abs(place.slopes[turned.coordinate]) or 1.0)
+            rate = _rational(abs(place.slopes[turned.coordinate]) or 1.0)
             step, left = step * rate, left * rate
         size = sizes[turned.coordinate]
         smallest = size * _LEAST
         least = max(smallest, left * _GROWTH)
         step = max(min(step, size * _FIRST), least)
-        reason = ""
         while True:
-            taken = _tried(curve, place, turned, step, (low, high))
-            if not isinstance(taken, str) and taken.found.decided:
-                reason = refused(taken)
-                if reason:
-                    taken = replace(taken, found=Look(UNDECIDED, UNDECIDED, reason))
-            if not isinstance(taken, str) and not taken.found.decided and step <= least:
-                taken = refused(taken) or taken
-            if isinstance(taken, str):
-                reason = taken
-                if step <= smallest:
+            try:
+                tile = _tried(curve, place, turned, step, onwards=onwards)
+                if tile.decided or step <= least:
+                    join(tile.checked)
+                    behind = place_behind(tile.checked, onwards=onwards)
                     break
-                step = max(step * _SHRINK, smallest)
-            elif taken.found.decided or step <= least:
-                break
-            else:
                 step = max(step * _SHRINK, least)
-        if isinstance(taken, str):
-            yield _gap(curve, place, turned, step, reason)
+            except REFUSED as reason:
+                if step <= smallest:
+                    yield BranchStep(None, f"nothing is proved further: {reason}", place)
+                    return
+                step = max(step * _SHRINK, smallest)
+        place = behind
+        end = ending(tile.checked, last=onwards)
+        yield BranchStep(tile, end, place)
+        if end:
             return
-        yield taken
-        place = taken.place
-        if place.coordinate == curve.parameter and place.value in (low, high):
-            return
-        if taken.found.ends:
-            return
-        width = taken.upper - taken.lower
-        left = Fraction(0) if taken.found.decided else width
+        width = tile.stated.upper - tile.stated.lower
+        left = Fraction(0) if tile.decided else width
         step = width * _GROWTH
 
 
-def rational(number: float) -> Fraction:
-    """A nearby rational number with three digits."""
+def place_behind(tile: CheckedTile, *, onwards: bool) -> MarchPlace:
+    """Return the point behind a tile, as seen from a march that leads onwards or back."""
+    end = tile.end if onwards else tile.begin
+    forwards = end == tile.high
+    half, side = float(tile.high - tile.low) / 2, 1.0 if forwards else -1.0
+    slopes = [
+        sum(k * c * side ** (k - 1) for k, c in enumerate(row) if k) / half
+        for row in tile.tile["centre"]
+    ]
+    slopes.insert(tile.place, 1.0)
+    return MarchPlace(tile.place, _as_fraction(end), forwards, tile.at_end(end), slopes)
+
+
+def _as_fraction(value: object) -> Fraction:
+    """Return an exact number of the checker as a fraction."""
+    return Fraction(str(value))
+
+
+def _rational(number: float) -> Fraction:
+    """Return a nearby rational number with three digits."""
     return Fraction(f"{number:.3g}")
 
 
-def _gap(
-    curve: OrbitCurve, place: MarchPlace, turned: MarchPlace, step: Fraction, reason: str
-) -> BranchStep:
-    lower = place.value if place.forwards else place.value - step
-    return BranchStep(
-        place.coordinate, lower, lower + step, place.forwards, None,
-        Look(UNDECIDED, UNDECIDED, reason), place,
-    )  # fmt: skip
-
-
-def _sizes(curve: OrbitCurve, point: Sequence[arb]) -> list[Fraction]:
-    """Typical sizes of the coordinates, as units of steps and rates."""
-    low, high = curve.region.box[0]
+def _sizes(curve: CheckedCurve, point: Sequence[arb]) -> list[Fraction]:
+    """Return typical sizes of the coordinates, as units of steps and rates."""
+    low, high = map(_as_fraction, curve.interval)
     about = [abs(float(x.mid())) for x in point[:-1]]
     largest = max(about)
-    return [*(rational(max(x, largest / 20)) for x in about), high - low]
+    return [*(_rational(max(x, largest / 20)) for x in about), high - low]
 
 
-def _turned(curve: OrbitCurve, place: MarchPlace, sizes: Sequence[Fraction]) -> MarchPlace:
-    """The same place over the coordinate that leads on best."""
+def _turned(curve: CheckedCurve, place: MarchPlace, sizes: Sequence[Fraction]) -> MarchPlace:
+    """Return the same place over the coordinate that leads on best."""
     rates = [abs(slope) / float(size) for slope, size in zip(place.slopes, sizes, strict=True)]
     largest = max(rates[:-1])
-    bound = _STEEP if place.coordinate == curve.parameter else _FLAT
+    bound = _STEEP if place.coordinate == curve.last else _FLAT
     if largest <= bound * rates[-1]:
-        wanted = curve.parameter
+        wanted = curve.last
     else:
         wanted = max(range(len(rates) - 1), key=lambda k: rates[k])
-        if place.coordinate != curve.parameter and rates[place.coordinate] * 2 > largest:
+        if place.coordinate != curve.last and rates[place.coordinate] * 2 > largest:
             wanted = place.coordinate
     if wanted == place.coordinate:
         return place
     slope = place.slopes[wanted]
-    slopes = [x / slope for x in place.slopes]
+    mantissa, exponent = (int(x) for x in place.point[wanted].mid().man_exp())
     return replace(
         place,
         coordinate=wanted,
-        value=_exact(place.point[wanted]),
+        value=Fraction(mantissa) * Fraction(2) ** exponent,
         forwards=place.forwards == (slope > 0),
-        slopes=slopes,
+        slopes=[x / slope for x in place.slopes],
     )
 
 
-def _exact(number: arb) -> Fraction:
-    mantissa, exponent = (int(x) for x in number.mid().man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent
-
-
 def _decimal(value: Fraction, step: Fraction) -> Fraction:
-    """A decimal near a value, as short as a step allows."""
+    """Return a decimal near a value, as short as a step allows."""
     digits = max(0, 3 - math.floor(math.log10(float(step))))
     return Fraction(round(value * 10**digits), 10**digits)
 
 
 def _tried(
-    curve: OrbitCurve,
-    place: MarchPlace,
-    turned: MarchPlace,
-    step: Fraction,
-    ends: tuple[Fraction, Fraction],
-) -> BranchStep | str:
-    """A tile of this width, or the reason why its orbits are not proved."""
+    curve: CheckedCurve, place: MarchPlace, turned: MarchPlace, step: Fraction, *, onwards: bool
+) -> JudgedTile:
+    """Return a tile of this width; `Failure` says why its orbits are not proved."""
     from flint import arb
 
     coordinate, sign = turned.coordinate, 1 if turned.forwards else -1
-    curve, divided = _equations_for(curve, turned.point)
     begin = turned.value
     if coordinate != place.coordinate:
-        if not _leads_on(curve, place, turned):
-            return "where the branch leads is not known"
         begin = _decimal(begin - sign * step * _OVERLAP, step * _OVERLAP)
     end = _decimal(turned.value + sign * step, step)
-    if coordinate == curve.parameter:
-        low, high = ends
+    if coordinate == curve.last:
+        low, high = map(_as_fraction, curve.interval)
         end = max(low, min(high, end))
         begin = max(low, min(high, begin))
         # what is left behind it would be too little for a tile
         if min(end - low, high - end) < step / 8:
             end = low if sign < 0 else high
-    if (end - begin) * sign <= 0:
-        return "the step is too small"
-    middle = (begin + end) / 2
-    with flint_precision(curve.region.bits):
-        away = float(middle - turned.value)
-        guess = [
-            x.mid() + arb(slope * away)
-            for x, slope in zip(turned.point, turned.slopes, strict=True)
-        ]
-        known = turned.point[coordinate], curve.others(coordinate, turned.point)
+    demand((end - begin) * sign > 0, "the step is too small")
+    with flint_precision(SHARP):
+        away = float((begin + end) / 2 - turned.value)
+        others = zip(*(without_entry(coordinate, each) for each in (turned.point, turned.slopes)),
+                     strict=True)  # fmt: skip
+        guess = [x.mid() + arb(slope * away) for x, slope in others]
     lower, upper = sorted((begin, end))
-    piece = proved_piece(curve, coordinate, (lower, upper), curve.others(coordinate, guess), known)
-    if isinstance(piece, str):
-        return piece
-    with flint_precision(curve.region.bits):
-        first, last = (arb(rational_of(x)) for x in ends)
-        over = range_of(piece.point[-1])
-        if coordinate != curve.parameter and not (over > first and over < last):
-            return "the branch leaves the interval"
-    with flint_precision(JOINT):
-        point = orbit_at(curve, piece.tube, arb(rational_of(end)), JOINT)
-    if point is None:
-        return "the orbit at its end is not enclosed"
-    found = look(curve, piece)
-    if found.event is not None and not _behind(turned.point[coordinate], found, sign):
-        found = Look(UNDECIDED, UNDECIDED, "an event lies where two tiles overlap")
-    slopes = piece.tube.slopes(float(sign))
-    every = [*slopes[:coordinate], 1.0, *slopes[coordinate:]]
-    behind = MarchPlace(coordinate, end, turned.forwards, point, every)
-    return BranchStep(coordinate, lower, upper, turned.forwards, piece, found, behind, divided)
+    tile = proposed_tile(
+        curve, coordinate, (lower, upper), guess,
+        forwards=turned.forwards == onwards, divided=_short_phase(curve, turned.point),
+    )  # fmt: skip
+    with flint_precision(SHARP):
+        entered = without_entry(coordinate, turned.point)
+        holds = tile.checked.holds(turned.point[coordinate], entered)
+        demand(holds, "another orbit may have been found")
+    return judged_tile(tile)
 
 
-def _equations_for(curve: OrbitCurve, point: Sequence[arb]) -> tuple[OrbitCurve, int | None]:
-    """The curve with equations that are regular where a short phase vanishes, and that phase.
+def _short_phase(curve: CheckedCurve, point: Sequence[arb]) -> int | None:
+    """Return the short phase by whose dwell time equations can be divided, or None.
 
-    The phase is None where no phase is short.
+    They are regular where the phase vanishes. Phases are counted from 0.
     """
-    times = point[curve.first_time : -1]
+    times = point[curve.last - len(curve.declared.dwell) : -1]
     mean = sum(abs(float(time.mid())) for time in times) / len(times)
-    for place, divided in curve.divided.items():
-        time = times[place]
+    for place, time in enumerate(times):
         # where it is zero other solutions of the conditions may be
         if abs(float(time.mid())) < _SHORT * mean and (time > 0 or time < 0):
-            return divided, place
-    return curve, None
-
-
-def _leads_on(curve: OrbitCurve, place: MarchPlace, turned: MarchPlace) -> bool:
-    """Whether the new coordinate is proved to go in its direction where the branch goes on."""
-    with flint_precision(JOINT):
-        found = directions(curve, place.coordinate, place.point, 1)
-        if found is None:
-            return False
-        slope = part_of(found[turned.coordinate], 1)
-        return bool(slope > 0 if place.forwards == turned.forwards else slope < 0)
-
-
-def _behind(begin: arb, found: Look, sign: int) -> bool:
-    """Whether an event lies behind the point at which a tile was entered."""
-    from flint import arb
-
-    assert found.event is not None
-    lower, upper = (arb(rational_of(x)) for x in (found.event.lower, found.event.upper))
-    return bool(lower > begin) if sign > 0 else bool(upper < begin)
+            try:
+                curve.divided(place + 1)
+            except Failure:
+                continue
+            return place
+    return None

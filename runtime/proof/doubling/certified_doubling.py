@@ -9,11 +9,11 @@ from typing import Any, Literal
 
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.branch.certified_branch import (
+    UNDECIDED,
     BranchEvent,
     CertifiedBranch,
     DrawnOverParameter,
 )
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated
 
 __all__ = ["CertifiedDoubling", "DoubledOrbits", "Ended", "doubled_json", "told_doubling_json"]

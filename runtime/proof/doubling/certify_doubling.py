@@ -22,9 +22,8 @@ from nonsmooth.runtime.explore.continuation.orbit_family import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, STATED, certify_branch
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
+from nonsmooth.runtime.proof.branch.certified_branch import STATED, UNDECIDED, CertifiedBranch
+from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
 from nonsmooth.runtime.proof.certificate import file_json
 from nonsmooth.runtime.proof.certify_orbit import stated
 from nonsmooth.runtime.proof.doubling.certified_doubling import (
