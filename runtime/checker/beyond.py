@@ -31,7 +31,7 @@ from nonsmooth.runtime.checker.stability import MULTIPLIERS
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 
-__all__ = ["Beyond", "check_branch", "found_beyond"]
+__all__ = ["FoundBeyond", "check_branch", "found_beyond"]
 
 _FORCING_PHASE = "forcing-phase"
 _ALIKE = ("system", "parameter", "interval", "stability")
@@ -64,7 +64,7 @@ def _rotations(itinerary: Sequence[Sequence[str]]) -> set[tuple[tuple[str, ...],
     return {phases[k:] + phases[:k] for k in range(len(phases))}
 
 
-class Beyond(NamedTuple):
+class FoundBeyond(NamedTuple):
     """What is proved of orbits of another itinerary that begin at an event."""
 
     side: str  # of the event's parameter on which they are: "above" or "below"
@@ -74,7 +74,7 @@ class Beyond(NamedTuple):
 
 def found_beyond(
     content: dict[str, Any], tile: CheckedTile, branch: dict[str, Any], other: CheckedTile
-) -> Beyond:
+) -> FoundBeyond:
     """Return what is proved of the orbits of another itinerary that begin at an event.
 
     `content` holds the entries of the event's branch, `branch` those of the other one; `tile` and
@@ -93,7 +93,7 @@ def found_beyond(
             pair = [_Met(tile), _Met(other)]
             pair.sort(key=lambda met: (met.free, -len(met.steps)))
             _demand_one_motion(*pair)
-    return Beyond(side, own, verdict)
+    return FoundBeyond(side, own, verdict)
 
 
 def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:
