@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from typing import Any
 
 import numpy as np
 
@@ -18,13 +17,11 @@ from nonsmooth.runtime.orbits.problem import labelled_as
 from nonsmooth.runtime.orbits.solve import solve_kernels
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
-__all__ = ["followed", "orbit_function", "steps_to"]
+__all__ = ["followed", "orbit_function"]
 
 _KEPT = 64  # points whose orbits are remembered
 _SHORTEST = 1.0 / 1024  # of the way
-_LEAST = 0.2  # of the largest unknown: the smallest unit of one
-_FAR = 0.3  # of a step: how far the orbit may be from its prediction
-_ROUNDING = 1e-9  # of an unknown: so far it may be at least
+_FAR = 0.2  # difference from the prediction, in units of the unknowns, of another orbit
 
 
 def orbit_function(
@@ -107,15 +104,7 @@ def orbit_function(
 def followed(
     reference: OrbitDerivatives, point: np.ndarray, shortest: float = _SHORTEST
 ) -> OrbitDerivatives:
-    """Return the derivatives of the same orbit at another point; see `steps_to`."""
-    *_, (_, found) = steps_to(reference, point, shortest)
-    return found
-
-
-def steps_to(
-    reference: OrbitDerivatives, point: np.ndarray, shortest: float = _SHORTEST
-) -> Iterator[tuple[float, OrbitDerivatives]]:
-    """Yield shares of the way to another point, and the derivatives of the same orbit there.
+    """Return the derivatives of the same orbit at another point, to which it is followed.
 
     The way is a straight line in the q numbers by which the reference is differentiated;
     it ends at the values `point` (q,). Steps shorter than the share `shortest` of the way
@@ -124,8 +113,8 @@ def steps_to(
     """
     if not np.isfinite(point).all():
         raise InputError("a point that is not finite")
-    here = reference
-    begin = np.array([float(reference.orbit.given[name]) for name in reference.by])
+    here, by = reference, reference.by
+    begin = np.array([float(reference.orbit.given[name]) for name in by])
     done, step = 0.0, 1.0
     while done < 1:
         ahead = min(1.0, done + step)
@@ -138,7 +127,7 @@ def steps_to(
                 raise
             continue
         done, step = ahead, 2 * step
-        yield done, here
+    return here
 
 
 def _stepped(here: OrbitDerivatives, aim: np.ndarray) -> OrbitDerivatives:
@@ -151,43 +140,32 @@ def _stepped(here: OrbitDerivatives, aim: np.ndarray) -> OrbitDerivatives:
     guess = values + rates @ (aim - now)
     given = {**orbit.given, **{n: as_value(float(x)) for n, x in zip(by, aim, strict=True)}}
     found = _solved(orbit, given, dict(zip(names, guess.tolist(), strict=True)))
-    for name, wait in zip(orbit.problem.dwell_time_names, found.dwell_times, strict=True):
-        if wait < 0:
-            raise NoConvergence(f"{name} goes to zero")
     if not found.converged:
-        raise NoConvergence("the equations determine no orbit beyond (a grazing or a fold)")
+        raise NoConvergence(f"{orbit.name}: {found.message}")
+    if (found.dwell_times < 0).any():
+        raise NoConvergence(f"{orbit.name}: a dwell time is negative")
     solved = np.array([float(found.unknowns[name]) for name in names])
-    size = np.maximum(abs(values), abs(values).max(initial=0.0) * _LEAST)
-    size = np.where(size > 0, size, 1.0)
-    missed, way = (np.linalg.norm(part / size) for part in (solved - guess, guess - values))
-    if missed > _FAR * way + _ROUNDING:
-        raise NoConvergence("the orbit is lost, or the branch turns back (a fold)")
+    size = np.maximum(abs(values), abs(values).max(initial=0.0) * _FAR)
+    if (abs(solved - guess) > _FAR * np.where(size > 0, size, 1.0)).any():
+        raise NoConvergence(f"{orbit.name}: Newton's method leaves the orbit that was predicted")
     return found.derivatives(by, one_sided=bool(here.one_sided) or None)
 
 
 def _solved(orbit: Orbit, given: Mapping[str, Value], guess: Mapping[str, float]) -> Orbit:
     """Return an orbit of the same itinerary and the same unknowns, from a guess of them.
 
-    An orbit that was solved for by a part is so again, or as a whole where a parameter breaks
+    An orbit that was solved for by a part is solved for as a whole: a parameter may break
     the symmetry.
     """
     kernels = orbit.problem.kernels
     if kernels is None:
         period = given[PERIOD] if PERIOD in given and orbit.tables.family else None
         parameters = {name: value for name, value in given.items() if name != PERIOD}
-        values, count, symmetry = list(guess.values()), len(orbit.itinerary), orbit.symmetry
-        dwell, behind = values[:count], values[count:]
-
-        def solved(part: int, matrix: np.ndarray | None = None) -> Orbit:
-            phases = orbit.itinerary[:part]
-            options: Any = {"period": period, "symmetry": matrix}
-            asked = orbit.system, parameters, phases, dwell[:part], behind
-            return labelled_as(solve_itinerary(*asked, **options), orbit)
-
-        if symmetry is not None:
-            with suppress(InputError):  # it is no symmetry of the system there
-                return solved(count // symmetry.order, symmetry.matrix)
-        return solved(count)
+        values, count = list(guess.values()), len(orbit.itinerary)
+        found = solve_itinerary(
+            orbit.system, parameters, orbit.itinerary, values[:count], values[count:], period=period
+        )
+        return labelled_as(found, orbit)
     swapped = tuple(name for name in orbit.unknowns if name not in kernels.unknowns)
     fixed = {name: value for name, value in given.items() if name in kernels.unknowns}
     taken = {name: value for name, value in given.items() if name not in fixed}

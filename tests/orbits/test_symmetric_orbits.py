@@ -10,7 +10,6 @@ from scipy.optimize import fsolve
 
 from nonsmooth import InputError, simulate, solve
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.orbit_function import followed
 from nonsmooth.runtime.shooting.symmetry import matrix_of
 from tests.handmade import DATA, MIRROR, box, pair, two_stops
 
@@ -142,16 +141,6 @@ def test_a_quarter_of_an_orbit() -> None:
     np.testing.assert_allclose(np.sort(part), np.sort(orbit.multipliers), atol=1e-12)
     wanted = np.sort_complex(np.repeat(single.multipliers, 2))
     np.testing.assert_allclose(np.sort_complex(np.round(orbit.multipliers, 10)), wanted, atol=1e-9)
-
-
-def test_a_symmetric_orbit_is_followed_as_one() -> None:
-    found = followed(half().derivatives("Omega"), np.array([1.75])).orbit
-    assert float(found.given["Omega"]) == 1.75
-    assert found.symmetry is not None
-    np.testing.assert_array_equal(found.states[1], -found.states[0])
-    guess = [half().dwell_times[0], *half().states[0]]
-    alone = solve(two_stops(), found.given, guess, itinerary=RIGHT, symmetry=MIRROR)
-    np.testing.assert_allclose(found.states, alone.states, rtol=0, atol=1e-12)
 
 
 def test_a_given_period_is_that_of_the_whole_orbit() -> None:

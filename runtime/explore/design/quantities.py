@@ -13,6 +13,7 @@ from nonsmooth.runtime.orbits.motion_derivatives import KINDS
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
     "MULTIPLIER",
@@ -46,12 +47,13 @@ class QuantityValues(NamedTuple):
         return float(found[np.abs(found - wanted).argmin()].real)
 
 
-def measure(found: OrbitDerivatives, of: Sequence[str]) -> QuantityValues:
-    """The quantities named in `of` at an orbit, with their derivatives.
+def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValues:
+    """The quantities named in `of` at an orbit, with derivatives by the given parameters `by`.
 
     The names are those of `OrbitDerivatives.quantity`. A quantity that is unknown or does not
-    exist is refused.
+    exist is refused, and so is an orbit without derivatives.
     """
+    found = orbit.derivatives(list(by))
     values, slopes = {}, {}
     for name in of:
         if is_extreme(name):  # also where several extremes tie
