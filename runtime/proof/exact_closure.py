@@ -34,7 +34,6 @@ __all__ = [
     "exact_translations",
     "forcing_speeds",
     "projected",
-    "projection",
 ]
 
 _LARGEST_DENOMINATOR = 10**6  # of a direction
@@ -95,7 +94,7 @@ def exact_translations(
     return () if any(any(product(row, columns)) for row in rows) else found
 
 
-def projection(translations: Sequence[Row], size: int) -> Matrix:
+def _projection(translations: Sequence[Row], size: int) -> Matrix:
     """Return the matrix on (y, 1) that makes the first coordinates of translations zero.
 
     It is (N + 1, N + 1) and exact, as `nonsmooth.runtime.shooting.translations.projection_along`.
@@ -113,7 +112,7 @@ def projected(reset: Matrix, translations: Sequence[Row]) -> Matrix:
     """
     if not translations:
         return reset
-    return tuple(product(row, reset) for row in projection(translations, len(reset) - 1))
+    return tuple(product(row, reset) for row in _projection(translations, len(reset) - 1))
 
 
 def forcing_speeds(tables: Tables, cycle: ItineraryShape) -> tuple[Any, ...] | str:

@@ -26,7 +26,6 @@ __all__ = [
     "Phase",
     "Shooting",
     "section_map",
-    "section_map_times_speed",
     "shooting_map",
 ]
 
@@ -212,19 +211,3 @@ def section_map(
         return arithmetic.carry(phase.reset, linear - velocity * ahead / speed)
     jump = behind - arithmetic.carry(phase.reset, velocity)
     return arithmetic.carry(phase.reset, linear) + jump * ahead / speed
-
-
-def section_map_times_speed(
-    arithmetic: Arithmetic, phase: Phase, flow: Any, velocity: Any, behind: Any = None
-) -> Any:
-    """The product of `section_map` and the speed n f- at which the boundary is reached.
-
-    It is regular where the speed is zero: there it has rank one.
-    """
-    linear = arithmetic.linear(flow)
-    jump = -arithmetic.carry(phase.reset, velocity)
-    if behind is not None:
-        jump = behind + jump
-    speed = arithmetic.number(arithmetic.carry(phase.row, velocity))
-    moved = arithmetic.carry(phase.reset, linear) * speed
-    return moved + jump * arithmetic.carry(phase.row, linear)

@@ -20,14 +20,6 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.admissibility import _Phase, _Refuted
-from nonsmooth.runtime.proof.admissibility_conditions import (
-    Condition,
-    Derivative,
-    Follower,
-    Watched,
-)
 from nonsmooth.runtime.proof.krawczyk import joined, krawczyk
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
@@ -416,48 +408,3 @@ def test_an_orbit_whose_start_is_no_number_is_undecided() -> None:
     lost = certified(replace(orbit, starts=np.full_like(orbit.states, np.nan)))
     assert set(lost.claims.values()) == {"undecided"}
     assert "slopes of its energy are not finite" in lost.reasons["existence"]
-
-
-# --- what no orbit tells ------------------------------------------------------------
-
-
-def phase_at(behind: int) -> Any:
-    """A phase that ends at a state; the rest is not asked for."""
-    phase = object.__new__(_Phase)
-    phase.behind = [arb(behind)]
-    return phase
-
-
-def test_a_boundary_is_reached_from_inside_refuted_or_undecided() -> None:
-    def watched(ends: tuple[int, int], speed: tuple[int, int]) -> Watched:
-        rows = (tuple(map(fmpq, ends)), tuple(map(fmpq, speed)))
-        return Watched("wall", (), None, 1, False, True, *rows)
-
-    phase, zero = phase_at(3), (0, 0)
-    phase._speed(watched(zero, (2, 1)))
-    for ends, speed, error in (
-        (zero, (-2, 1), _Refuted),
-        (zero, (1, -3), Undecided),
-        ((1, 0), (2, 1), _Refuted),
-        ((1, -3), (2, 1), Undecided),
-    ):
-        with pytest.raises(error, match="reached"):
-            phase._speed(watched(ends, speed))
-
-
-def test_what_follows_is_the_wanted_transition_refuted_or_undecided() -> None:
-    def follower(target: str, wanted: bool, sign: int, doubt: str = "") -> Follower:
-        """It follows if 3 sign > 0, for a sign that may be zero."""
-        derivative = Derivative(0, (fmpq(sign), fmpq(0)))
-        return Follower(target, wanted, (Condition(derivative, True),), doubt)
-
-    phase = phase_at(3)
-    phase._first([follower("a", False, -1), follower("b", True, 1), follower("c", False, 1)])
-    for followers, error, said in (
-        ([follower("a", False, 1), follower("b", True, 1)], _Refuted, "a follows"),
-        ([follower("a", False, 1, "by a law"), follower("b", True, 1)], Undecided, "by a law"),
-        ([follower("b", True, -1)], _Refuted, "b does not follow"),
-        ([follower("a", False, 0), follower("b", True, 1)], Undecided, "whether"),
-    ):
-        with pytest.raises(error, match=said):
-            phase._first(followers)

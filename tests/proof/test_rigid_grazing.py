@@ -16,11 +16,9 @@ from nonsmooth import CertifiedBranch
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.checker.stability import outside_if_reached
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.taylor_models import range_of
-from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
-from nonsmooth.runtime.proof.branch.passage import CyclePassage
 from tests.certified import accepted, certified_over
 from tests.proof.test_beyond_borders import forged, only
 
@@ -216,23 +214,20 @@ def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
     accepted(found, tmp_path)
 
 
-def test_the_map_times_the_speed_is_that_product() -> None:
-    """Where the speed is not low both are known: prover and check multiply the same map."""
+def test_the_map_times_the_speed_is_that_product(tmp_path: Path) -> None:
+    """Where the speed is not low both are known; a stable orbit is not called unstable."""
     given = {"w": "2.4", "r": "0.8", "sigma": "0.1"}
-    orbit = ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])
-    region = region_of(orbit, {"sigma": (sp.Rational(1, 20), sp.Rational(3, 20))})
+    path = tmp_path / "certificate.json"
+    ns.certify(ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])).save(path)
+    judged = JudgedOrbit(json.loads(path.read_text("utf-8")))
+    assert judged.existence.claim == "proved"
     with ctx.workprec(128):
-        from flint import arb
-
-        passage = CyclePassage(region, [*region.guess, arb("0.1")])
-        equations, now = passage.equations, passage.shooting
-        (plain,), (times,) = equations.maps(now), equations.maps(now, 0)
-        speed = equations.speed(now, 0)
+        orbit = judged.orbit
+        speed, times = orbit.speed(0), orbit.map_on(*orbit.declared.section, slow=0)
         assert speed > 0
-        for x, y in zip(plain.entries(), times.entries(), strict=True):
-            assert abs(range_of(x * speed - y)) < 1e-25
-        # a stable orbit is not called unstable
-        assert not passage.unstable_if_reached(0)
+        for x, y in zip(orbit.section.entries(), times.entries(), strict=True):
+            assert abs(x * speed - y) < 1e-25
+        assert not outside_if_reached(orbit, 0)
 
 
 @pytest.mark.slow

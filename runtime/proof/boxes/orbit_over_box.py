@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,6 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
 from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
@@ -27,10 +26,8 @@ from nonsmooth.runtime.proof.exact_tables import (
     rational_of,
     tables_over,
 )
-from nonsmooth.runtime.proof.invariants import CycleInvariants, invariants_of
 from nonsmooth.runtime.proof.orbit_equations import (
     Equations,
-    ShortPhase,
     equations_in,
     phases_of,
 )
@@ -66,32 +63,11 @@ class Region:
     closing: ClosureConditions  # its period is a Value, a fmpq or a RationalFunction
     at: tuple[Fraction, ...]  # the subject's point in the box
     guess: Sequence[arb]  # approximate unknowns of the equations there
-    # phase whose switching condition is divided by its dwell time, with exact columns
-    short: ShortPhase | None = None
 
     @property
     def cycle(self) -> ItineraryShape:
         """The orbit's cycle."""
         return self.subject.cycle
-
-    @property
-    def bits(self) -> int:
-        """Working precision along pieces of a branch: more for long cycles."""
-        return BITS if len(self.cycle.configurations) <= _LONG else 2 * BITS
-
-    @cached_property
-    def invariants(self) -> CycleInvariants | None:
-        """The relations that hold exactly along the orbit; None where the tables are not exact."""
-        if not self.tables.exact:
-            return None
-        closing = self.closing
-        return invariants_of(self.tables, self.cycle, closing.translations, closing.vanishing)
-
-    @cached_property
-    def plans(self) -> tuple[Plan, ...]:
-        """The conditions for each phase to be admissible; empty where the tables are not exact."""
-        found = self.invariants
-        return () if found is None else plan_of(self.tables, self.cycle, found)
 
     def phases(self, number: Number) -> tuple[Phase, ...]:
         """The cycle's phases in numbers: matrices (N + 1, N + 1) and rows (1, N + 1).
@@ -106,8 +82,7 @@ class Region:
         `number` maps exact entries to balls or Taylor models.
         """
         period = None if self.closing.period is None else number(self.closing.period)
-        short = None if self.short is None else self.short.at(number)
-        return equations_in(self.phases(number), self.closing, number, period, short)
+        return equations_in(self.phases(number), self.closing, number, period)
 
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing of an orbit as a file states them, each ready for JSON.
@@ -211,7 +186,6 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
         region = _region(subject, box, tables, at)
         if region.closing.kind == "period":
             region = replace(region, closing=replace(region.closing, period=period))
-        _ = region.plans  # divides exactly
     except NotRational:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
     except ArithmeticError as problem:
