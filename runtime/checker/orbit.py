@@ -223,7 +223,7 @@ class CheckedOrbit:
         Unknowns are free states, the forcing's time and dwell times, in the system's units.
         """
         self.dwell = list(unknowns[self.first :])
-        self.flows = flows_over(self.chain.fields, self.dwell)
+        self.flows = _exponentials(self.chain, self.dwell)
         self.now = self.passage(self.chain, unknowns, self.flows, slopes=False)
         return list(self.now.values.entries())
 
