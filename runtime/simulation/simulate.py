@@ -336,13 +336,13 @@ def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:
     return checked_count("transitions", transitions, 1)
 
 
-def checked_count(label: str, value: object, least: int) -> int:
-    """The integer that is given; `InputError` unless it is one, at least `least` and not too large.
+def checked_count(label: str, value: object, least: int, most: int = LARGEST_COUNT) -> int:
+    """The integer that is given; `InputError` unless it is one from `least` to `most`.
 
     `label` names it in the message.
     """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
         raise InputError(f"{label} = {value!r} is not an integer from {least}")
-    if value > LARGEST_COUNT:
-        raise InputError(f"{label} is more than {LARGEST_COUNT}")
+    if value > most:
+        raise InputError(f"{label} is more than {most}")
     return int(value)

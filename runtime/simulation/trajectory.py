@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Trajectory"]
 
+_ROUNDING = 1e-14  # of the end of a motion
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Trajectory(Shown):
@@ -349,10 +351,11 @@ class Trajectory(Shown):
         registered("save_trajectory")(self, path)
 
     def _checked(self, times: Any) -> np.ndarray:
+        """The times as an array; what is beyond the end by rounding alone is the end."""
         array = real_array("times", times)
-        if not ((array >= 0) & (array <= self.end)).all():
+        if not ((array >= 0) & (array <= self.end * (1 + _ROUNDING))).all():
             raise InputError(f"a time is not between 0 and the end of the motion, {self.end!r}")
-        return array
+        return np.asarray(np.minimum(array, self.end))
 
     def _phases(self, times: np.ndarray) -> np.ndarray:
         return np.searchsorted(self.times, times, side="right") - 1

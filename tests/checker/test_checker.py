@@ -745,7 +745,10 @@ def test_files_that_are_no_certificates(
 ) -> None:
     path = tmp_path / "certificate.json"
     certificate("kicked").save(path)
-    path.write_text(change(path.read_text()))
+    text = change(path.read_text())
+    if "missing" in told or "type" in told:
+        text = json.dumps(signed(json.loads(text)))
+    path.write_text(text)
     for work in (ns.load, ns.check_certificate):
         with pytest.raises(InputError, match=told):
             work(path)
@@ -777,17 +780,18 @@ def test_functions_are_below_zero_if_and_only_if_samples_are(seed: int) -> None:
     for k, frequency in enumerate(frequencies.tolist()):
         field[2 * k, 2 * k + 1], field[2 * k + 1, 2 * k] = arb(-frequency), arb(frequency)
     start = arb_mat([[1], [0], [1], [0], [1], [0], [1]])
-    for excess, verdict in ((-0.01, -1), (0.01, 1)):
+    for excess in (-0.01, 0.01):
         row = [*map(arb, weights.T.ravel().tolist()), arb(float(excess - highest))]
         watched: Any = SimpleNamespace(name="wall", row=row, ends_it=False, order=0)
         orbit: Any = SimpleNamespace(
             chain=SimpleNamespace(fields=[field]), dwell=[arb(length)],
             now=SimpleNamespace(starts=[start]), numbers=arb_mat,
         )  # fmt: skip
-        assert _below(orbit, 0, [(watched, _Shape())])[0].sign == verdict
+        above, _ = _below(orbit, 0, [(watched, _Shape())])
+        assert [told.sign for told in above] == [1] * (excess > 0)
         if excess < 0:  # how far it stays from zero is nearly found, and no more
-            told, (height,) = _below(orbit, 0, [(watched, _Shape(apart=True))])
-            assert told.sign == -1
+            above, (height,) = _below(orbit, 0, [(watched, _Shape(apart=True))])
+            assert not above
             assert excess < height <= 0.7 * excess
 
 

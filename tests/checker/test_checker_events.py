@@ -454,7 +454,7 @@ def test_files_that_are_no_events(change: Callable[[str], str], told: str, tmp_p
     path = tmp_path / "events.json"
     save_events(proved("stick"), path)
     text = change(path.read_text())
-    if "entry" in told:
+    if told.startswith("'") or "entry" in told:
         text = json.dumps({**json.loads(text), "sha256": checksum_of(json.loads(text))})
     path.write_text(text)
     for work in (ns.load, ns.check_certificate):

@@ -56,7 +56,7 @@ def test_people_see_claims_reasons_and_margins() -> None:
         ([STICK, "etta=1"], 2, "did you mean"),
         ([STICK, "--derivatives", "W"], 2, "unknown given parameter 'W'"),
         ([STICK, "--derivatives", "us1"], 2, "unknown given parameter 'us1'"),
-        ([STICK, "--derivatives", ""], 2, "no given parameter is named"),
+        ([STICK, "--derivatives", ""], 2, "--derivatives: no parameter is named"),
         ([STICK, "V=0.99:1.01", "--derivatives", "eta"], 2, "one orbit, at one point"),
         ([STICK, "V=0.99:1.01", "--events", "--derivatives", "eta"], 2, "one orbit, at one point"),
         (["--check", "x.json", "--derivatives", "eta"], 2, "--check takes a file"),

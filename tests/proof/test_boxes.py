@@ -24,7 +24,7 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from tests.certified import accepted, loop
+from tests.certified import accepted, loop, signed
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -258,7 +258,7 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
     refused("{}", "not a saved result")
     refused(text.replace('"proved"', '"refuted"', 1), "checksum")
     refused(json.dumps({**content, "version": 99}), "version")
-    refused(json.dumps({k: v for k, v in content.items() if k != "tiles"}), "tiles")
+    refused(json.dumps(signed({k: v for k, v in content.items() if k != "tiles"})), "tiles")
     with pytest.raises(InputError, match="nowhere"):
         ns.load(tmp_path / "nowhere.json")
 

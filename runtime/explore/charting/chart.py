@@ -375,5 +375,5 @@ def _usual(problem: ChartProblem, axes: tuple[Axis, ...], chunk: int | None) -> 
 
 
 def _check_threads(threads: int | None) -> None:
-    if threads is not None and checked_count("threads", threads, 1) > MOST_THREADS:
-        raise InputError(f"threads = {threads} is more than {MOST_THREADS}")
+    if threads is not None:
+        checked_count("threads", threads, 1, MOST_THREADS)
