@@ -1,4 +1,4 @@
-"""Try to break the engines: random searches, motions and starts against independent references.
+"""Try to break engines and proofs by random searches, motions, starts, fits and orbits.
 
 Fits to synthetic measurements are judged by how often their intervals hold the truth.
 
@@ -32,6 +32,7 @@ from stressing_motions import (
     against_reference,
     random_motion,
 )
+from stressing_proofs import proofs_chunk
 from stressing_search import FAMILIES, search_chunk
 
 __all__ = ["main"]
@@ -157,6 +158,7 @@ SECTIONS = {
     "chains": Section(chains_chunk, 10, 1_000),
     "fit": Section(fits_chunk, 100, 100),
     "derivatives": Section(derivatives_chunk, 5, 200),
+    "certificates": Section(proofs_chunk, 20, 10_000),
 }
 
 if __name__ == "__main__":
