@@ -290,7 +290,7 @@ def dwell_times(kernels: OrbitKernels, x: np.ndarray, places: Iterable[int]) -> 
     """Dwell times (p,) or (k, p) of phases, from unknowns, then parameters: x (m,) or (k, m)."""
     names = (*kernels.unknowns, *kernels.parameter_names)
     found = [*kernels.durations(dict(zip(names, x.T, strict=True))).values()]
-    return np.array([found[place] for place in places]).T
+    return np.array(np.broadcast_arrays(*(found[place] for place in places))).T
 
 
 def lasting_phases(kernels: OrbitKernels) -> list[int]:

@@ -156,7 +156,7 @@ def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
 @pytest.mark.slow
 def test_a_bug_of_the_repository_parses_and_changes_its_place_alone() -> None:
     chosen = sampled(".py", 12, 4)
-    assert len(chosen) > 36
+    assert len(chosen) > 24  # small modules have fewer than four
     for text, bug in chosen:
         changed = planted(text, bug)
         begin, end = bug.change.begin, len(text) - bug.change.end
