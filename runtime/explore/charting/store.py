@@ -379,7 +379,10 @@ def _open_array(path: Path) -> Any:
 
     # a chunk that looks empty is written too: that it is there says that it is done
     whole = {"write_empty_chunks": True}
-    return zarr.open(str(path), mode="r+", zarr_format=3, config=whole)
+    try:
+        return zarr.open(str(path), mode="r+", zarr_format=3, config=whole)
+    except TypeError:  # zarr takes what is no array for a group, which has no such configuration
+        raise FileNotFoundError(f"there is no array in {path}") from None
 
 
 def _passes(file: Path) -> bool | None:
