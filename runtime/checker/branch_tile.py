@@ -266,7 +266,9 @@ class _CheckedEvent:
         ]
         self.low, self.high = exact(self.event["lower"]), exact(self.event["upper"])
         window = [arb(exact(x)) for x in self.event["window"]]
-        self.window = (window[0], window[1]) if len(window) == 2 else None
+        grazes = any(border.kind == "grazing" for border in self.borders)
+        demand(len(window) == 2 * grazes, "a window of no grazing")
+        self.window = (window[0], window[1]) if window else None
 
     def claims(self) -> TileClaims:
         """Prove that there is this event in the tile, and no other."""
@@ -287,14 +289,17 @@ class _CheckedEvent:
                 demand(vanishes and [*map(list, beside)] == turns, "a multiplier beside a border")
                 self._passes("fold")
             below, above = self._border()
+        enclosures: dict[str, Any] = {}
         with ctx.workprec(SHARP):
             middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
             found = tile.at(arb(middle) + arb(0, arb(half)))
+            for name, x in zip(self.curve.names, found, strict=True):
+                enclosures[name] = x.union(enclosures.get(name, x))  # two may have one name
             if event["kind"] == "neimark-sacker":
                 polynomial = characteristic(self.curve.orbit(found).section)
                 demand(paired(polynomial), "it may be a neutral saddle, where two are real")
         verdicts = (below, above) if tile.forwards else (above, below)
-        return TileClaims(*verdicts, dict(zip(self.curve.names, found, strict=True)))
+        return TileClaims(*verdicts, enclosures)
 
     def _multiplier(self, kind: str) -> tuple[str, str]:
         """Return the verdicts below and above an event of the multipliers.

@@ -57,7 +57,8 @@ class Way(NamedTuple):
 
     # leading row, None where zero, and whether it has to be positive
     conditions: list[tuple[Any, bool]]
-    wanted: bool  # whether it leads where the itinerary does
+    wanted: bool  # whether it is the itinerary's, or does the same where stops act in many orders
+    alike: bool  # whether it leads to the same configuration and the same states
     decided: bool  # whether a law's earlier steps are decided by their functions, not derivatives
 
 
@@ -410,7 +411,7 @@ class StatedSystem:
             demand(full and numbers == [*range(1, len(numbers) + 1)], "an order is missing")
         orders = [self._ways(step.taken, listed, number, own, end) for number in numbers or (0,)]
         if ending == [_FORCING_PHASE]:
-            orders = [[Way([], True, True)]]
+            orders = [[Way([], True, True, True)]]
         decided = all(way.decided for ways in orders for way in ways)
         if step.taken.early is not None:  # what begins to hold is in its place already
             for k, row in enumerate(step.taken.reset):
@@ -422,12 +423,12 @@ class StatedSystem:
     def _ways(
         self, taken: Transition, listed: list[Transition], number: int, own: list[Any], end: Any
     ) -> list[Way]:
-        """Return what may follow if stops act in one order: up to the transition that is taken.
+        """Return what may follow if stops act in one order, as far as the taken transition.
 
-        Of several orders, all ways are returned; each has to lead where the taken transition
-        leads.
+        Behind that only those that lead where it leads. Of several orders, all ways are returned;
+        each has to lead where the taken transition leads.
         """
-        found = []
+        found, passed = list[Way](), False
         for other in listed:
             if other.order not in (0, number):
                 continue
@@ -440,9 +441,10 @@ class StatedSystem:
             alike = other.target == taken.target and not any(any(reduced(r, end)) for r in apart)
             decided = all(not k and row is not None for k, row, _ in behind[: other.early or 0])
             conditions = [(row, holds) for _, row, holds in behind]
-            found.append(Way(conditions, alike if number else other is taken, decided))
-            if other is taken and not number:
-                break
+            if alike or not passed:
+                wanted = alike if number else other is taken
+                found.append(Way(conditions, wanted, alike, decided))
+            passed = passed or (other is taken and not number)
         return found
 
 

@@ -174,6 +174,8 @@ def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> l
         if kind == "vanishing-phase":
             return [orbit.dwell[place]]
         ways = [way for ways in phase.orders for way in ways]
+        alone = phase.lawful or sum(way.alike for way in ways) == 1
+        demand(alone, "another transition leads where the itinerary's does")
         rows = [row for way in ways for row, _ in way.conditions if row is not None]
         demand(rows, "the transition has no condition")
         return [orbit.value(row, end) for row in rows]

@@ -352,7 +352,7 @@ def _follows(
     if not phase.decided:
         return [_Told(None, unknown=unknown)]
     if assumed:
-        if len(orders) > 1 or phase.lawful or sum(way.wanted for way in orders[0]) > 1:
+        if len(orders) > 1 or phase.lawful or sum(way.alike for way in orders[0]) > 1:
             return [_Told(None, unknown=unknown)]
         if len({number for number, _ in assumed}) < len(assumed):
             return [_Told(None, unknown=unknown)]
@@ -383,9 +383,11 @@ def _open_conditions(orbit: CheckedOrbit, place: int, ways: list[Way], last: Any
     """Return the open conditions on which alone it depends which transition follows.
 
     A transition has at most one: all its other conditions hold, so where it changes, another
-    transition follows, or none.
+    transition follows, or none. No other one leads where the itinerary's does.
     """
-    found = []
+    found = list[Border]()
+    if sum(way.alike for way in ways) > 1:
+        return found
     for number, way in enumerate(ways, 1):
         held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
         if False in held:
@@ -398,11 +400,14 @@ def _open_conditions(orbit: CheckedOrbit, place: int, ways: list[Way], last: Any
 
 
 def _first(orbit: CheckedOrbit, ways: list[Way], last: Any) -> int | None:
-    """Return -1 if the first way whose conditions hold is wanted, 1 if not, None if unknown."""
+    """Return -1 if the first way whose conditions hold is wanted, 1 if not, None if unknown.
+
+    It is not known where another transition leads as the wanted one does: the motion is the same.
+    """
     for way in ways:
         held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
         if all(held):
-            return -1 if way.wanted else 1
+            return -1 if way.wanted else None if way.alike else 1
         if False not in held:
             return None
     return 1

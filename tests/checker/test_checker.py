@@ -829,10 +829,13 @@ def test_the_first_transition_whose_conditions_hold_is_the_one(
 ) -> None:
     orbit: Any = SimpleNamespace(value=lambda row, state: row)
     ways: list[Any] = [
-        SimpleNamespace(conditions=conditions, wanted=this)
+        SimpleNamespace(conditions=conditions, wanted=this, alike=this)
         for conditions, this in zip(([first], []), wanted, strict=True)
     ]
     assert _first(orbit, ways, None) == verdict
+    for way in ways:  # another that leads where the wanted one does refutes nothing
+        way.alike = True
+    assert _first(orbit, ways, None) == (None if verdict == 1 else verdict)
     if first == (arb(-1), True):  # none holds
         assert _first(orbit, ways[:1], None) == 1
 

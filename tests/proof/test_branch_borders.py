@@ -1,5 +1,6 @@
 """Borders of branches: entry, tangent, simultaneous and condition events, proved and checked."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -241,3 +242,25 @@ def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns(shrinking: 
 
     with pytest.raises(Failure, match="it goes on"):
         check_branch(edited(shrinking, cut))
+
+
+@pytest.mark.parametrize("place", ["before", "behind"])
+def test_another_transition_that_does_the_same_is_no_other_motion(place: str) -> None:
+    """Where it follows in place of the itinerary's the motion is still the orbit's."""
+    plain = Transition("on", {"warm"}, "off")
+    condition = Condition(THRESHOLD.symbol - A, "off")
+    if place == "before":
+        system = relay(before=(replace(plain, conditions=(condition,)),))
+    else:
+        system = relay(when=(condition,), more=(plain,))
+    itinerary = [("on", "warm"), ("off", "cold")]
+    for value, claim in (("0.35", "undecided"), ("0.65", "proved")):
+        orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+        claims = ns.certify(orbit).claims
+        assert claims["admissibility"] in (claim, "undecided")
+    motion = ns.simulate(system, {"w": "0.35"}, [0.0, 0.0], transitions=40)
+    assert ns.itinerary_of(motion).itinerary == tuple(itinerary)
+    found = certified_over(
+        ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=itinerary), "w", 0.3, 0.7
+    )
+    assert "not admissible" not in {part.verdict for part in found.intervals}
