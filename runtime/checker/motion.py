@@ -383,11 +383,9 @@ def _open_conditions(orbit: CheckedOrbit, place: int, ways: list[Way], last: Any
     """Return the open conditions on which alone it depends which transition follows.
 
     A transition has at most one: all its other conditions hold, so where it changes, another
-    transition follows, or none. No other one leads where the itinerary's does.
+    transition follows, or none.
     """
-    found = list[Border]()
-    if sum(way.alike for way in ways) > 1:
-        return found
+    found = []
     for number, way in enumerate(ways, 1):
         held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
         if False in held:

@@ -18,7 +18,7 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker import Failure, check_branch, check_events
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from tests.certified import accepted, certified_over, edited
 
@@ -28,7 +28,13 @@ WIDTH = sp.Rational(1, 10)
 
 
 def relay(
-    on: Any = (), off: Any = (), more: Any = (), reset: Any = None, before: Any = (), when: Any = ()
+    on: Any = (),
+    off: Any = (),
+    more: Any = (),
+    reset: Any = None,
+    before: Any = (),
+    when: Any = (),
+    threshold: Parameter = THRESHOLD,
 ) -> System:
     """Two lags behind a relay with hysteresis: a' = +-1 - a, b' = a - b."""
     lags = [[-1, 0], [1, -1]]
@@ -37,7 +43,7 @@ def relay(
         name="relay",
         description="two lags and a relay; nondimensional",
         states=(A, B),
-        parameters=(THRESHOLD,),
+        parameters=(threshold,),
         configurations=(
             Configuration("on", heats, (Boundary("warm", B - WIDTH), *on)),
             Configuration("off", cools, (Boundary("cold", -B - WIDTH), *off)),
@@ -264,3 +270,50 @@ def test_another_transition_that_does_the_same_is_no_other_motion(place: str) ->
         ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=itinerary), "w", 0.3, 0.7
     )
     assert "not admissible" not in {part.verdict for part in found.intervals}
+
+
+def alike(content: dict[str, Any]) -> None:
+    """Let the other transition of a declaration lead where the itinerary's leads."""
+    first, other = content["declaration"]["transitions"][:2]
+    other.update(reset=first["reset"], target=first["target"])
+
+
+def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same(tmp_path: Path) -> None:
+    system, value, *_ = SYSTEMS["condition"]
+    itinerary = [("on", "warm"), ("off", "cold")]
+    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    path, lone = tmp_path / "branch.json", tmp_path / "event.json"
+    certified_over(orbit, "w", "0.5198", "0.6").save(path)  # one tile holds all that is below it
+    check_branch(with_event(path))
+    with pytest.raises(Failure, match="a window of no grazing"):
+        check_branch(with_event(path, window=["1/4", "1/2"]))
+    with pytest.raises(Failure, match=r"admissibility|whether off follows"):
+        check_branch(edited(path, alike))
+    branch = ns.continue_orbit(orbit, "w", (0.5, 0.7))
+    ns.certify_event(branch, branch.events[0]).save(lone)
+    check_events(edited(lone, lambda content: None))
+    with pytest.raises(Failure, match="another transition leads where"):
+        check_events(edited(lone, lambda content: alike(content["events"][0])))
+
+
+def test_a_parameter_may_be_called_as_an_unknown_is(tmp_path: Path) -> None:
+    """What is stated has two names; in a file that has one its ball would hold both."""
+    own = Parameter("a0", "a threshold, nondimensional", lower=-sp.oo)
+    when = (Condition(own.symbol - A, "off"),)
+    system = relay(when=when, more=(Transition(**COOLED),), threshold=own)
+    itinerary = [("on", "warm"), ("off", "cold")]
+    orbit = ns.solve(system, {"a0": "0.6"}, [1.0, 1.0], itinerary=itinerary)
+    found = certified_over(orbit, "a0", "0.5198", "0.6")
+    (event,) = found.events
+    reached = exact_ball(peak())
+    assert event.enclosures["a0"].ball.contains(reached)
+    assert (-event.enclosures["a"].ball).contains(reached)
+    found.save(path := tmp_path / "branch.json")
+
+    def renamed(content: dict[str, Any]) -> None:
+        content["declaration"]["start"][0] = content["unknown_names"][0] = "a0"
+        (event,) = (tile["event"] for tile in content["tiles"] if tile["event"])
+        del event["enclosures"]["a"]
+
+    with pytest.raises(Failure, match="a0 is not in its enclosure"):
+        check_branch(edited(path, renamed))
