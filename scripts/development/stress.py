@@ -32,7 +32,7 @@ from stressing_motions import (
     against_reference,
     random_motion,
 )
-from stressing_proofs import proofs_chunk
+from stressing_proofs import branches_chunk, proofs_chunk
 from stressing_search import FAMILIES, search_chunk
 
 __all__ = ["main"]
@@ -159,6 +159,7 @@ SECTIONS = {
     "fit": Section(fits_chunk, 100, 100),
     "derivatives": Section(derivatives_chunk, 5, 200),
     "certificates": Section(proofs_chunk, 20, 10_000),
+    "branches": Section(branches_chunk, 5, 1_000),
 }
 
 if __name__ == "__main__":

@@ -18,11 +18,13 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from tests.moved_motions import random_oscillator
 
-__all__ = ["proofs_chunk"]
+__all__ = ["branches_chunk", "proofs_chunk"]
 
 PERIODS = 80  # of the forcing, after which most motions have settled
 DIGITS = 60  # of the orbit that the enclosures have to hold
 NEAR = 1e-6  # of a motion's size: how near it comes back in doubles
+TILES = 60  # of a branch
+POINTS = 3  # of a branch, at which it is judged
 
 
 def proofs_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
@@ -39,6 +41,23 @@ def proofs_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
             verdicts["wrong"] += bool(wrong)
         if not orbits:
             verdicts["no orbit"] += 1
+    return verdicts, told
+
+
+def branches_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
+    """Counts of verdicts on parts of random branches, and details of those that are wrong."""
+    verdicts: Counter[str] = Counter()
+    told = []
+    for place in range(count):
+        rng = np.random.default_rng([seed, place])
+        orbit = next(_orbits(rng, f"random-{seed}-{place}"), None)
+        if orbit is None:
+            verdicts["no orbit"] += 1
+            continue
+        parts, wrong = judged_branch(orbit, rng)
+        verdicts.update(parts)
+        told += [f"wrong: seed [{seed}, {place}], {what}" for what in wrong]
+        verdicts["wrong"] += bool(wrong)
     return verdicts, told
 
 
@@ -89,7 +108,45 @@ def judged(orbit: ns.Orbit) -> tuple[str, list[str]]:
     return verdict, wrong
 
 
-def _unlike_the_file(certificate: ns.Certificate) -> Iterator[str]:
+def judged_branch(orbit: ns.Orbit, rng: np.random.Generator) -> tuple[list[str], list[str]]:
+    """Verdicts of the parts of an orbit's certified branch, and all in it that is not so.
+
+    Of a branch that turns only the file: a parameter has several of its orbits.
+    """
+    parameter = str(rng.choice([*orbit.parameters]))
+    value = float(orbit.parameters[parameter])
+    away = abs(value) * rng.uniform(0.02, 0.2) + 1e-3
+    try:
+        branch = ns.continue_orbit(orbit, parameter, (value - away, value + away))
+        certified = ns.certify_branch(branch, tiles=TILES)
+    except ns.InputError as problem:  # beyond a domain
+        return [f"refused: {str(problem)[:40]}"], []
+    wrong = [*_unlike_the_file(certified)]
+    turns = any(event.kind == "fold" for event in branch.events)
+    for place in rng.integers(len(branch), size=0 if turns else POINTS):
+        at = branch.parameter_values[place]
+        ends = [sorted((part.begin, part.end)) for part in certified.intervals]
+        near = NEAR * abs(value)
+        if any(abs(at - end) < near for pair in ends for end in pair):
+            continue
+        held = [low < at < high for low, high in ends]
+        verdicts = [p.verdict for p, holds in zip(certified.intervals, held, strict=True) if holds]
+        if len(verdicts) == 1 and not _as_stated(verdicts[0], branch.orbit_at(int(place))):
+            wrong.append(f"{parameter} = {at} is {verdicts[0]}")
+    return [part.verdict for part in certified.intervals], wrong
+
+
+def _as_stated(verdict: str, orbit: ns.Orbit) -> bool:
+    """Whether the engine's motion and the multipliers of an orbit are as is stated."""
+    follows, largest = _follows(orbit), max(map(abs, orbit.multipliers), default=0.0)
+    if verdict == "not admissible":
+        return not follows
+    if verdict == "undecided":
+        return True
+    return follows is not False and (largest < 1) == (verdict == "stable")
+
+
+def _unlike_the_file(certificate: ns.Certificate | ns.CertifiedBranch) -> Iterator[str]:
     """What the check of a certificate's file says otherwise than the certificate."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "certificate.json"
