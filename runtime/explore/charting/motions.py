@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -53,13 +54,13 @@ _POINTS = 1 << 11  # of a chunk: about a second
 _FOUND = "nonsmooth found orbits"
 
 
-class _MotionsProblem:
+class _MotionsProblem(ABC):
     """What charts have in common whose points do not depend on each other."""
 
     @property
+    @abstractmethod
     def kernels(self) -> SystemKernels:
         """Tables and kernels of the system."""
-        raise NotImplementedError
 
     @property
     def points(self) -> int:
