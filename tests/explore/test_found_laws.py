@@ -497,7 +497,7 @@ def test_a_motion_without_contact_is_proved_and_checked(tmp_path):
     certificate = ns.certify(ns.solve(stopped(), data, [2 * np.pi / 2.6], itinerary=phases))
     assert set(certificate.claims.values()) == {"proved"}
     certificate.save(tmp_path / "proof.json")
-    assert ns.check_certificate(tmp_path / "proof.json").claims == certificate.claims
+    assert ns.certify.check(tmp_path / "proof.json").claims == certificate.claims
     beyond = ns.solve(stopped(), data | {"gap": "0.1"}, [2 * np.pi / 2.6], itinerary=phases)
     assert ns.certify(beyond).claims["admissibility"] == "refuted"
 

@@ -288,7 +288,7 @@ def test_the_region_of_a_graph_has_the_units_of_the_motion() -> None:
     for length, rate in ((1, 1), (Fraction(1, 2**30), 2**17)):
         given = {"length": length, "rate": rate, "mass_unit": 1, "w": "1.9", "load": 0}
         start = {"x": float(length) / 4, "v": 0}
-        graph = ns.certify_graph(stopped(), given, start, boxes=1, parts=1)
+        graph = ns.certify.region(stopped(), given, start, boxes=1, parts=1)
         sizes = np.array([float(length), float(length * rate)])
         low, high = graph.graph.grid.bounds(np.arange(len(graph.graph.grid)))
         grids.append(np.array([low.min(axis=0), high.max(axis=0)]) / sizes)

@@ -108,7 +108,7 @@ def certify_chaos(
     --------
     >>> import nonsmooth as ns
     >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "1", "ur2": "1"}
-    >>> found = ns.certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1)
+    >>> found = ns.certify.chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1)
     >>> found.claim, bool(found.reason)
     ('undecided', True)
     """

@@ -138,7 +138,7 @@ def certify_graph(
     >>> import nonsmooth as ns
     >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1",
     ...         "ur1": "4.0195", "ur2": "1.4831"}
-    >>> found = ns.certify_graph(
+    >>> found = ns.certify.region(
     ...     "dry-friction", data, [5, 4, 0.5, 0.25], region={"x2": (2, 13)}, boxes=64
     ... )
     >>> found.proved, [own.attracting for own in found.components]
