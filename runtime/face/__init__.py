@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     )
     from nonsmooth.runtime.explore.charting.chart import chart
     from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus, continue_event
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.design.design import design
@@ -32,9 +32,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.fit import fit
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
-    from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.orbit_arrays import Orbits
     from nonsmooth.runtime.orbits.orbit_function import orbit_function
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.motion_function import motion_function
     from nonsmooth.runtime.simulation.observables import observe
     from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
-    from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
+    from nonsmooth.runtime.simulation.simulate import simulate
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
     __version__: str
@@ -97,7 +97,6 @@ __all__ = [
     "__version__",
     "certify",
     "chart",
-    "continue_event",
     "continue_orbit",
     "design",
     "find_orbits",
@@ -111,9 +110,7 @@ __all__ = [
     "poincare_map",
     "refine",
     "simulate",
-    "simulate_many",
     "solve",
-    "solve_many",
     "sweep",
 ]
 
@@ -152,7 +149,6 @@ _HOMES = {
     "Trajectory": "runtime.simulation.trajectory",
     "certify": "_certify",
     "chart": "runtime.explore.charting.chart",
-    "continue_event": "runtime.explore.continuation.continue_event",
     "continue_orbit": "runtime.explore.continuation.continue_orbit",
     "design": "runtime.explore.design.design",
     "find_orbits": "runtime.explore.finding.find",
@@ -166,9 +162,7 @@ _HOMES = {
     "poincare_map": "runtime.simulation.returns",
     "refine": "runtime.orbits.refine",
     "simulate": "runtime.simulation.simulate",
-    "simulate_many": "runtime.simulation.simulate",
     "solve": "runtime.orbits.solve",
-    "solve_many": "runtime.orbits.many",
     "sweep": "runtime.explore.finding.sweep",
 }
 

@@ -53,7 +53,7 @@ def looped() -> Any:
 
 def locus() -> Any:
     of = looped()
-    return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55), step=0.1)
+    return ns.continue_orbit(of, "r", (0.45, 0.55), event=of.events[-1], step=0.1)
 
 
 def designed() -> Any:

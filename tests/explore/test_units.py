@@ -128,7 +128,7 @@ def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any
 @pytest.mark.slow
 def test_an_event_is_followed_in_two_parameters_in_all_units() -> None:
     wanted, found = [
-        ns.continue_event(branch, branch.events[0], "hold", (0.7, 0.8), points=1).values
+        ns.continue_orbit(branch, "hold", (0.7, 0.8), event=branch.events[0], points=1).values
         for branch in (answers("rubbing", *units)[1] for units in ((1, 1, 1), UNITS[0]))
     ]
     assert len(wanted) == 3

@@ -14,7 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
-from nonsmooth import InputError, simulate_many
+from nonsmooth import InputError, simulate
 from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
@@ -238,7 +238,7 @@ def test_orbits_are_found_up_to_their_shift():
     assert entry.period == pytest.approx(sled().period, abs=1e-12)
     assert entry.starts > 5
     kernels, data = kernels_of(SLED), {name: float(x) for name, x in found.parameters.items()}
-    motions = simulate_many(kernels, data, found.starts, transitions=200, keep=65)
+    motions = simulate(kernels, data, found.starts, transitions=200, keep=65)
     told = settled(kernels, data, motions)
     assert ((told.outcomes == PERIODIC) == (found.labels == 0)).all()
     np.testing.assert_allclose(told.periods[found.labels == 0], entry.period, atol=1e-5)
@@ -277,7 +277,7 @@ def test_many_points_at_once_give_the_same():
     orbit = sled()
     data = {name: float(value) for name, value in orbit.parameters.items()}
     guess = [*orbit.dwell_times, *orbit.states[0]]
-    many = ns.solve_many(
+    many = ns.solve(
         SLED, {**data, "V": [0.5, 0.51]}, guess, itinerary=orbit.itinerary, multipliers=True
     )
     other = ns.solve(SLED, {**PULLED, "V": "0.51"}, guess, itinerary=orbit.itinerary)

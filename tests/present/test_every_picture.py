@@ -186,7 +186,7 @@ def proved_branch() -> Any:
 @cache
 def flips() -> Any:
     (flip,) = (event for event in symmetric_branch().events if event.kind == "flip")
-    return ns.continue_event(symmetric_branch(), flip, "eta", (3.9, 4.1))
+    return ns.continue_orbit(symmetric_branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache

@@ -45,13 +45,13 @@ def result(kind: str) -> Any:
         case "Orbit":
             return ns.solve(ORBIT)
         case "Orbits":
-            return ns.solve_many(ORBIT, V=np.linspace(0.9, 1.1, 4))
+            return ns.solve(ORBIT, {"V": np.linspace(0.9, 1.1, 4)})
         case "Motion":
             return ns.solve(ORBIT).motion()
         case "Trajectory":
             return ns.simulate("dry-friction", DATA, REST, transitions=60)
         case "Trajectories":
-            return ns.simulate_many("rigid-stop", RIGID, np.full((5, 4), 0.5), transitions=3)
+            return ns.simulate("rigid-stop", RIGID, np.full((5, 4), 0.5), transitions=3)
         case "Recurrence":
             return ns.itinerary_of(ns.solve(ORBIT, {"us1": 1, "us2": 1}).trajectory(8))
         case "PoincareMap":
@@ -73,7 +73,7 @@ def result(kind: str) -> Any:
         case "Event":
             return flip()
         case "Locus":
-            return ns.continue_event(branch(), flip(), "eta", (3.99, 4.01))
+            return ns.continue_orbit(branch(), "eta", (3.99, 4.01), event=flip())
         case "DifferentiableFunction":
             return ns.orbit_function(ns.solve(ORBIT), by=["V", "eta"], of=["period", "trace"])
         case "Design":

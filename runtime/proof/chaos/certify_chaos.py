@@ -28,7 +28,7 @@ from nonsmooth.runtime.proof.sets.visited_declaration import (
     section_entries,
     visited_declaration,
 )
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 
 __all__ = ["certify_chaos"]
 
@@ -122,7 +122,7 @@ def certify_chaos(
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
-    motion = simulate(kernels, parameters, start, configuration, transitions=1)
+    motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
         enclosed = at(bits)
         if len(enclosed.structure.forcing) > 1:

@@ -31,7 +31,7 @@ from nonsmooth.runtime.proof.sets.visited_declaration import (
     refused_as_input,
     section_entries,
 )
-from nonsmooth.runtime.simulation.simulate import follow, simulate
+from nonsmooth.runtime.simulation.simulate import follow, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["certify_graph"]
@@ -156,7 +156,7 @@ def certify_graph(
     check_workers(workers)
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
-    motion = simulate(kernels, parameters, start, configuration, transitions=1)
+    motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
         enclosed = at(bits)
         if len(enclosed.structure.forcing) > 1:
