@@ -63,7 +63,7 @@ def batch(quick: bool) -> Iterator[Row]:
         for admissibility, must in ((False, 0.2e-6), (True, 1.5e-6)):
 
             def work(eta: np.ndarray = eta, admissibility: bool = admissibility) -> object:
-                return ns.solve_many(NAME, eta=eta, threads=1, admissibility=admissibility)
+                return ns.solve(NAME, {"eta": eta}, threads=1, admissibility=admissibility)
 
             label = f"{count:,} points, {'with' if admissibility else 'without'} admissibility"
             yield Row(label, timed(work, count), must)

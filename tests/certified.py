@@ -162,24 +162,24 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
 def prove_basin() -> ns.BasinCertificate:
     """Of a box of starts of the kicked mass, from which motions rise at once, or fall first."""
     box = {"x": (0, 2), "v": (-2, 2)}
-    return ns.certify_basin(loop(a="9/4"), box=box, side=0.5)
+    return ns.certify.basin(loop(a="9/4"), box=box, side=0.5)
 
 
 def prove_branch() -> ns.CertifiedBranch:
     """Of an orbit with dry friction, from a grazing beyond a flip."""
-    return ns.certify_branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
+    return ns.certify.branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
 
 
 def prove_doubling() -> ns.CertifiedDoubling:
     """What branches off at that flip, in one tile."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
-    return ns.certify_doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
+    return ns.certify.doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
 def prove_graph() -> ns.GraphCertificate:
     """Of speeds of the kicked mass, which tend to one."""
     data = {"k": 1, "r": "1/2", "a": 10}
-    return ns.certify_graph(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
+    return ns.certify.region(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
 
 
 def certified_over(
@@ -189,13 +189,13 @@ def certified_over(
     ends = str(low), str(high)
     lower, upper = (float(Fraction(end)) for end in ends)
     branch = ns.continue_orbit(orbit, parameter, (lower, upper))
-    return ns.certify_branch(branch, interval=ends, **asked)
+    return ns.certify.branch(branch, interval=ends, **asked)
 
 
 def accepted(found: Any, folder: Path) -> ns.Check:
     """The check of the file of what was found: it holds."""
     found.save(folder / "found.json")
-    check = ns.check_certificate(folder / "found.json")
+    check = ns.certify.check(folder / "found.json")
     assert check.difference is None
     return check
 

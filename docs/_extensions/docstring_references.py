@@ -1,6 +1,7 @@
 """Docstrings as pages: public names are links, formulas as written, enumerations listed."""
 
 from enum import Enum
+from inspect import cleandoc, isroutine
 
 from docutils.nodes import Element, literal
 from numpydoc.xref import DEFAULT_LINKS
@@ -31,7 +32,12 @@ def skip_tuple_fields(
 def show_as_written(
     app: Sphinx, what: str, name: str, member: object, options: object, lines: list[str]
 ) -> None:
-    """Keep the lines of an indented formula, and list the members of an enumeration."""
+    """Keep the lines of an indented formula, and list the members of an enumeration.
+
+    Of an object that is called, as `nonsmooth.certify` is, what its call does is told too.
+    """
+    if what == "function" and not isroutine(member):
+        lines += cleandoc(type(member).__call__.__doc__).splitlines()
     for i in range(len(lines) - 2):
         head, blank, formula = lines[i : i + 3]
         indented = len(formula) - len(formula.lstrip()) > len(head) - len(head.lstrip())

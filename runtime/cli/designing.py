@@ -172,13 +172,15 @@ def _beginning(
     """
     from nonsmooth.runtime.orbits.solve import solve
 
-    found = solve(name, fixed)
+    found: Orbit = solve(name, fixed)
     middles = {
         each: (low + high) / 2
         for each, (low, high) in over.items()
         if each in found.given and not low <= float(found.given[each]) <= high
     }
-    return solve(name, {**fixed, **middles}) if middles else found
+    if middles:
+        found = solve(name, {**fixed, **middles})
+    return found
 
 
 def _judged(found: Design, require: list[RequiredVerdict]) -> int:

@@ -9,7 +9,7 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from decimal import MAX_EMAX, MIN_EMIN, Decimal, localcontext
@@ -17,13 +17,16 @@ from fractions import Fraction
 from functools import lru_cache
 from numbers import Rational, Real
 from threading import RLock
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from nonsmooth.runtime.core.errors import InputError, one_line, unknown_name
 
 if TYPE_CHECKING:
     import numpy as np
     from flint import arb
+
+    Number: TypeAlias = "str | float | Fraction | Decimal | Value | np.number[Any]"
+    Numbers: TypeAlias = "Sequence[Any] | np.ndarray"
 
 LONGEST_TEXT = 1000
 LARGEST_EXPONENT = 10_000
@@ -172,6 +175,19 @@ def by_name(label: str, given: Any) -> dict[str, Any]:
     if not isinstance(given, Mapping):
         raise InputError(f"{label}: {one_line(repr(given), 60)} does not give values by names")
     return dict(given)
+
+
+def axes(given: Any) -> int:
+    """How many axes an array or a list of lists has; 0 for a number, a text, or what is neither.
+
+    Examples
+    --------
+    >>> axes([[0, 1], [2, 3]]), axes("1/3")
+    (2, 0)
+    """
+    if isinstance(given, list | tuple | range):
+        return 1 + axes(given[0]) if given else 1
+    return int(getattr(given, "ndim", 0))
 
 
 def real_array(label: str, given: Any) -> "np.ndarray":

@@ -58,7 +58,7 @@ def admissible_intervals(
     kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
 
     def allowed(values: np.ndarray) -> np.ndarray:
-        found = solve_many(orbit, **(others | {parameter: values}))
+        found = solve_many(orbit, others | {parameter: values})
         return np.asarray(found.admissible)
 
     inside = allowed(grid)

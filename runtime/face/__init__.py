@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.core.registry import register
 
 if TYPE_CHECKING:
+    from nonsmooth._certify import certify
     from nonsmooth.runtime.core.differentiable import DifferentiableFunction
     from nonsmooth.runtime.core.errors import (
         InputError,
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     )
     from nonsmooth.runtime.explore.charting.chart import chart
     from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus, continue_event
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.design.design import design
@@ -31,41 +32,31 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.fit import fit
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
-    from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.orbit_arrays import Orbits
     from nonsmooth.runtime.orbits.orbit_function import orbit_function
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
-    from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
+    from nonsmooth.runtime.present.checking.check_file import Check
     from nonsmooth.runtime.present.files.loading import load
     from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-    from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.boxes.certify_box import certify_box
     from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-    from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
     from nonsmooth.runtime.proof.certificate import Certificate
-    from nonsmooth.runtime.proof.certify_orbit import certify
-    from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
-    from nonsmooth.runtime.proof.counting.certify_all import certify_all
     from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-    from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling
-    from nonsmooth.runtime.proof.events.certify_event import certify_event
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-    from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
     from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
-    from nonsmooth.runtime.proof.motion.validate import validate
     from nonsmooth.runtime.simulation.engines import Trajectories
     from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
     from nonsmooth.runtime.simulation.lyapunov import lyapunov
     from nonsmooth.runtime.simulation.motion_function import motion_function
     from nonsmooth.runtime.simulation.observables import observe
     from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
-    from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
+    from nonsmooth.runtime.simulation.simulate import simulate
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
     __version__: str
@@ -105,17 +96,7 @@ __all__ = [
     "Trajectory",
     "__version__",
     "certify",
-    "certify_all",
-    "certify_basin",
-    "certify_box",
-    "certify_branch",
-    "certify_chaos",
-    "certify_doubling",
-    "certify_event",
-    "certify_graph",
     "chart",
-    "check_certificate",
-    "continue_event",
     "continue_orbit",
     "design",
     "find_orbits",
@@ -129,76 +110,60 @@ __all__ = [
     "poincare_map",
     "refine",
     "simulate",
-    "simulate_many",
     "solve",
-    "solve_many",
     "sweep",
-    "validate",
 ]
 
 _HOMES = {
-    "BoxCertificate": "proof.boxes.box_certificate",
-    "Census": "proof.counting.census",
-    "Check": "present.checking.check_file",
-    "Certificate": "proof.certificate",
-    "CertifiedBranch": "proof.branch.certified_branch",
-    "CertifiedDoubling": "proof.doubling.certified_doubling",
-    "BasinCertificate": "proof.basin.basin_certificate",
-    "ChaosCertificate": "proof.chaos.chaos_certificate",
-    "DifferentiableFunction": "core.differentiable",
-    "Branch": "explore.continuation.branch",
-    "Design": "explore.design.optimum",
-    "Event": "explore.continuation.event",
-    "EventCertificate": "proof.events.event_certificate",
-    "Experiment": "explore.fitting.measurements",
-    "Fit": "explore.fitting.fit_record",
-    "Found": "explore.finding.found",
-    "GraphCertificate": "proof.graphs.graph_certificate",
-    "InputError": "core.errors",
-    "Interrupted": "core.errors",
-    "Locus": "explore.continuation.continue_event",
-    "MissingExtra": "core.errors",
-    "Motion": "orbits.motion",
-    "NoConvergence": "core.errors",
-    "NonsmoothError": "core.errors",
-    "Orbit": "orbits.orbit",
-    "Orbits": "orbits.orbit_arrays",
-    "PoincareMap": "simulation.returns",
-    "Proof": "proof.motion.motion_proof",
-    "Recurrence": "simulation.last_cycle",
-    "Sweep": "explore.finding.sweep",
-    "Trajectories": "simulation.engines",
-    "Trajectory": "simulation.trajectory",
-    "certify": "proof.certify_orbit",
-    "certify_box": "proof.boxes.certify_box",
-    "certify_branch": "proof.branch.certify_branch",
-    "certify_basin": "proof.basin.certify_basin",
-    "certify_chaos": "proof.chaos.certify_chaos",
-    "certify_doubling": "proof.doubling.certify_doubling",
-    "certify_event": "proof.events.certify_event",
-    "certify_graph": "proof.graphs.certify_graph",
-    "certify_all": "proof.counting.certify_all",
-    "check_certificate": "present.checking.check_file",
-    "chart": "explore.charting.chart",
-    "continue_event": "explore.continuation.continue_event",
-    "continue_orbit": "explore.continuation.continue_orbit",
-    "design": "explore.design.design",
-    "find_orbits": "explore.finding.find",
-    "fit": "explore.fitting.fit",
-    "itinerary_of": "simulation.last_cycle",
-    "load": "present.files.loading",
-    "lyapunov": "simulation.lyapunov",
-    "motion_function": "simulation.motion_function",
-    "observe": "simulation.observables",
-    "orbit_function": "orbits.orbit_function",
-    "poincare_map": "simulation.returns",
-    "refine": "orbits.refine",
-    "simulate": "simulation.simulate",
-    "simulate_many": "simulation.simulate",
-    "solve": "orbits.solve",
-    "solve_many": "orbits.many",
-    "sweep": "explore.finding.sweep",
-    "validate": "proof.motion.validate",
+    "BoxCertificate": "runtime.proof.boxes.box_certificate",
+    "Census": "runtime.proof.counting.census",
+    "Check": "runtime.present.checking.check_file",
+    "Certificate": "runtime.proof.certificate",
+    "CertifiedBranch": "runtime.proof.branch.certified_branch",
+    "CertifiedDoubling": "runtime.proof.doubling.certified_doubling",
+    "BasinCertificate": "runtime.proof.basin.basin_certificate",
+    "ChaosCertificate": "runtime.proof.chaos.chaos_certificate",
+    "DifferentiableFunction": "runtime.core.differentiable",
+    "Branch": "runtime.explore.continuation.branch",
+    "Design": "runtime.explore.design.optimum",
+    "Event": "runtime.explore.continuation.event",
+    "EventCertificate": "runtime.proof.events.event_certificate",
+    "Experiment": "runtime.explore.fitting.measurements",
+    "Fit": "runtime.explore.fitting.fit_record",
+    "Found": "runtime.explore.finding.found",
+    "GraphCertificate": "runtime.proof.graphs.graph_certificate",
+    "InputError": "runtime.core.errors",
+    "Interrupted": "runtime.core.errors",
+    "Locus": "runtime.explore.continuation.continue_event",
+    "MissingExtra": "runtime.core.errors",
+    "Motion": "runtime.orbits.motion",
+    "NoConvergence": "runtime.core.errors",
+    "NonsmoothError": "runtime.core.errors",
+    "Orbit": "runtime.orbits.orbit",
+    "Orbits": "runtime.orbits.orbit_arrays",
+    "PoincareMap": "runtime.simulation.returns",
+    "Proof": "runtime.proof.motion.motion_proof",
+    "Recurrence": "runtime.simulation.last_cycle",
+    "Sweep": "runtime.explore.finding.sweep",
+    "Trajectories": "runtime.simulation.engines",
+    "Trajectory": "runtime.simulation.trajectory",
+    "certify": "_certify",
+    "chart": "runtime.explore.charting.chart",
+    "continue_orbit": "runtime.explore.continuation.continue_orbit",
+    "design": "runtime.explore.design.design",
+    "find_orbits": "runtime.explore.finding.find",
+    "fit": "runtime.explore.fitting.fit",
+    "itinerary_of": "runtime.simulation.last_cycle",
+    "load": "runtime.present.files.loading",
+    "lyapunov": "runtime.simulation.lyapunov",
+    "motion_function": "runtime.simulation.motion_function",
+    "observe": "runtime.simulation.observables",
+    "orbit_function": "runtime.orbits.orbit_function",
+    "poincare_map": "runtime.simulation.returns",
+    "refine": "runtime.orbits.refine",
+    "simulate": "runtime.simulation.simulate",
+    "solve": "runtime.orbits.solve",
+    "sweep": "runtime.explore.finding.sweep",
 }
 
 # where the records' `plot`, `save` and displays stand: above them, and imported when asked for
@@ -254,7 +219,7 @@ def __getattr__(name: str) -> object:
 
         value: object = version("nonsmooth")
     elif name in _HOMES:
-        value = getattr(import_module(f"nonsmooth.runtime.{_HOMES[name]}"), name)
+        value = getattr(import_module(f"nonsmooth.{_HOMES[name]}"), name)
     else:
         raise AttributeError(f"module 'nonsmooth' has no attribute {name!r}")
     globals()[name] = value

@@ -321,70 +321,17 @@ def solve_many(
     multipliers: bool = False,
     admissibility: bool = True,
     threads: int | None = None,
-    chunk: int = CHUNK,
+    chunk: int | None = None,
     derivatives: Sequence[str] | str = (),
-    **named: Any,
 ) -> Orbits:
-    """Find the orbit of an itinerary at many parameter points.
+    """Find the orbit of an itinerary at many parameter points, as `solve` does of arrays.
 
-    Each point of an orbit that has a name starts from a first-order prediction from the
-    reference orbit; where that fails, from the reference orbit itself and from a few other
-    starts. What is found at a point depends on nothing but its own parameters: not on
-    `threads`, `chunk` or on other points.
-
-    Parameters
-    ----------
-    orbit : str or Itinerary, or a system beside an `itinerary`
-        ``system/orbit``, ``FILE.py:orbit`` or ``FOLDER:orbit``; with an `itinerary` the name
-        of a system, or a System.
-    parameters : mapping of str to array_like, optional
-        Parameters of the equations, broadcast against each other; absent ones take the
-        reference point's values. With an `itinerary` all physical parameters.
-    guess : array (..., p) or (..., p + N), optional
-        Of an `itinerary`: the dwell time of each phase, or these and the start, for all points
-        or for each; they may be many for one point.
-    itinerary : sequence of (configuration, boundary), or Recurrence, optional
-        As for `solve`.
-    given : mapping, optional
-        The ``period`` (...) of an `itinerary`, as for `solve`.
-    multipliers : bool
-        Of an `itinerary`: also give multipliers, and the derivatives of what they make up.
-    admissibility : bool
-        Also decide whether each orbit is a motion of the real system; where several are
-        found, one that is comes first. About a millisecond a point for orbits without kernels.
-    threads : int, optional
-        As many as processors when omitted.
-    chunk : int
-        Points that one thread takes at a time, of orbits with kernels.
-    derivatives : sequence of str, or str
-        Parameters by which unknowns, period and trace are differentiated, exactly up to
-        rounding: `Orbits.derivatives`. With `multipliers` also their product, ``determinant``,
-        and ``spectral_radius``, as `Orbit.derivatives` names them.
-    **named : array_like
-        More of the parameters, by keyword.
-
-    Returns
-    -------
-    Orbits
-
-    Raises
-    ------
-    InputError
-        For an unknown parameter, arrays that do not broadcast, or no positive number of
-        threads or points; with an `itinerary` as `solve`.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> found = solve_many("dry-friction/global-stick", eta=np.linspace(0.95, 1.05, 5))
-    >>> found.converged.all(), found.trace.shape
-    (np.True_, (5,))
-    >>> found = solve_many("dry-friction/global-stick", eta=[1, 1.01], derivatives=["eta", "V"])
-    >>> found.derivatives["period"]["V"].shape
-    (2,)
+    What is found at a point depends on nothing but its own parameters: not on `threads`,
+    `chunk` or on other points.
     """
-    values = {**by_name("parameters", parameters), **named}
+    values = by_name("parameters", parameters)
     options: Any = {"admissibility": admissibility, "threads": threads}
+    chunk = CHUNK if chunk is None else chunk
     _check_positive("chunk", chunk)
     if threads is not None:
         _check_positive("threads", threads)

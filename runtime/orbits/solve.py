@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, by_name, parse
+from nonsmooth.runtime.core.values import Value, as_value, axes, by_name, parse
 from nonsmooth.runtime.model.completion import Point, complete, complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
@@ -35,18 +35,51 @@ from nonsmooth.runtime.shooting.kernel_newton import Full, judged_at, solve_full
 from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, sure_digits
 from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
+if TYPE_CHECKING:
+    from nonsmooth.runtime.core.values import Number, Numbers
+    from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+
 __all__ = ["Itinerary", "guess_along", "search", "solve", "solve_kernels"]
 
 STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
 SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
 
+AnyOrbit = str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels
 Itinerary = Sequence[tuple[str, str]] | Recurrence
 
 
+@overload
+def solve(  # type: ignore[overload-overlap]  # what has no array is one orbit
+    orbit: AnyOrbit,
+    parameters: Mapping[str, Number] | None = None,
+    guess: Sequence[float] | Mapping[str, float] | np.ndarray | None = None,
+    *,
+    itinerary: Itinerary | None = None,
+    symmetry: Symmetries = None,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, Number] | None = None,
+    digits: int = DOUBLE,
+    throw: bool = True,
+) -> Orbit: ...
+@overload
 def solve(
-    orbit: str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels,
+    orbit: AnyOrbit,
+    parameters: Mapping[str, Number | Numbers],
+    guess: Any = None,
+    *,
+    itinerary: Itinerary | None = None,
+    given: Mapping[str, Number | Numbers] | None = None,
+    multipliers: bool = False,
+    admissibility: bool = True,
+    derivatives: Sequence[str] | str = (),
+    threads: int | None = None,
+    chunk: int | None = None,
+) -> Orbits: ...
+@overload
+def solve(
+    orbit: AnyOrbit,
     parameters: Mapping[str, object] | None = None,
-    guess: Sequence[float] | Mapping[str, float] | Any = None,
+    guess: Any = None,
     *,
     itinerary: Itinerary | None = None,
     symmetry: Symmetries = None,
@@ -54,66 +87,120 @@ def solve(
     given: Mapping[str, object] | None = None,
     digits: int = DOUBLE,
     throw: bool = True,
-) -> Orbit:
-    """Find the periodic orbit of an itinerary.
+    multipliers: bool = False,
+    admissibility: bool = True,
+    derivatives: Sequence[str] | str = (),
+    threads: int | None = None,
+    chunk: int | None = None,
+) -> Any: ...
+
+
+def solve(
+    orbit: AnyOrbit,
+    parameters: Mapping[str, object] | None = None,
+    guess: Any = None,
+    *,
+    itinerary: Itinerary | None = None,
+    symmetry: Symmetries = None,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, object] | None = None,
+    digits: int = DOUBLE,
+    throw: bool = True,
+    multipliers: bool = False,
+    admissibility: bool = True,
+    derivatives: Sequence[str] | str = (),
+    threads: int | None = None,
+    chunk: int | None = None,
+) -> Orbit | Orbits:
+    """Find the periodic orbit of an itinerary, at one parameter point or at many.
 
     Without a guess it starts from the orbit's reference point; where that leads nowhere, or
     to a solution that is no motion of the real system, it follows the reference orbit to
     these parameters and then tries a grid of starts.
 
+    Arrays of parameters make many points. Each point of an orbit that has a name starts from a
+    first-order prediction from the reference orbit; where that fails, from the reference orbit
+    itself and from a few other starts. What is found at a point depends on nothing but its own
+    parameters: not on other points, `threads` or `chunk`.
+
     Parameters
     ----------
     orbit : str or Itinerary, or a system beside an `itinerary`
-        ``system/orbit``, or a user's ``FILE.py:ORBIT``. One whose equations have no closed
-        form is composed numerically from its phases. Of a file of orbits ``FILE.json:N``, the
-        N-th, counted from 1: its parameters are the defaults. With an `itinerary` the name of
-        a system, or a System.
-    parameters : mapping of str to number, text or Value, optional
+        ``system/orbit``, or a user's ``FILE.py:ORBIT`` or ``FOLDER:ORBIT``. One whose
+        equations have no closed form is composed numerically from its phases. Of a file of
+        orbits ``FILE.json:N``, the N-th, counted from 1: its parameters are the defaults. With
+        an `itinerary` the name of a system, or a System.
+    parameters : mapping of str to number, text, Value or array, optional
         Those of the equations, or the physical ones in their place; absent ones take the
         reference point's values. With an `itinerary` all physical parameters. Nondimensional,
-        or in the units of the declaration.
-    guess : sequence or mapping of float, optional
+        or in the units of the declaration. Arrays broadcast against each other.
+    guess : sequence or mapping of float, or array, optional
         Start of the unknowns, all in their order or some by name. With an `itinerary` the dwell
         times, one for each phase, or these and the state at the start of the first phase;
-        without that the state that fits the dwell times best is taken.
+        without that the state that fits the dwell times best is taken. At many points these
+        alone, for all points or, as the last axis of an array, for each; many for one point make
+        many orbits.
     itinerary : sequence of (configuration, boundary), or Recurrence, optional
         The phases of an orbit that has no name: cyclic, the last leads back to the first.
         Boundaries that are reached together are ``"a+b"`` or a sequence of names: the first
         one's switching condition is solved, and admissibility asks for the others'. The cycle
         of a motion, as `itinerary_of` gives it, brings its own guess.
     symmetry : mapping of state to text, or array (N, N), optional
-        Of an `itinerary`: a signed permutation of the states that maps motions to motions, such
-        as ``{"x": "-x", "v": "-v"}``. The itinerary is then that of the first part of the
-        orbit, half of it where the symmetry is its own inverse: the symmetry maps the state
-        behind its last transition to the start. The orbit that is returned is the whole one.
+        Of an `itinerary`, at one point: a signed permutation of the states that maps motions to
+        motions, such as ``{"x": "-x", "v": "-v"}``. The itinerary is then that of the first
+        part of the orbit, half of it where the symmetry is its own inverse: the symmetry maps
+        the state behind its last transition to the start. The orbit that is returned is the
+        whole one.
     unknown, given : names, and mapping of names to values
-        Exchange: the parameters named in `unknown` are solved for, the unknowns named in
-        `given` keep their values; as many of one as of the other. An orbit that is composed
-        takes none of them, but its ``period`` may be given: it singles out one of a family of
-        orbits, as there is where energy is kept.
+        Exchange, at one point: the parameters named in `unknown` are solved for, the unknowns
+        named in `given` keep their values; as many of one as of the other. An orbit that is
+        composed takes none of them, but its ``period`` may be given, with an `itinerary` also
+        at many points: it singles out one of a family of orbits, as there is where energy is
+        kept.
     digits : int
-        True decimal digits; above 15 as `refine` gives them.
+        True decimal digits of one orbit; above 15 as `refine` gives them.
     throw : bool
-        Raise when there is no convergence; otherwise the orbit's `status` says it.
+        Raise when there is no convergence; otherwise the orbit's `status` says it, as it does
+        of each of many points.
+    multipliers : bool
+        Of an `itinerary` at many points: also give multipliers, and the derivatives of what
+        they make up.
+    admissibility : bool
+        At many points: also decide whether each orbit is a motion of the real system; where
+        several are found, one that is comes first. About a millisecond a point for orbits
+        without kernels.
+    derivatives : sequence of str, or str
+        At many points: parameters by which unknowns, period and trace are differentiated,
+        exactly up to rounding: `Orbits.derivatives`. With `multipliers` also their product,
+        ``determinant``, and ``spectral_radius``, as `Orbit.derivatives` names them.
+    threads : int, optional
+        At many points; as many as processors when omitted.
+    chunk : int, optional
+        Of many points, those that one thread takes at a time, of orbits with kernels.
 
     Returns
     -------
-    Orbit
-        In double precision; the iteration ends when a full Newton step is below
-        ``1e-9 max(1, |x|)``, which leaves an error of rounding.
+    Orbit or Orbits
+        One orbit in double precision, where no parameter is an array and the guess is one: the
+        iteration ends when a full Newton step is below ``1e-9 max(1, |x|)``, which leaves an
+        error of rounding. Else the orbits of all points.
 
     Raises
     ------
     InputError
         For wrong names or values, a guess of the wrong length, an exchange that the equations
         do not determine (its condition number is given), an itinerary that the system does not
-        allow, or what is no symmetry of it at these parameters.
+        allow, or what is no symmetry of it at these parameters; for arrays that do not
+        broadcast, or what only one point has, or only many.
     NoConvergence
-        If no orbit was found, and the message says what was tried, or if it cannot be refined.
+        If one orbit was not found, and the message says what was tried, or if it cannot be
+        refined.
 
     Examples
     --------
-    >>> solve("dry-friction/global-stick").stability.verdict
+    >>> import numpy as np
+    >>> import nonsmooth as ns
+    >>> ns.solve("dry-friction/global-stick").stability.verdict
     'stable'
     >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
     >>> phases = [
@@ -122,13 +209,48 @@ def solve(
     ...     ("slip-slip", "first-reaches-belt"),
     ...     ("stick-slip", "second-reaches-belt"),
     ... ]
-    >>> orbit = solve("dry-friction", data, [1, 2, 1.5, 3.3], itinerary=phases)
+    >>> orbit = ns.solve("dry-friction", data, [1, 2, 1.5, 3.3], itinerary=phases)
     >>> orbit.stability.verdict, orbit.admissibility.verdict
     ('stable', True)
+    >>> eta = np.linspace(0.95, 1.05, 5)
+    >>> found = ns.solve("dry-friction/global-stick", {"eta": eta}, derivatives="V")
+    >>> found.converged.all(), found.trace.shape, found.derivatives["period"]["V"].shape
+    (np.True_, (5,), (5,))
     """
     check_digits(digits)
-    named, swapped = cast("Any", orbit), one_or_several(unknown)
     values, fixed = by_name("parameters", parameters), by_name("given", given)
+    several = axes(guess) > 1 or any(map(axes, [*values.values(), *fixed.values()]))
+    of_one = {
+        "symmetry": symmetry is not None,
+        "unknown": bool(one_or_several(unknown)),
+        "digits": digits != DOUBLE,
+    }
+    of_many = {
+        "multipliers": multipliers is not False,
+        "admissibility": admissibility is not True,
+        "derivatives": bool(one_or_several(derivatives)),
+        "threads": threads is not None,
+        "chunk": chunk is not None,
+    }
+    if wrong := [name for name, is_asked in (of_one if several else of_many).items() if is_asked]:
+        points = "one parameter point" if several else "many parameter points, as arrays give them,"
+        raise InputError(f"{' and '.join(wrong)}: of {points} only")
+    if several:
+        from nonsmooth.runtime.orbits.many import solve_many
+
+        return solve_many(
+            orbit,
+            values,
+            guess,
+            itinerary=itinerary,
+            given=fixed or None,
+            multipliers=multipliers,
+            admissibility=admissibility,
+            threads=threads,
+            chunk=chunk,
+            derivatives=derivatives,
+        )
+    named, swapped = cast("Any", orbit), one_or_several(unknown)
     if itinerary is not None:
         system, period = kernels_of(named), period_in(swapped, fixed)
         phases, dwell, start = guess_along(system, itinerary, guess)

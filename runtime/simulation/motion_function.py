@@ -16,7 +16,7 @@ from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.motion_linearisation import input_names, nearest_start
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["motion_function"]
@@ -84,7 +84,7 @@ def motion_function(
         end, most = float(wanted.max()), None
 
     def follow(values: Mapping[str, object], state: Any) -> Trajectory:
-        return simulate(system, values, state, configuration, until=end, transitions=most)
+        return simulate_one(system, values, state, configuration, until=end, transitions=most)
 
     nominal = follow(parameters, start)
     names, starts = input_names(nominal)
@@ -114,7 +114,7 @@ def motion_function(
         state = np.array([values[name] for name in starts])
         if bound or turned:
             state = nearest_start(piecewise(system, own), first, state)
-        return simulate(system, own, state.tolist(), entry, until=end, transitions=most)
+        return simulate_one(system, own, state.tolist(), entry, until=end, transitions=most)
 
     def read(found: Trajectory) -> np.ndarray:
         if wanted is None:

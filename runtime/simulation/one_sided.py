@@ -36,7 +36,7 @@ from nonsmooth.runtime.simulation.motion_linearisation import (
     nearest_start,
     turned,
 )
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [
@@ -349,7 +349,7 @@ class _MovedPassage:
         start = nearest_start(piecewise(kernels, parameters), source, start)
         name = trajectory.structure.configurations[source]
         try:
-            found = simulate(
+            found = simulate_one(
                 kernels, parameters, start.tolist(), name,
                 until=front + _BEHIND * width, transitions=_MOST,
             )  # fmt: skip

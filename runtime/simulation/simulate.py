@@ -6,13 +6,13 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.parallel import thread_pool
-from nonsmooth.runtime.core.values import real_array
+from nonsmooth.runtime.core.values import axes, by_name, real_array
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, grown, kernels_of
@@ -37,68 +37,154 @@ from nonsmooth.runtime.simulation.engines import (
     store_end,
 )
 from nonsmooth.runtime.simulation.starting import (
-    check_forcing,
     check_phases,
     configuration_of,
     configurations_of,
     start_state,
+    start_states,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.visiting import visits_behind, with_starts
 
-__all__ = ["LARGEST_COUNT", "checked_count", "follow", "simulate", "simulate_many"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.core.values import Number, Numbers
+
+__all__ = [
+    "LARGEST_COUNT",
+    "checked_count",
+    "follow",
+    "simulate",
+    "simulate_many",
+    "simulate_one",
+]
+
+AnySystem = str | SystemKernels | DeclaredSystem
 
 _LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time
 LARGEST_COUNT = 2**62
 
 
-def simulate(
-    system: str | SystemKernels | DeclaredSystem,
-    parameters: Mapping[str, object],
-    state: Mapping[str, object] | Sequence[object],
+@overload
+def simulate(  # type: ignore[overload-overlap]  # what has no array is one motion
+    system: AnySystem,
+    parameters: Mapping[str, Number],
+    state: Mapping[str, Number] | Sequence[Number],
     configuration: str | None = None,
     *,
     until: float = math.inf,
     transitions: int | None = None,
-) -> Trajectory:
-    """Follow one motion from event to event.
+) -> Trajectory: ...
+@overload
+def simulate(
+    system: AnySystem,
+    parameters: Mapping[str, Number | Numbers],
+    state: Mapping[str, Number | Numbers] | Sequence[Number | Numbers],
+    configuration: str | np.ndarray | None = None,
+    *,
+    until: float | Numbers = math.inf,
+    transitions: int | None = None,
+    keep: int = 0,
+    threads: int | None = None,
+) -> Trajectories: ...
+@overload
+def simulate(
+    system: AnySystem,
+    parameters: Mapping[str, object],
+    state: Any,
+    configuration: Any = None,
+    *,
+    until: Any = math.inf,
+    transitions: int | None = None,
+    keep: int = 0,
+    threads: int | None = None,
+) -> Any: ...
+
+
+def simulate(
+    system: AnySystem,
+    parameters: Mapping[str, object],
+    state: Any,
+    configuration: Any = None,
+    *,
+    until: Any = math.inf,
+    transitions: int | None = None,
+    keep: int = 0,
+    threads: int | None = None,
+) -> Trajectory | Trajectories:
+    """Follow one motion from event to event, or many motions where arrays are given.
 
     Inside a configuration the motion is known in closed form; the first crossing of a
-    boundary is found with a guarantee, so that no event is missed.
+    boundary is found with a guarantee, so that no event is missed. Many motions are followed
+    in the compiled engine, in threads.
 
     Parameters
     ----------
     system : str, System or SystemKernels
         A system that `nonsmooth list` shows.
-    parameters : mapping of str to str, number or Value
-        All physical parameters.
-    state : mapping of str to number, or sequence (N,)
+    parameters : mapping of str to number, text, Value or array
+        All physical parameters. Arrays broadcast against each other and the starts.
+    state : mapping of str to number or array, sequence (N,) or array (..., N)
         Physical coordinates: positions, then velocities.
-    configuration : str, optional
-        Where it starts; found by the system's own conditions when omitted.
-    until : float
+    configuration : str or array (...) of int, optional
+        Where it starts; found by the system's own conditions when omitted. An array has the
+        indices with which `Trajectories` tells where motions ended, which are not checked again.
+    until : float or array (...)
         Time at which to end.
     transitions : int, optional
         Number of transitions after which to end; at least one of the two has to be given.
+    keep : int
+        Of many motions, how many of the last entries of each to keep: memory grows with what is
+        returned only.
+    threads : int, optional
+        Of many motions; as many as there are processors when omitted.
 
     Returns
     -------
-    Trajectory
-        The start, and the state behind each transition.
+    Trajectory or Trajectories
+        Of one motion the start, and the state behind each transition. Of many, where parameters,
+        starts, configurations or ends are arrays, where and how each ended, and what was kept.
 
     Raises
     ------
     InputError
-        For wrong names or numbers, a start that belongs to no configuration or not to the one
-        that is named, or at which the forcings are at no time, or an end that is none.
+        For wrong names, numbers, shapes or counts, or an end that is none. For one motion also
+        if its start belongs to no configuration or not to the one that is named, or if the
+        forcings are at no time as at the start; of many motions each has a status of its own.
 
     Examples
     --------
+    >>> import nonsmooth as ns
     >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
-    >>> motion = simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=2)
+    >>> motion = ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=2)
     >>> motion.boundaries[1:]
     (('first-reaches-stop',), ('first-reaches-stop',))
+    >>> ends = ns.simulate("rigid-stop", data, [[0, 0, 1.5, 0], [0, 0, 2, 0]], transitions=4)
+    >>> ends.states.shape
+    (2, 4)
     """
+    values = by_name("parameters", parameters)
+    alone = [*values.values(), until, configuration]
+    alone += state.values() if isinstance(state, Mapping) else ()
+    if any(map(axes, alone)) or axes(state) > 1:
+        return simulate_many(
+            system, values, state, configuration,
+            until=until, transitions=transitions, keep=keep, threads=threads,
+        )  # fmt: skip
+    if keep or threads is not None:
+        raise InputError("keep and threads: of many motions only, whose starts are an array")
+    return simulate_one(system, values, state, configuration, until=until, transitions=transitions)
+
+
+def simulate_one(
+    system: AnySystem,
+    parameters: Mapping[str, object],
+    state: Any,
+    configuration: str | None = None,
+    *,
+    until: Any = math.inf,
+    transitions: int | None = None,
+) -> Trajectory:
+    """Follow one motion, as `simulate` does where numbers are given."""
     kernels = kernels_of(system)
     pieces = piecewise(kernels, parameters)
     start = start_state(pieces.structure, state)
@@ -148,7 +234,7 @@ def follow(
 
 
 def simulate_many(
-    system: str | SystemKernels | DeclaredSystem,
+    system: AnySystem,
     parameters: Mapping[str, Any],
     states: Any,
     configurations: str | np.ndarray | None = None,
@@ -158,54 +244,15 @@ def simulate_many(
     keep: int = 0,
     threads: int | None = None,
 ) -> Trajectories:
-    """Follow many motions in the compiled engine, in threads.
+    """Follow many motions in the compiled engine, in threads, as `simulate` does of arrays.
 
-    Parameters
-    ----------
-    system : str, System or SystemKernels
-    parameters : mapping of str to array
-        All physical parameters; they broadcast against each other and the starts.
-    states : array (..., N)
-        Physical coordinates.
-    configurations : str or array (...) of int, optional
-        Where all start, or each: as `Trajectories` tells where motions ended, not checked again.
-        Found for each when omitted.
-    until : float or array (...)
-    transitions : int, optional
-        At least one of the two has to be given.
-    keep : int
-        How many of the last entries of each motion to keep: memory grows with what is
-        returned only.
-    threads : int, optional
-        As many as there are processors when omitted.
-
-    Returns
-    -------
-    Trajectories
-        Where and how each motion ended, and what was kept of it.
-
-    Raises
-    ------
-    InputError
-        For wrong names, shapes or counts. A start that belongs to no configuration gets a
-        status of its own.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
-    >>> ends = ns.simulate_many("rigid-stop", data, [[0, 0, 1.5, 0], [0, 0, 2, 0]], transitions=4)
-    >>> ends.states.shape
-    (2, 4)
+    States are (..., N), or arrays by name; the arrays (...) of parameters, configurations and
+    ends broadcast.
     """
     kernels = grown(kernels_of(system))
     structure = structure_of(kernels)
     points, shape = parameter_points(kernels, parameters)
-    starts = real_array("states", states)
-    size = len(structure.states)
-    if starts.ndim == 0 or starts.shape[-1] != size:
-        raise InputError(f"the last axis of the states is not {size} long")
-    check_forcing(structure, starts.reshape(-1, size))
+    starts, size = start_states(structure, states), len(structure.states)
     limits = real_array("until", until)
     most = _most_transitions(limits, transitions)
     kept = checked_count("keep", keep, 0)

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import as_value, axes, real_array
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading_signs
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import Law
+from nonsmooth.runtime.model.parameter_batches import parameter_array
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
@@ -24,6 +26,7 @@ __all__ = [
     "on_circles",
     "orders_along",
     "start_state",
+    "start_states",
 ]
 
 _ERROR = 16 * np.finfo(float).eps
@@ -42,14 +45,7 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
     """
     names = structure.states
     if isinstance(given, Mapping):
-        for name in given:
-            if name not in names:
-                raise unknown_name("state", str(name), names)
-        given = _forcing_start(structure) | dict(given)
-        missing = [name for name in names if name not in given]
-        if missing:
-            raise InputError(f"the start needs a value for: {', '.join(missing)}")
-        values = [given[name] for name in names]
+        values = _in_order(structure, given)
     else:
         try:
             values = list(given)
@@ -62,6 +58,40 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
     start = np.array([_number(n, v) for n, v in zip(names, values, strict=True)])
     check_forcing(structure, start[None])
     return start
+
+
+def start_states(structure: Structure, given: Any) -> np.ndarray:
+    """Many states (..., N), from arrays by name that broadcast or an array in the system's order.
+
+    What is refused, and what may be left out, is as for `start_state`.
+    """
+    names = structure.states
+    if isinstance(given, Mapping):
+        values = zip(names, _in_order(structure, given), strict=True)
+        try:
+            given = np.stack(np.broadcast_arrays(*(parameter_array(n, v) for n, v in values)), -1)
+        except ValueError:
+            raise InputError("the arrays of the state do not broadcast") from None
+    elif axes(given) == 1:
+        return start_state(structure, given)
+    starts = real_array("state", given)
+    if starts.ndim == 0 or starts.shape[-1] != len(names):
+        raise InputError(f"the last axis of the states is not {len(names)} long")
+    check_forcing(structure, starts.reshape(-1, len(names)))
+    return starts
+
+
+def _in_order(structure: Structure, given: Mapping[str, object]) -> list[Any]:
+    """What is given of each state, in the system's order; forcings begin at c = 1, s = 0."""
+    names = structure.states
+    for name in given:
+        if name not in names:
+            raise unknown_name("state", str(name), names)
+    given = _forcing_start(structure) | dict(given)
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise InputError(f"the start needs a value for: {', '.join(missing)}")
+    return [given[name] for name in names]
 
 
 def check_forcing(structure: Structure, states: np.ndarray) -> None:

@@ -117,9 +117,7 @@ def _same(count: int) -> Iterator[Row]:
         label = "with admissibility" if admissibility else "without"
         works = {
             f"{name}, {label}": (
-                lambda o=orbit, a=admissibility: ns.solve_many(
-                    o, values, threads=1, admissibility=a
-                ),
+                lambda o=orbit, a=admissibility: ns.solve(o, values, threads=1, admissibility=a),
                 float(count),
             )
             for name, orbit in (("one impact, built in", built_in), ("declared", declared))
@@ -143,7 +141,7 @@ def _forced(count: int) -> Iterator[Row]:
         def work(
             few: Mapping[str, np.ndarray] = few, admissibility: bool = admissibility
         ) -> object:
-            return ns.solve_many(kernels, few, threads=1, admissibility=admissibility)
+            return ns.solve(kernels, few, threads=1, admissibility=admissibility)
 
         label = f"{ours}, with admissibility" if admissibility else ours
         yield Row(label, timed(work, len(few["gap"])), must)
@@ -160,7 +158,7 @@ def _forced(count: int) -> Iterator[Row]:
     for told in ("", ", with admissibility"):
 
         def composed(admissibility: bool = bool(told)) -> object:
-            return ns.solve_many(
+            return ns.solve(
                 system, few, near, itinerary=phases, threads=1, admissibility=admissibility
             )
 

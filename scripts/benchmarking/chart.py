@@ -84,7 +84,7 @@ def _found(count: int, points: str) -> Iterator[Row]:
         begin = time.perf_counter()
         chart = ns.chart(NAME, threads=2, **{first: rows, second: columns})
         middle = time.perf_counter()
-        alone = ns.solve_many(NAME, threads=2, **{first: rows[:, None], second: columns})
+        alone = ns.solve(NAME, {first: rows[:, None], second: columns}, threads=2)
         end = time.perf_counter()
         for way, seconds, status, period in (
             ("by anchors", middle - begin, chart.status.values, chart.period.values),

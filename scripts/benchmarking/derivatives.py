@@ -146,11 +146,11 @@ def _batch(name: str, points: int, system: Any, data: dict[str, float], told: An
     random = np.random.default_rng(0)
     values = {key: x * (1 - 1e-4 * random.uniform(0, 1, points)) for key, x in data.items()}
     options = {**told, "admissibility": False, "threads": 1}
-    found = ns.solve_many(system, values, **options)
+    found = ns.solve(system, values, **options)
     assert found.converged.mean() > 0.9, name
 
     def solve() -> None:
-        ns.solve_many(system, values, **options)
+        ns.solve(system, values, **options)
 
     def differentiate() -> None:
         derivatives_of_many(found, list(data), 1)

@@ -123,8 +123,8 @@ def make_files(folder: Path) -> None:
     orbit.save(folder / "orbit.json")
     ns.certify(orbit).save(folder / "certificate.json")
     box = {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")}
-    ns.certify_box(orbit, box, tiles=3).save(folder / "map.json")
-    ns.certify_all(ORBIT, box={"tau": 1, "tau1": 1}).save(folder / "census.json")
+    ns.certify.box(orbit, box, tiles=3).save(folder / "map.json")
+    ns.certify.all(ORBIT, box={"tau": 1, "tau1": 1}).save(folder / "census.json")
     branch = ns.continue_orbit(orbit, "V", (0.99, 1.01))
     branch.save(folder / "branch.json")
     motion = ns.simulate("dry-friction", {**DATA, "V": 1}, REST, transitions=20)

@@ -46,7 +46,7 @@ def main(count: int) -> None:
     found = []
     for begin in range(0, count, CHUNK):
         here = {name: values[begin : begin + CHUNK] for name, values in points.items()}
-        motions = ns.simulate_many(
+        motions = ns.simulate(
             kernels, here, starts[begin : begin + CHUNK], transitions=TRANSITIONS, keep=KEPT
         )
         scales = np.maximum(np.nanmax(np.abs(motions.last_states), axis=1), 1e-3)

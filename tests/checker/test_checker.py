@@ -106,7 +106,7 @@ def test_files_come_back(name: str, tmp_path: Path) -> None:
     certificate(name).save(path)
     loaded = ns.load(path)
     assert unhashed(loaded.to_json()) == unhashed(certificate(name).to_json())
-    assert ns.check_certificate(path).difference is None
+    assert ns.certify.check(path).difference is None
     loaded.save(tmp_path / "again.json")
     assert path.read_text() == (tmp_path / "again.json").read_text()
 
@@ -500,12 +500,12 @@ def test_another_parameter_is_not_that_of_the_declaration(tmp_path: Path) -> Non
     content["sha256"] = checksum_of(content)
     refused(content, "existence")  # the declaration is over it
     path.write_text(json.dumps(content))
-    assert "existence" in str(ns.check_certificate(path).difference)
+    assert "existence" in str(ns.certify.check(path).difference)
     content["parameters"]["eta"] = "1"
     content["system"] = "nowhere.py"
     content["sha256"] = checksum_of(content)
     path.write_text(json.dumps(content))
-    found = ns.check_certificate(path)
+    found = ns.certify.check(path)
     assert "unknown system 'nowhere.py'" in str(found.difference)
 
 
@@ -688,10 +688,10 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     if name == "map":
-        ns.certify_box(loop(), {"r": ("2/5", "3/5")}).save(path)
+        ns.certify.box(loop(), {"r": ("2/5", "3/5")}).save(path)
     elif name == "events":
         branch = ns.continue_orbit(loop(), "a", (1.5, 3.5))
-        ns.certify_event(branch, branch.events[-1]).save(path)
+        ns.certify.event(branch, branch.events[-1]).save(path)
     else:
         certificate(name).save(path)
     run = "import sys, runpy; sys.path.insert(0, sys.argv.pop(1));"
@@ -749,7 +749,7 @@ def test_files_that_are_no_certificates(
     if "missing" in told or "type" in told:
         text = json.dumps(signed(json.loads(text)))
     path.write_text(text)
-    for work in (ns.load, ns.check_certificate):
+    for work in (ns.load, ns.certify.check):
         with pytest.raises(InputError, match=told):
             work(path)
 
@@ -760,7 +760,7 @@ def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace('"proved"', '"refuted"', 1))
     with pytest.raises(InputError, match="checksum"):
         ns.load(path)
-    assert "checksum" in str(ns.check_certificate(path).difference)
+    assert "checksum" in str(ns.certify.check(path).difference)
 
 
 @pytest.mark.parametrize("seed", range(20))

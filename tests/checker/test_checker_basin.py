@@ -25,7 +25,7 @@ def path(tmp_path_factory):
     """A basin of some tiles whose corner leads to the orbit; far from it motions slip long."""
     box = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
     orbit = ns.solve("dry-friction/global-stick", DATA)
-    found = ns.certify_basin(orbit, box=box, side=0.25, tiles=60)
+    found = ns.certify.basin(orbit, box=box, side=0.25, tiles=60)
     assert 0 < found.attracted.sum() < 60
     path = tmp_path_factory.mktemp("friction") / "basin.json"
     found.save(path)
@@ -37,7 +37,7 @@ def near(tmp_path_factory):
     """A basin of one mass on a belt, which is proved again in a second."""
     orbit = ns.solve(f"{GALLERY / 'mass_on_belt.py'}:stick-slip")
     path = tmp_path_factory.mktemp("belt") / "basin.json"
-    found = ns.certify_basin(orbit, box={"x": (0, 2), "v": (-0.5, 0.5)}, side=0.25)
+    found = ns.certify.basin(orbit, box={"x": (0, 2), "v": (-0.5, 0.5)}, side=0.25)
     assert 0 < found.attracted.sum() < found.attracted.size
     found.save(path)
     return path
@@ -57,7 +57,7 @@ def refused(content, tmp_path, told):
     path = tmp_path / "false.json"
     path.write_text(json.dumps(signed(content)))
     try:
-        difference = ns.check_certificate(path).difference
+        difference = ns.certify.check(path).difference
     except ns.InputError as problem:
         difference = str(problem)
     assert difference is not None
@@ -66,14 +66,14 @@ def refused(content, tmp_path, told):
 
 @pytest.mark.slow
 def test_a_true_file_of_a_declared_orbit_is_proved_again(near):
-    check = ns.check_certificate(near)
+    check = ns.certify.check(near)
     assert check.difference is None
     assert check.claims == {"basin": "proved"}
 
 
 @pytest.mark.slow
 def test_a_true_file_is_proved_again(path):
-    check = ns.check_certificate(path)
+    check = ns.certify.check(path)
     assert check.difference is None
     assert check.claims == {"basin": "proved"}
     assert check.compared
@@ -101,14 +101,14 @@ def test_an_orbit_without_a_name_is_not_compared(content):
 @pytest.mark.slow
 def test_several_processes_prove_a_file_again(near, belt, tmp_path):
     told = []
-    check = ns.check_certificate(near, workers=2, progress=lambda *done: told.append(done))
+    check = ns.certify.check(near, workers=2, progress=lambda *done: told.append(done))
     assert check.difference is None
     assert told[-1] == (check.certificate.attracted.sum(),) * 2
     false = tmp_path / "false.json"
     verdicts = runs([2] * len(flat(belt["verdicts"])))
     edited = {**belt, "verdicts": verdicts}
     false.write_text(json.dumps(signed(edited)))
-    assert "elsewhere" in ns.check_certificate(false, workers=2).difference
+    assert "elsewhere" in ns.certify.check(false, workers=2).difference
 
 
 def flat(runs):
@@ -238,7 +238,7 @@ def test_boxes_and_tiles_lead_to_boxes_of_smaller_ranks(tmp_path, change, told):
         return
     path = tmp_path / "same.json"
     path.write_text(json.dumps(signed(content)))
-    assert ns.check_certificate(path).difference is None
+    assert ns.certify.check(path).difference is None
 
 
 def test_false_tiles_are_not_followed_for_ever(content):
@@ -293,7 +293,7 @@ def test_boxes_from_which_nothing_arrives_have_no_rank(tmp_path):
     itinerary = [("down", "bottom"), ("up", "top")]
     orbit = ns.solve(RELAY, guess=[1, 1], itinerary=itinerary)
     box = {"x": (0.25, 0.75), "z": (-0.75, 0.75)}
-    ns.certify_basin(orbit, box=box, side=0.25).save(tmp_path / "basin.json")
+    ns.certify.basin(orbit, box=box, side=0.25).save(tmp_path / "basin.json")
     content = json.loads((tmp_path / "basin.json").read_text())
     first, exponent = (content["grid"][name][0] for name in ("first", "exponents"))
     ranks = np.array(flat(content["ranks"]))

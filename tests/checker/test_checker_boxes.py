@@ -76,7 +76,7 @@ MAPS: dict[str, tuple[Callable[[], Any], Box, int]] = {
 def written(name: str) -> str:
     """The file of a map."""
     orbit, box, tiles = MAPS[name]
-    found = ns.certify_box(orbit(), box, tiles=tiles)
+    found = ns.certify.box(orbit(), box, tiles=tiles)
     return json.dumps(BOX.content(box_entries(found)))
 
 
@@ -374,26 +374,26 @@ def saved(content: dict[str, Any], path: Path) -> Path:
 @of("stick", "rigid")
 def test_a_map_is_compared_with_its_system(content: dict[str, Any], tmp_path: Path) -> None:
     path = saved(content, tmp_path / "map.json")
-    found = ns.check_certificate(path)
+    found = ns.certify.check(path)
     assert (found.difference, found.note) == (None, None)
     assert found.certificate is not None
     assert found.certificate.to_json() == ns.load(path).to_json()
     fixed = next(name for name in content["parameters"] if name not in content["box"])
     changed = copy.deepcopy(content)
     changed["parameters"][fixed] = f"{content['parameters'][fixed]}+1/1000"
-    assert ns.check_certificate(saved(changed, tmp_path / "other.json")).difference is not None
+    assert ns.certify.check(saved(changed, tmp_path / "other.json")).difference is not None
     # a boundary that is never near may stand elsewhere: only the system tells
     name, entry = next(iter(changed["declaration"]["configurations"].items()))
     entry["boundaries"]["new"] = [*["0"] * len(changed["declaration"]["states"]), "-1"]
     changed["parameters"] = content["parameters"]
-    told = ns.check_certificate(saved(changed, tmp_path / "other.json")).difference
+    told = ns.certify.check(saved(changed, tmp_path / "other.json")).difference
     assert "declaration is not that of" in str(told), name
 
 
 def test_a_map_of_a_system_that_is_neither_built_in_nor_held(tmp_path: Path) -> None:
     content = {**json.loads(written("irrational")), "system": "nowhere.py", "tables": None}
     path = saved(content, tmp_path / "map.json")
-    found = ns.check_certificate(path)
+    found = ns.certify.check(path)
     assert "unknown system 'nowhere.py'" in str(found.difference)
 
 
@@ -417,17 +417,17 @@ def test_a_map_of_a_users_file(tmp_path: Path) -> None:
     source, path = tmp_path / "own.py", tmp_path / "map.json"
     source.write_text(OWN)
     orbit = ns.solve(f"{source}:loop")
-    ns.certify_box(orbit, {"r": ("0.78", "0.82")}, tiles=5).save(path)
+    ns.certify.box(orbit, {"r": ("0.78", "0.82")}, tiles=5).save(path)
     source.unlink()
-    found = ns.check_certificate(path)
+    found = ns.certify.check(path)
     assert found.difference is None
     assert "no declaration was run" in str(found.note)
     source.write_text(OWN)
-    found = ns.check_certificate(path, f"{source}:loop")
+    found = ns.certify.check(path, f"{source}:loop")
     assert (found.difference, found.note) == (None, None)
     source.write_text(OWN.replace('"1/10"', '"1/11"'))
-    assert ns.check_certificate(path).difference is None
-    told = str(ns.check_certificate(path, f"{source}:loop").difference)
+    assert ns.certify.check(path).difference is None
+    told = str(ns.certify.check(path, f"{source}:loop").difference)
     assert "is not that of the file, or has changed" in told
 
 
@@ -435,10 +435,10 @@ def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
     source = tmp_path / "own.py"
     source.write_text(OWN)
     box: Box = {"r": ("0.78", "0.82")}
-    state = ns.certify_box(ns.solve(f"{source}:loop"), box, tiles=1)
+    state = ns.certify.box(ns.solve(f"{source}:loop"), box, tiles=1)
     source.write_text(OWN.replace('"1/10"', '"3/10"'))
     with pytest.raises(InputError, match="another declaration"):
-        ns.certify_box(ns.solve(f"{source}:loop"), box, resume=state)
+        ns.certify.box(ns.solve(f"{source}:loop"), box, resume=state)
 
 
 def test_the_command_checks_maps(tmp_path: Path) -> None:
@@ -467,12 +467,12 @@ def test_files_that_are_no_maps(change: Callable[[str], str], match: str, tmp_pa
     path = tmp_path / "map.json"
     path.write_text(change(written("irrational")))
     with pytest.raises(InputError, match=match):
-        ns.check_certificate(path)
+        ns.certify.check(path)
 
 
 def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
     orbit = ns.solve("dry-friction/symmetric")
-    found = ns.certify_box(orbit, {"V": ("0.6", "1.3"), "eta": ("3.8", "4.2")}, tiles=2)
+    found = ns.certify.box(orbit, {"V": ("0.6", "1.3"), "eta": ("3.8", "4.2")}, tiles=2)
     assert {"existence"} in [set(tile.reasons) for tile in found.tiles]
     found.save(tmp_path / "map.json")
     content = json.loads((tmp_path / "map.json").read_text())

@@ -24,7 +24,7 @@ Content = dict[str, Any]
 @pytest.fixture(scope="module")
 def content() -> Content:
     path = shared_file("branch of friction", prove_branch)
-    assert ns.check_certificate(path).claims == {"branch": "proved"}
+    assert ns.certify.check(path).claims == {"branch": "proved"}
     found: Content = json.loads(path.read_text())
     return found
 
@@ -192,7 +192,7 @@ def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -
     another_parameter(edited)
     path = tmp_path / "edited.json"
     path.write_text(json.dumps(signed(edited)))
-    assert ns.check_certificate(path).difference is not None
+    assert ns.certify.check(path).difference is not None
 
 
 def width(number: Any) -> float:

@@ -29,7 +29,7 @@ _HEAD = ("format", "version", "package", "sha256")
 @cache
 def _census() -> ns.Census:
     values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
-    return ns.certify_all(kicked(), values, box, itinerary=LOOP)
+    return ns.certify.all(kicked(), values, box, itinerary=LOOP)
 
 
 @pytest.fixture
@@ -48,7 +48,7 @@ def checked(content: dict[str, Any], folder: Path) -> ns.Check:
             orbit["certificate"]["sha256"] = checksum_of(orbit["certificate"])
     path = folder / "changed.json"
     path.write_text(json.dumps(signed(content)))
-    return ns.check_certificate(path)
+    return ns.certify.check(path)
 
 
 def test_the_certificates_are_proved_again_and_the_search_is_not(
@@ -134,7 +134,7 @@ def test_an_edited_file_is_refused(content: dict[str, Any], tmp_path: Path) -> N
     content["count"] += 1
     path = tmp_path / "edited.json"
     path.write_text(json.dumps(content))
-    difference = ns.check_certificate(path).difference
+    difference = ns.certify.check(path).difference
     assert difference is not None
     assert "checksum" in difference
 

@@ -68,11 +68,11 @@ def changed(written, tmp_path, change):
     content["sha256"] = checksum_of(content)
     path = tmp_path / "changed.json"
     path.write_text(json.dumps(content))
-    return ns.check_certificate(path)
+    return ns.certify.check(path)
 
 
 def test_a_file_is_proved_again(rated):
-    found = ns.check_certificate(rated)
+    found = ns.certify.check(rated)
     assert found.difference is None
     assert found.claims == {"chaos": "proved"}
     loaded = ns.load(rated)
@@ -478,7 +478,7 @@ def test_what_is_proved_when_exponents_are_interrupted_is_kept(tmp_path, monkeyp
     told = CliRunner().invoke(app, words)
     assert told.exit_code == 130
     assert f"chaos is proved, no exponents, kept in {target}" in told.stderr
-    assert ns.check_certificate(target).difference is None
+    assert ns.certify.check(target).difference is None
 
 
 @pytest.mark.parametrize("stable", ["0.999", "-0.999", "1.001", "-1.001", "1.4", "2", "1 +/- 1e-9"])

@@ -24,7 +24,7 @@ Content = dict[str, Any]
 @pytest.fixture(scope="module")
 def content() -> Content:
     path = shared_file("nonsmooth certified doubling", prove_doubling)
-    assert ns.check_certificate(path).claims == {"doubling": "proved"}
+    assert ns.certify.check(path).claims == {"doubling": "proved"}
     found: Content = json.loads(path.read_text())
     return found
 
@@ -242,7 +242,7 @@ def test_another_event_on_the_tube_leaves_it_undecided(
 def test_the_name_of_another_orbit_is_refused(content: Content, name: str, tmp_path: Path) -> None:
     path = tmp_path / "edited.json"
     path.write_text(json.dumps(signed({**content, "orbit": name})))
-    assert name in str(ns.check_certificate(path).difference)
+    assert name in str(ns.certify.check(path).difference)
 
 
 def test_a_file_that_was_edited_is_refused(content: Content) -> None:

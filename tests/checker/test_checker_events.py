@@ -115,7 +115,7 @@ KINDS = {
 @cache
 def proved(name: str) -> tuple[ns.EventCertificate, ...]:
     branch = BRANCHES[name]()
-    return tuple(ns.certify_event(branch, event) for event in branch.events)
+    return tuple(ns.certify.event(branch, event) for event in branch.events)
 
 
 @cache
@@ -249,13 +249,13 @@ def test_no_false_enclosure_passes(seed: int, tmp_path: Path) -> None:
 def test_a_thousand_digits(tmp_path: Path) -> None:
     branch = BRANCHES["wall"]()
     path = tmp_path / "events.json"
-    found = ns.certify_event(branch, branch.events[-1], 3400)
+    found = ns.certify.event(branch, branch.events[-1], 3400)
     found.save(path)
     # the mass reaches v0/sqrt(k) = 2/2^(1/4)
     with mpmath.workdps(1100):
         assert found.value.contains(2 / mpmath.mpf(2) ** mpmath.mpf("0.25"))
     assert len(found.value.mid) > 1000
-    assert ns.check_certificate(path).difference is None
+    assert ns.certify.check(path).difference is None
 
 
 OTHERS = ("flip", "fold", "neimark-sacker", "vanishing-phase", "condition",
@@ -406,7 +406,7 @@ def saved(content: dict[str, Any], path: Path) -> Path:
 @of("symmetric", "stick", "rigid", "wall")
 def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path: Path) -> None:
     path = saved(content, tmp_path / "events.json")
-    found = ns.check_certificate(path)
+    found = ns.certify.check(path)
     assert found.difference is None
     held = content["events"][0]["tables"] is not None
     assert ("no declaration was run" in str(found.note)) is held
@@ -421,12 +421,12 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     for event in away["events"]:
         event["system"] = "nowhere.py"
         event["tables"] = None
-    told = str(ns.check_certificate(saved(away, path)).difference)
+    told = str(ns.certify.check(saved(away, path)).difference)
     assert told.startswith("unknown system 'nowhere.py'")
     event = content["events"][-1]
     name = next(n for n in event["parameters"] if n != event["parameter"])
     event["parameters"][name] += "+1/1000"
-    told = ns.check_certificate(saved(content, path)).difference
+    told = ns.certify.check(saved(content, path)).difference
     assert told is not None  # it is the parameter of the declaration
 
 
@@ -457,7 +457,7 @@ def test_files_that_are_no_events(change: Callable[[str], str], told: str, tmp_p
     if told.startswith("'") or "entry" in told:
         text = json.dumps({**json.loads(text), "sha256": checksum_of(json.loads(text))})
     path.write_text(text)
-    for work in (ns.load, ns.check_certificate):
+    for work in (ns.load, ns.certify.check):
         with pytest.raises(InputError, match=told):
             work(path)
 
@@ -468,7 +468,7 @@ def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace('"proved"', '"undecided"', 1))
     with pytest.raises(InputError, match="checksum"):
         ns.load(path)
-    assert "checksum" in str(ns.check_certificate(path).difference)
+    assert "checksum" in str(ns.certify.check(path).difference)
     with pytest.raises(InputError, match="not a file of events"):
         load_event_certificates(saved({"format": "nonsmooth branch"}, path))
 

@@ -20,7 +20,7 @@ from tests.places import GALLERY
 
 @pytest.fixture(scope="module")
 def found():
-    return ns.certify_graph(
+    return ns.certify.region(
         "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.5, 5.5)}, boxes=16, levels=2
     )
 
@@ -41,7 +41,7 @@ def refused(content, tmp_path, told):
     path = tmp_path / "false.json"
     path.write_text(json.dumps(signed(content)))
     try:
-        difference = ns.check_certificate(path).difference
+        difference = ns.certify.check(path).difference
     except ns.InputError as problem:
         difference = str(problem)
     assert difference is not None
@@ -50,7 +50,7 @@ def refused(content, tmp_path, told):
 
 @pytest.mark.slow
 def test_a_true_file_is_proved_again_and_loaded(found, path):
-    check = ns.check_certificate(path)
+    check = ns.certify.check(path)
     assert check.difference is None
     assert check.claims == {"trapping": "proved"}
     again = ns.load(path)
@@ -70,11 +70,13 @@ def test_a_true_file_is_proved_again_and_loaded(found, path):
 def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     data, region = {"r": "0.65", "sigma": "0", "w": "2.3"}, {"x": (-2, 0), "v": (-2, 2)}
-    found = ns.certify_graph(system, data, {"x": -0.7, "v": 0.1}, boxes=12, region=region, levels=1)
+    found = ns.certify.region(
+        system, data, {"x": -0.7, "v": 0.1}, boxes=12, region=region, levels=1
+    )
     assert found.proved
     assert found.graph.unknown.any()
     found.save(tmp_path / "graph.json")
-    check = ns.check_certificate(tmp_path / "graph.json")
+    check = ns.certify.check(tmp_path / "graph.json")
     assert check.difference is None
     assert check.claims == {"trapping": "proved"}
     # a box of unknown image is not called known
@@ -165,7 +167,7 @@ RELAY = System(
 
 def test_boxes_that_hold_no_state_are_no_component(tmp_path):
     start, region = {"x": 0.5, "z": -0.5}, {"z": (-0.9, -0.1)}
-    found = ns.certify_graph(RELAY, {"k": 1}, start, "up", region=region, boxes=2)
+    found = ns.certify.region(RELAY, {"k": 1}, start, "up", region=region, boxes=2)
     found.save(tmp_path / "graph.json")
     content = json.loads((tmp_path / "graph.json").read_text())
     # behind the top with z > 0 a state is beyond already: nothing leads from there
@@ -257,7 +259,7 @@ def test_other_entries_are_refused(content, tmp_path, name, value, told):
 
 @pytest.mark.slow
 def test_other_parameters_and_declarations_are_refused(tmp_path):
-    few = ns.certify_graph(
+    few = ns.certify.region(
         "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=4
     )
     few.save(tmp_path / "few.json")
@@ -273,7 +275,7 @@ def test_other_parameters_and_declarations_are_refused(tmp_path):
 @pytest.mark.parametrize("region", [(11.23, 11.25), (5.51, 5.53)])
 def test_the_check_follows_sets_at_corners(region, tmp_path):
     """One mass breaks away, or reaches the belt, just as the other one breaks away."""
-    found = ns.certify_graph(
+    found = ns.certify.region(
         "dry-friction", FRICTION_DATA, [1.93, 7.18, 1.18, 1.18], region={"x2": region}, boxes=4
     )
     assert not found.graph.unknown.any()

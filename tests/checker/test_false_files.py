@@ -38,15 +38,15 @@ def written(name: str, folder: Path) -> str:
         case "own":
             ns.certify(loop()).save(path)
         case "map":
-            ns.certify_box(ns.solve(STICK), BOX).save(path)
+            ns.certify.box(ns.solve(STICK), BOX).save(path)
         case "events":
             branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
-            save_events([ns.certify_event(branch, event) for event in branch.events], path)
+            save_events([ns.certify.event(branch, event) for event in branch.events], path)
         case "census":
-            ns.certify_all(STICK, box={"tau": 3, "tau1": 3}).save(path)
+            ns.certify.all(STICK, box={"tau": 3, "tau1": 3}).save(path)
         case "two":
             values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
-            ns.certify_all(kicked(), values, box, itinerary=LOOP).save(path)
+            ns.certify.all(kicked(), values, box, itinerary=LOOP).save(path)
     return path.read_text()
 
 
@@ -67,7 +67,7 @@ def refusal(content: Any, path: Path) -> str | None:
     """What the check says of content with the right checksums."""
     path.write_text(json.dumps(renewed(content)))
     try:
-        return ns.check_certificate(path).difference
+        return ns.certify.check(path).difference
     except InputError as problem:
         return str(problem)
 
@@ -172,7 +172,7 @@ def test_a_removed_orbit_is_not_counted(folder: Path, tmp_path: Path) -> None:
     content["statement"] = told.replace("1 admissible", "0 admissible")
     path = tmp_path / "none.json"
     assert refusal(content, path) is None  # of no orbit anything is said
-    found = ns.check_certificate(path)
+    found = ns.certify.check(path)
     assert found.claims == {"listed": "proved", "no others": "undecided"}
     assert "no other orbits was NOT proved again" in str(found.note)
 
@@ -181,7 +181,7 @@ def test_an_orbit_that_begins_later_is_not_counted_twice(tmp_path: Path) -> None
     path = tmp_path / "twice.json"
     box = {"tau1": (1, "2.2"), "tau2": ("1.5", "1.6"), "tau3": (1, "2.2"), "tau4": ("1.5", "1.6")}
     values, phases = {"k": 9, "r": "1/3", "a": 10}, LOOP * 2
-    ns.certify_all(kicked(), values, box, itinerary=phases).save(path)
+    ns.certify.all(kicked(), values, box, itinerary=phases).save(path)
     content = json.loads(path.read_text())
     assert refusal(content, path) is None
     orbit = next(o for o in content["orbits"] if o["certificate"] is not None)
@@ -214,14 +214,14 @@ def test_names_that_are_there_twice_are_refused(folder: Path, tmp_path: Path) ->
     text = written("point", folder)
     path.write_text(text.replace('"chi": "0.5"', '"chi": "0.6", "chi": "0.5"', 1))
     with pytest.raises(InputError, match="'chi' is there twice"):
-        ns.check_certificate(path)
+        ns.certify.check(path)
 
 
 def test_what_is_undecided_has_no_numbers() -> None:
     branch = ns.continue_orbit(ns.solve("rigid-stop/one-impact"), "T", (5.5, 7.5))
     found = next(
         certificate
-        for certificate in (ns.certify_event(branch, event) for event in branch.events)
+        for certificate in (ns.certify.event(branch, event) for event in branch.events)
         if not certificate.proved
     )
     with pytest.raises(InputError, match="undecided and has no value"):

@@ -43,11 +43,11 @@ STICK = "dry-friction/global-stick"
 
 
 def _census(**bounds: str) -> ns.Census:
-    return ns.certify_all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
+    return ns.certify.all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
 def _events(*branches: ns.Branch) -> Any:
-    found = [ns.certify_event(branch, event) for branch in branches for event in branch.events]
+    found = [ns.certify.event(branch, event) for branch in branches for event in branch.events]
 
     class Several:
         def save(self, path: Path) -> None:
@@ -83,12 +83,12 @@ FILES: dict[str, Callable[[], Any]] = {
         ns.solve(rooted(), {"a": "8", "r": "1/2"}, [*[3.1, 1.5], *[0.0, 2.0]], itinerary=LOOP)
     ),
     "uncertain": lambda: ns.certify(ns.solve("dry-friction/solution-ii")),
-    "map": lambda: ns.certify_box(ns.solve(STICK), {"V": ("0.99", "1.01"), "e1": ("3", "3.04")}),
-    "map-of-tiles": lambda: ns.certify_box(
+    "map": lambda: ns.certify.box(ns.solve(STICK), {"V": ("0.99", "1.01"), "e1": ("3", "3.04")}),
+    "map-of-tiles": lambda: ns.certify.box(
         loop(a="11/5"), {"a": ("17/10", "23/10"), "r": ("9/20", "11/20")}, tiles=9
     ),
-    "map-irrational": lambda: ns.certify_box(loop(k="sqrt(2)"), {"r": ("2/5", "3/5")}),
-    "map-conservative": lambda: ns.certify_box(
+    "map-irrational": lambda: ns.certify.box(loop(k="sqrt(2)"), {"r": ("2/5", "3/5")}),
+    "map-conservative": lambda: ns.certify.box(
         ns.solve("rigid-stop/one-impact", {"T": "6.3"}),
         {"T": ("6.2", "6.4"), "m1": ("0.99", "1.01")},
     ),
@@ -97,15 +97,15 @@ FILES: dict[str, Callable[[], Any]] = {
         ns.continue_orbit(loop(k="sqrt(2)"), "a", (1.2, 3.5)),
     ),
     "branch": lambda: ns.load(shared_file("branch of friction", prove_branch)),
-    "branch-vanishing": lambda: ns.certify_branch(
+    "branch-vanishing": lambda: ns.certify.branch(
         ns.continue_orbit(ns.solve(STICK, {"V": "1.18"}), "V", (1.1, 1.3)), interval=("1.1", "1.3")
     ),
     "census": lambda: _census(tau1="2.5", tau2="2"),
-    "census-conservative": lambda: ns.certify_all(
+    "census-conservative": lambda: ns.certify.all(
         "elastic-stop/one-contact", box={"tau": 10, "tau1": 10}
     ),
     "chaos": lambda: ns.load(shared_file("nonsmooth chaos certificate", folded_horseshoe)),
-    "census-derived": lambda: ns.certify_all(STICK, box={"tau": 3, "tau1": 3}),
+    "census-derived": lambda: ns.certify.all(STICK, box={"tau": 3, "tau1": 3}),
 }
 
 # what the check says nothing of: notes for people, and hints where it looks
@@ -266,7 +266,7 @@ def said(content: Any, path: Path) -> tuple[str, Mapping[str, str], str | None] 
     """What is shown, the claims and the note; None if the file is refused."""
     path.write_text(json.dumps(renewed(content)))
     try:
-        found = ns.check_certificate(path)
+        found = ns.certify.check(path)
     except InputError:
         return None
     if found.difference is not None:

@@ -53,7 +53,7 @@ def looped() -> Any:
 
 def locus() -> Any:
     of = looped()
-    return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55), step=0.1)
+    return ns.continue_orbit(of, "r", (0.45, 0.55), event=of.events[-1], step=0.1)
 
 
 def designed() -> Any:
@@ -71,7 +71,7 @@ def fitted() -> Any:
 
 def event() -> Any:
     of = looped()
-    return ns.certify_event(of, of.events[-1])
+    return ns.certify.event(of, of.events[-1])
 
 
 def swept() -> Any:
@@ -83,15 +83,15 @@ def swept() -> Any:
 
 def census() -> Any:
     bounds = {"tau1": "2.5", "tau2": "2"}
-    return ns.certify_all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
+    return ns.certify.all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
 def certified() -> Any:
-    return ns.certify_branch(looped())
+    return ns.certify.branch(looped())
 
 
 def proven_map() -> Any:
-    return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
+    return ns.certify.box(loop(), {"r": ("2/5", "3/5")})
 
 
 KINDS: dict[str, Callable[[], Any]] = {

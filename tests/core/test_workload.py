@@ -91,7 +91,7 @@ def test_python_is_told_what_memory_does_not_hold() -> None:
     with pytest.raises(ns.InputError, match="GB of memory"):
         ns.simulate("dry-friction", {**FRICTION, "V": 1}, REST, transitions=10**18)
     with pytest.raises(ns.InputError, match="GB of memory"):
-        ns.simulate_many("dry-friction", {**FRICTION, "V": 1}, REST_ROW, transitions=1, keep=10**12)
+        ns.simulate("dry-friction", {**FRICTION, "V": 1}, [REST_ROW], transitions=1, keep=10**12)
 
 
 def test_limits(monkeypatch) -> None:

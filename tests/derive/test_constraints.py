@@ -127,5 +127,5 @@ def test_orbits_with_kernels_keep_them_too(tmp_path: Path, monkeypatch: pytest.M
     assert ns.refine(orbit, 30).stability.margin == 1  # a map of rank zero
     with pytest.raises(InputError, match=r"s = 0\.9, u = 1: s - u >= 0 does not hold"):
         solve(kernels, {"s": "0.9"})
-    found = ns.solve_many(kernels, s=np.array([0.9, 1.3]))
+    found = ns.solve(kernels, {"s": np.array([0.9, 1.3])})
     assert found.status.tolist() == [2, 0]

@@ -83,9 +83,9 @@ def store(finished: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
 
 
-def test_chart_has_what_solve_many_has(finished: Path) -> None:
+def test_chart_has_what_solve_has(finished: Path) -> None:
     plane = ns.load(finished)
-    found = ns.solve_many(ORBIT, V=PLANE["V"][:, None], eta=PLANE["eta"])
+    found = ns.solve(ORBIT, {"V": PLANE["V"][:, None], "eta": PLANE["eta"]})
     assert found.admissible is not None
     assert found.bounds is not None
     assert (plane.status.values[found.converged] == 0).all()

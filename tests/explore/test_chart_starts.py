@@ -28,7 +28,7 @@ def speckles(period: np.ndarray) -> int:
 
 
 def test_more_is_found_than_point_by_point(wide: Any) -> None:
-    alone = ns.solve_many(ORBIT, V=WIDE["V"][:, None], eta=WIDE["eta"])
+    alone = ns.solve(ORBIT, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
     assert alone.admissible is not None
     found = wide.status.values == 0
     assert found[alone.converged].all()
@@ -38,7 +38,7 @@ def test_more_is_found_than_point_by_point(wide: Any) -> None:
 
 
 def test_speckles_are_gone(wide: Any) -> None:
-    alone = ns.solve_many(ORBIT, V=WIDE["V"][:, None], eta=WIDE["eta"])
+    alone = ns.solve(ORBIT, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
     assert speckles(alone.period) > 20
     assert speckles(wide.period.values) < 0.2 * speckles(alone.period)
 
@@ -46,7 +46,7 @@ def test_speckles_are_gone(wide: Any) -> None:
 def test_symmetric_orbits_are_motions_in_one_piece() -> None:
     plane = {"V": np.linspace(0.5, 1.5, 40), "eta": np.linspace(0.5, 1.5, 40)}
     found = ns.chart("dry-friction/symmetric", **plane)
-    alone = ns.solve_many("dry-friction/symmetric", V=plane["V"][:, None], eta=plane["eta"])
+    alone = ns.solve("dry-friction/symmetric", {"V": plane["V"][:, None], "eta": plane["eta"]})
     assert alone.admissible is not None
     assert found.admissible.values.sum() > 2 * alone.admissible.sum()
     assert found.admissible.values[alone.admissible].all()

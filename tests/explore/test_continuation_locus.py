@@ -25,13 +25,13 @@ def branch() -> nonsmooth.Branch:
 @cache
 def flips() -> nonsmooth.Locus:
     (flip,) = (event for event in branch().events if event.kind == "flip")
-    return nonsmooth.continue_event(branch(), flip, "eta", (3.9, 4.1))
+    return nonsmooth.continue_orbit(branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache
 def composed_folds() -> nonsmooth.Locus:
     (fold,) = (event for event in impacts().events if event.kind == "fold")
-    return nonsmooth.continue_event(impacts(), fold, "w", (2.7, 2.9), step=0.1)
+    return nonsmooth.continue_orbit(impacts(), "w", (2.7, 2.9), event=fold, step=0.1)
 
 
 def same(first: nonsmooth.Locus, second: nonsmooth.Locus) -> None:
@@ -57,14 +57,25 @@ def test_orbits_of_a_curve_have_its_event() -> None:
         flips().orbit_at(1000)
 
 
+def test_an_event_is_followed_on_its_branch_alone() -> None:
+    event, plane = branch().events[-1], ("eta", (3.9, 4.1))
+    with pytest.raises(nonsmooth.InputError, match="an event is followed on its branch"):
+        nonsmooth.continue_orbit(branch().orbit, *plane, event=event)
+    with pytest.raises(nonsmooth.InputError, match="admissible and resume: of orbits only"):
+        nonsmooth.continue_orbit(branch(), *plane, event=event, admissible=True)
+    with pytest.raises(nonsmooth.InputError, match="an Orbit can: take the"):
+        nonsmooth.continue_orbit(branch(), *plane)
+
+
 def test_steps_are_told_and_checked() -> None:
     told: list[int] = []
     event = branch().events[-1]
-    nonsmooth.continue_event(branch(), event, "eta", (3.9, 4.1), step=0.1, progress=told.append)
+    plane = branch(), "eta", (3.9, 4.1)
+    nonsmooth.continue_orbit(*plane, event=event, step=0.1, progress=told.append)
     assert told == list(range(1, len(told) + 1))
     for wrong, message in (({"step": 0}, "step = 0"), ({"points": True}, "points = True")):
         with pytest.raises(nonsmooth.InputError, match=message):
-            nonsmooth.continue_event(branch(), event, "eta", (3.9, 4.1), **wrong)
+            nonsmooth.continue_orbit(*plane, event=event, **wrong)
 
 
 @pytest.mark.parametrize("locus", [flips, composed_folds])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth import find_orbits, simulate_many
+from nonsmooth import find_orbits, simulate
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settled
 from nonsmooth.runtime.explore.finding.unsettled import natural_size
@@ -53,7 +53,7 @@ def shaken(masses, contacts):
 
 
 def outcomes_from(kernels, data, starts, transitions=200):
-    motions = simulate_many(kernels, data, starts, transitions=transitions, keep=65)
+    motions = simulate(kernels, data, starts, transitions=transitions, keep=65)
     assert (motions.status >= 0).all()
     return settled(kernels, data, motions).outcomes
 
@@ -152,7 +152,7 @@ def test_two_masses_that_escape_far_keep_their_forcing():
     for flows in system.flows:
         assert not flows[:, 4:][:, :, [0, 1, 2, 3, 6]].any()
     starts = np.array([[-1, -2, 0, 0, 1, 0], [1, -3, 1, 0, 0, 1.0]]) * [1e3, 1e3, 1, 1, 1, 1]
-    far = simulate_many(kernels, data, starts, transitions=1500)
+    far = simulate(kernels, data, starts, transitions=1500)
     assert np.abs(far.states[:, :4]).max(axis=1).min() > 1e9
     np.testing.assert_allclose(np.hypot(*far.states[:, 4:].T), 1, rtol=1e-9)
     assert (outcomes_from(kernels, data, starts, 1500) == Outcome.DIVERGENT).all()

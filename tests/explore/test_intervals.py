@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from nonsmooth import InputError, solve, solve_many
+from nonsmooth import InputError, solve
 from nonsmooth.runtime.explore.intervals import admissible_intervals, singular_values
 from nonsmooth.runtime.model.kernels import backend
 
@@ -45,7 +45,7 @@ def test_ends_are_where_admissibility_changes(name, parameter, lower, upper):
             (interval.upper, interval.above, np.inf),
         ):
             beyond = np.nextafter(end, outward)
-            inside = solve_many(name, **{parameter: np.array([end, beyond])}).admissible
+            inside = solve(name, {parameter: np.array([end, beyond])}).admissible
             assert inside[0]
             if reason:
                 assert not inside[1]
@@ -55,7 +55,7 @@ def test_ends_are_where_admissibility_changes(name, parameter, lower, upper):
     grid = np.linspace(lower, upper, 301)
     ends = np.array([[i.lower, i.upper] for i in found])
     within = ((grid[:, None] >= ends[:, 0]) & (grid[:, None] <= ends[:, 1])).any(axis=1)
-    judged = solve_many(name, **{parameter: grid}).admissible
+    judged = solve(name, {parameter: grid}).admissible
     # an interval or a gap narrower than the grid of the search is not seen
     assert np.mean(within == judged) > 0.99
 
@@ -85,7 +85,7 @@ def test_singular_values_are_the_zeros_of_another_determinant():
     signs = np.sign([halfway(period) for period in grid[::10]])
     assert np.count_nonzero(np.diff(signs)) == len(found)
     stiff = singular_values(RIGID, "k1", 0.2, 20, {"T": "7.001"}, points=POINTS)
-    assert solve_many(RIGID, k1=list(stiff), T=7.001).status.tolist() == [5] * len(stiff)
+    assert solve(RIGID, {"k1": list(stiff), "T": 7.001}).status.tolist() == [5] * len(stiff)
 
 
 @pytest.mark.parametrize(

@@ -128,7 +128,7 @@ def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any
 @pytest.mark.slow
 def test_an_event_is_followed_in_two_parameters_in_all_units() -> None:
     wanted, found = [
-        ns.continue_event(branch, branch.events[0], "hold", (0.7, 0.8), points=1).values
+        ns.continue_orbit(branch, "hold", (0.7, 0.8), event=branch.events[0], points=1).values
         for branch in (answers("rubbing", *units)[1] for units in ((1, 1, 1), UNITS[0]))
     ]
     assert len(wanted) == 3
@@ -288,7 +288,7 @@ def test_the_region_of_a_graph_has_the_units_of_the_motion() -> None:
     for length, rate in ((1, 1), (Fraction(1, 2**30), 2**17)):
         given = {"length": length, "rate": rate, "mass_unit": 1, "w": "1.9", "load": 0}
         start = {"x": float(length) / 4, "v": 0}
-        graph = ns.certify_graph(stopped(), given, start, boxes=1, parts=1)
+        graph = ns.certify.region(stopped(), given, start, boxes=1, parts=1)
         sizes = np.array([float(length), float(length * rate)])
         low, high = graph.graph.grid.bounds(np.arange(len(graph.graph.grid)))
         grids.append(np.array([low.min(axis=0), high.max(axis=0)]) / sizes)

@@ -24,7 +24,7 @@ def motion() -> Any:
 
 RECORDS: dict[str, Callable[[], Any]] = {
     "orbit": lambda: ns.solve(STICK),
-    "orbits": lambda: ns.solve_many(STICK, eta=[1, 1.01]),
+    "orbits": lambda: ns.solve(STICK, {"eta": [1, 1.01]}),
     "derivatives of an orbit": lambda: ns.solve("rigid-stop/one-impact").derivatives(["T"]),
     "motion of an orbit": lambda: ns.solve(STICK).motion(),
     "motion": motion,
@@ -72,7 +72,7 @@ def test_values_by_names_are_refused_where_they_are_none(wrong: Any) -> None:
     for asked in (
         lambda: ns.solve(STICK, wrong),
         lambda: ns.solve(STICK, given=wrong),
-        lambda: ns.solve_many(STICK, parameters=wrong),
+        lambda: ns.solve(STICK, parameters=wrong),
         lambda: ns.find_orbits("dry-friction", data, n=2, transitions=60, box=wrong),
         lambda: ns.design(orbit, solve=wrong, over={"V": (0.9, 1.1)}),
     ):

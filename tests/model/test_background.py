@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nonsmooth import solve, solve_many
+from nonsmooth import solve
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background, caching
 from nonsmooth.runtime.model.loading import load as loading
@@ -34,7 +34,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("library")
     code = (
         "import sys; import nonsmooth as ns;"
-        "found = ns.solve_many(sys.argv[1], k=[1, 2]);"
+        "found = ns.solve(sys.argv[1], dict(k=[1, 2]));"
         "print(found.problem.kernels.system.compiled is not None)"
     )
     path = declare(folder)
@@ -90,10 +90,10 @@ def test_tables_numpy_and_compiled_kernels_agree(
     assert compiled(orbit)
     rng = np.random.default_rng(3)
     values = {"k": rng.uniform(0.3, 4, 40), "r": rng.uniform(0.05, 0.9, 40)}
-    fast = solve_many(orbit, values)
+    fast = solve(orbit, values)
     monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
     assert not compiled(orbit)
-    slow = solve_many(orbit, values)
+    slow = solve(orbit, values)
     phases = [("right", "falls"), ("left", "rises")]
     near = [
         np.pi / np.sqrt(values["k"]),
@@ -102,7 +102,7 @@ def test_tables_numpy_and_compiled_kernels_agree(
         1 / (1 - values["r"]),
     ]
     system = orbit.removesuffix(":loop")
-    tables = solve_many(system, values, np.stack(near, axis=-1), itinerary=phases)
+    tables = solve(system, values, np.stack(near, axis=-1), itinerary=phases)
     assert fast.converged.all()
     assert fast.admissible is not None
     assert fast.admissible.all()
@@ -153,10 +153,10 @@ def test_a_folder_that_others_can_write_is_not_used(
     filled.parent.chmod(0o777)
     orbit = f"{declare(tmp_path)}:loop"
     monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
-    assert solve_many(orbit, k=K).converged.all()
+    assert solve(orbit, {"k": K}).converged.all()
     assert not compiled(orbit)
     monkeypatch.setenv("NONSMOOTH_CACHE", "")
-    assert solve_many(orbit, r=K / 3).converged.all()
+    assert solve(orbit, {"r": K / 3}).converged.all()
     assert not begun
     assert "others can write" in capfd.readouterr().err
 
@@ -172,7 +172,7 @@ def test_a_failed_compilation_is_told_once_and_nothing_else_changes(
     orbit = f"{declare(tmp_path)}:loop"
     with caplog.at_level(logging.INFO, "nonsmooth"):
         for _ in range(3):
-            assert solve_many(orbit, k=K).converged.all()
+            assert solve(orbit, {"k": K}).converged.all()
     assert not compiled(orbit)
     assert [record.getMessage() for record in caplog.records] == [
         "kernels are not compiled and run on NumPy: InputError: no compiled kernels:"
@@ -189,7 +189,7 @@ def test_without_a_compiler_no_process_begins(
     monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
     monkeypatch.setattr(background.subprocess, "Popen", lambda *a, **k: pytest.fail("begun"))
     with caplog.at_level(logging.INFO, "nonsmooth"):
-        assert solve_many(f"{declare(tmp_path)}:loop", k=K).converged.all()
+        assert solve(f"{declare(tmp_path)}:loop", {"k": K}).converged.all()
     assert len(caplog.records) == 1
     assert capfd.readouterr().err == ""
 
@@ -198,7 +198,7 @@ def test_few_points_are_not_worth_a_compilation(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(background, "_begin", lambda *_: pytest.fail("begun"))
-    assert solve_many(f"{declare(tmp_path)}:loop", k=K).converged.all()
+    assert solve(f"{declare(tmp_path)}:loop", {"k": K}).converged.all()
     assert solve(f"{tmp_path / 'mine.py'}:loop").converged
 
 

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
-from nonsmooth import InputError, Orbit, refine, solve, solve_many
+from nonsmooth import InputError, Orbit, refine, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
@@ -129,7 +129,7 @@ def admissible():
     """Admissible orbits, the first of them on a fast belt with a positive bound on us1."""
     fast = np.random.default_rng(24).uniform([0.4, 0.4, 2, 0.5, 0.3], [0.7, 1, 4, 4, 3], (1000, 5))
     points = np.concatenate([fast, random_points(22, 12)])
-    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
     bounds = many.bounds["us1"]
     positive, ordinary = (np.flatnonzero(b) for b in (bounds > 1e-3, bounds[1000:] == 0))
     chosen = [*positive[:4], *(1000 + ordinary)]
@@ -190,10 +190,11 @@ def test_batches_judge_as_the_single_orbit(roots):
 def test_an_open_parameter_is_above_its_bound_to_the_last_bit():
     """At the bound an orbit is not admissible, at the next number above it is."""
     fast = dict(zip(PARAMETERS, (0.63, 0.66, 3.45, 3.16, 0.82), strict=True))
-    bounds = {name: float(bound) for name, bound in solve_many(ORBIT, fast).bounds.items()}
+    many = solve(ORBIT, {name: [value] for name, value in fast.items()})
+    bounds = {name: bound.item() for name, bound in many.bounds.items()}
     assert bounds["us1"] > 0.02
     near = [np.nextafter(bounds["us1"], side) for side in (-np.inf, bounds["us1"], np.inf)]
-    found = solve_many(ORBIT, fast, us1=near, us2=bounds["us2"] + 1)
+    found = solve(ORBIT, {**fast, "us1": near, "us2": bounds["us2"] + 1})
     assert list(found.admissible) == [False, False, True]
     assert {found.limits[number] for number in found.limit[:2]} == {"us1 is too small"}
 
@@ -211,7 +212,7 @@ def test_an_orbit_is_never_refused_for_rounding():
             generator.uniform(0.05, 1.5, count),
         ]
     )
-    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points, strict=True)))
+    many = solve(ORBIT, dict(zip(PARAMETERS, points, strict=True)))
     refused = np.flatnonzero(many.converged & ~many.admissible)
     assert len(refused) > count // 20
     for i in refused[:: max(1, len(refused) // 100)]:
@@ -236,7 +237,7 @@ def test_a_dwell_time_that_is_not_positive_is_a_violation():
 
 
 def test_an_orbit_with_a_negative_dwell_time_is_found_and_refused():
-    many = solve_many(ORBIT, e1=[0.5, 1.0, 3.0195])
+    many = solve(ORBIT, {"e1": [0.5, 1.0, 3.0195]})
     assert list(many.admissible) == [False, False, True]
     orbit = solve(ORBIT, unknown=("e1",), given={"ta": -0.1}, throw=False)
     assert orbit.admissibility.verdict is False
@@ -368,11 +369,11 @@ KEY = (2, "second-reaches-belt")
 def grazing_orbit():
     """An orbit just beyond the eta at which mass 2 grazes the belt's velocity in phase 2.
 
-    Scanned with `solve_many`, bisected on admissibility; then so far beyond that the
+    Scanned with `solve`, bisected on admissibility; then so far beyond that the
     violation lasts somewhat less than 1e-6.
     """
     grid = np.linspace(124, 127, 61)
-    many = solve_many(ORBIT, eta=grid, **GRAZING)
+    many = solve(ORBIT, {"eta": grid, **GRAZING})
     near = np.abs(np.diff(many.unknowns["tau1"])) < 0.1
     change = (many.admissible[:-1] != many.admissible[1:]) & near
     place = int(np.flatnonzero(change)[0])
@@ -453,7 +454,7 @@ def test_the_batch_finds_it(grazing):
     unknowns = np.array([[o.unknowns[n] for n in UNKNOWNS] for o in grazing])
     limit, _ = kernel_limits(load_orbit(ORBIT), points, unknowns)
     assert list(limit == NEITHER) == [True, False]
-    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
     assert_allclose(many.unknowns["tau1"], unknowns[:, 4], rtol=1e-9)
     # the last digits of a solution decide on the side without a violation
     assert not many.admissible[1]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from nonsmooth import Orbit, refine, solve, solve_many
+from nonsmooth import Orbit, refine, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
@@ -20,7 +20,7 @@ every_orbit = pytest.mark.parametrize("name", orbit_names())
 
 def records(name, points):
     """What a batch finds at the points, as orbits, with or without a motion behind them."""
-    many = solve_many(name, **points)
+    many = solve(name, points)
     for i in np.flatnonzero(many.converged):
         given = {n: as_value(float(a[i])) for n, a in points.items()}
         unknowns = {n: float(a[i]) for n, a in many.unknowns.items()}
@@ -170,14 +170,14 @@ def test_a_slow_penetration_is_seen_whatever_the_mass():
         assert orbit.admissibility.verdict is False
         (violation,) = orbit.admissibility.violations
         assert 0 < exact_value(orbit, violation) < 10 * orbit.unknowns["u"]
-        assert not solve_many(RIGID, m1=mass).admissible
+        assert not solve(RIGID, {"m1": [mass]}).admissible.any()
 
 
 def test_a_penetration_too_shallow_to_be_seen_is_one():
     """Behind the impact u decides, however little the stop is passed: some u^2."""
     grazing = solve(RIGID, unknown=["T"], given={"u": 0}).values["T"]
     periods = [1e-12, 1e-9, 1e-6, *(grazing + s * d for d in (1e-4, 1e-8, 1e-11) for s in (1, -1))]
-    many = solve_many(RIGID, T=periods)
+    many = solve(RIGID, {"T": periods})
     assert (many.unknowns["u"] > 0).tolist() == [True] * 3 + [True, False] * 3
     assert many.admissible.tolist() == [False] * 3 + [False, True] * 3
     for period, admissible in zip(periods, many.admissible, strict=True):
@@ -255,6 +255,6 @@ def test_beyond_the_guarantee_it_says_so():
     with pytest.raises(ValueError, match=r"cannot be guaranteed: free lasts 1e\+06") as caught:
         _ = orbit.admissibility
     assert "\n" not in str(caught.value)
-    many = solve_many(RIGID, T=[6.28, 1e6])
+    many = solve(RIGID, {"T": [6.28, 1e6]})
     assert many.converged.all()
     assert many.admissible.tolist() == [True, False]

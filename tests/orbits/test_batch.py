@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, solve, solve_many
+from nonsmooth import InputError, solve
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
@@ -58,7 +58,7 @@ def points(name):
 
 @pytest.fixture(scope="module")
 def many(name, points):
-    return solve_many(name, **points)
+    return solve(name, points)
 
 
 @pytest.fixture(scope="module")
@@ -75,8 +75,6 @@ def singles(name, points):
 @pytest.mark.parametrize(
     "shapes",
     [
-        [],
-        [()],
         [(3,)],
         [(2, 1), (3,)],
         [(2, 1, 1), (3, 1), (4,), ()],
@@ -95,35 +93,34 @@ def test_arrays_broadcast(name, shapes, admissibility):
         for parameter, shape in zip(reference, shapes, strict=False)
     }
     expected = np.broadcast_shapes(*shapes)
-    found = solve_many(name, admissibility=admissibility, **given)
+    found = solve(name, given, admissibility=admissibility)
     for label, array in columns(found).items():
         assert isinstance(array, np.ndarray | np.generic), label
         assert np.shape(array) == expected, label
     assert np.shape(found.converged) == expected
     full = {n: np.broadcast_to(given.get(n, value), expected) for n, value in reference.items()}
     for place in np.ndindex(expected):
-        alone = solve_many(
-            name, admissibility=admissibility, **{n: a[place] for n, a in full.items()}
-        )
-        assert_same_bits(found, alone, place)
+        one = {n: a[place][None] for n, a in full.items()}
+        alone = solve(name, one, admissibility=admissibility)
+        assert_same_bits(found, alone, (*place, None))
 
 
 def test_scalars_lists_and_integers_are_arrays_too():
-    found = solve_many(ORBIT, eta=[1, 1.02], V=1, chi=np.float32(0.5), e1="3.0195")
-    expected = solve_many(ORBIT, eta=np.array([1.0, 1.02]))
+    found = solve(ORBIT, {"eta": [1, 1.02], "V": 1, "chi": np.float32(0.5), "e1": "3.0195"})
+    expected = solve(ORBIT, {"eta": np.array([1.0, 1.02])})
     assert_same_bits(found, expected)
 
 
 def test_memory_order_and_strides_do_not_matter(name, points, many):
     strided = {n: np.repeat(a, 2)[::2] for n, a in points.items()}
-    assert_same_bits(many, solve_many(name, **strided))
+    assert_same_bits(many, solve(name, strided))
     square = {n: np.asfortranarray(a[:20].reshape(4, 5)) for n, a in points.items()}
-    assert_array_equal(solve_many(name, **square).trace.ravel(), many.trace[:20])
+    assert_array_equal(solve(name, square).trace.ravel(), many.trace[:20])
 
 
 def test_arguments_are_left_alone(name, points):
     before = {n: a.copy() for n, a in points.items()}
-    solve_many(name, **points)
+    solve(name, points)
     for parameter, array in points.items():
         assert_array_equal(array, before[parameter])
 
@@ -136,24 +133,24 @@ def test_arguments_are_left_alone(name, points):
 def test_threads_and_chunks_change_no_bit(name, points, many, threads, chunk):
     if backend() == "numpy" and chunk < 7:
         chunk = 3
-    assert_same_bits(many, solve_many(name, threads=threads, chunk=chunk, **points))
+    assert_same_bits(many, solve(name, points, threads=threads, chunk=chunk))
 
 
 def test_a_point_alone_has_the_bits_it_has_in_a_batch(name, points, many):
     for i in range(0, COUNT, 4):
-        alone = solve_many(name, **{n: a[i] for n, a in points.items()})
-        assert_same_bits(many, alone, i)
+        alone = solve(name, {n: a[i : i + 1] for n, a in points.items()})
+        assert_same_bits(many, alone, slice(i, i + 1))
 
 
 def test_order_does_not_matter(name, points, many):
     order = np.random.default_rng(5).permutation(COUNT)
-    shuffled = solve_many(name, **{n: a[order] for n, a in points.items()})
+    shuffled = solve(name, {n: a[order] for n, a in points.items()})
     assert_same_bits(many, shuffled, order)
 
 
 def test_without_admissibility_the_admissible_have_the_same_bits(name, points, many):
     """Where several orbits live, one that is admissible comes first when that is asked."""
-    without = solve_many(name, admissibility=False, **points)
+    without = solve(name, points, admissibility=False)
     assert without.admissible is None
     assert without.bounds is None
     assert_array_equal(without.converged, many.converged)
@@ -185,14 +182,14 @@ def hopeless_points(name):
 def test_hopeless_points_do_not_disturb_their_neighbours(name, points):
     # blocks of sixteen lanes: every place within a block gets its turn
     good, reference = {n: a[:32].copy() for n, a in points.items()}, defaults(name)
-    expected = solve_many(name, **good)
+    expected = solve(name, good)
     inside = [{"eta": 1e300}, {"e2": 1e9}] if name == ORBIT else []
     every = hopeless_points(name)[:: 1 if backend() == "c" else 5]
     for shift, hopeless in enumerate(every + inside):
         mixed, places = {n: a.copy() for n, a in good.items()}, np.arange(5 * shift % 16, 32, 5)
         for parameter, array in mixed.items():
             array[places] = hopeless.get(parameter, reference[parameter])
-        found = solve_many(name, **mixed)
+        found = solve(name, mixed)
         neighbours = np.setdiff1d(np.arange(32), places)
         for label, array in columns(found).items():
             assert_array_equal(array[neighbours], columns(expected)[label][neighbours])
@@ -203,7 +200,7 @@ def test_hopeless_points_do_not_disturb_their_neighbours(name, points):
 def test_hopeless_points_have_a_status_and_nothing_else(name):
     reference, hopeless = defaults(name), hopeless_points(name)
     full = {n: np.array([h.get(n, value) for h in hopeless]) for n, value in reference.items()}
-    found = solve_many(name, **full)
+    found = solve(name, full)
     assert not found.converged.any()
     for status in np.unique(found.status):
         assert found.message(int(status)) == STATUS[int(status)]
@@ -218,7 +215,7 @@ def test_every_status_is_one_line():
 
 
 def test_the_edge_of_a_closed_domain_belongs_to_it():
-    found = solve_many(ORBIT, e2=[0.0, -0.0, 5e-324, -5e-324])
+    found = solve(ORBIT, {"e2": [0.0, -0.0, 5e-324, -5e-324]})
     assert_array_equal(found.converged, [True, True, True, False])
 
 
@@ -235,7 +232,7 @@ def test_where_the_prediction_fails_other_starts_are_tried():
     kernels = load_orbit(ORBIT)
     start = [reference.unknowns[name] for name in kernels.reduced]
     plain = solve_reduced(kernels, points, start).status == CONVERGED
-    found = solve_many(ORBIT, **dict(zip(defaults(ORBIT), points.T, strict=True))).converged
+    found = solve(ORBIT, dict(zip(defaults(ORBIT), points.T, strict=True))).converged
     assert np.all(found[plain])
     assert found.sum() > plain.sum()
 
@@ -244,7 +241,7 @@ def test_where_the_prediction_fails_other_starts_are_tried():
 def test_the_prediction_is_of_first_order(name):
     """An error of second order leaves two steps: one that corrects, one that sees it."""
     for parameter, value in defaults(name).items():
-        near = solve_many(name, **{parameter: value * (1 + np.array([-1e-3, 1e-3]))})
+        near = solve(name, {parameter: value * (1 + np.array([-1e-3, 1e-3]))})
         assert near.converged.all()
         assert np.all(near.iterations <= (2 if load_orbit(name).reduced else 0))
 
@@ -324,7 +321,7 @@ def test_nan_stands_exactly_where_nothing_was_found(many):
 
 def test_some_points_have_no_orbit():
     names = ("elastic-stop/one-contact", ORBIT)
-    assert all(not solve_many(n, **random_points(n, 1, COUNT)).converged.all() for n in names)
+    assert all(not solve(n, random_points(n, 1, COUNT)).converged.all() for n in names)
 
 
 # --- backends
@@ -339,7 +336,7 @@ results = {}
 with np.load(sys.argv[1]) as file:
     for name in orbit_names():
         given = {k.split(":")[1]: file[k] for k in file if k.startswith(name)}
-        found = solve_many(name, **given)
+        found = solve_many(name, given)
         columns = {"trace": found.trace, "residual": found.residual, "status": found.status,
                    "admissible": found.admissible, "iterations": found.iterations,
                    "period": found.period}
@@ -375,7 +372,7 @@ def backends(tmp_path_factory):
 @every_orbit
 def test_numpy_agrees_with_c(name, backends):
     given, results = backends
-    compiled = solve_many(name, **given[name])
+    compiled = solve(name, given[name])
     other = {k.partition(":")[2]: a for k, a in results.items() if k.startswith(name)}
     assert other.keys() == columns(compiled).keys()
     assert compiled.converged[:40].all()
@@ -421,46 +418,38 @@ def test_the_compiled_solver_is_used(name):
         ({"eta": {"a": 1}}, "parameter eta"),
         ({"eta": [True, False]}, "parameter eta"),
         ({"eta": np.array(["2020-01-01"], dtype="datetime64[D]")}, "parameter eta"),
-        ({"threads": 0}, "threads = 0"),
-        ({"threads": -2}, "threads = -2"),
-        ({"threads": 1.5}, "threads = 1.5"),
-        ({"chunk": 0}, "chunk = 0"),
-        ({"chunk": 2.5}, "chunk = 2.5"),
     ],
     ids=str,
 )
-def test_wrong_input_is_named_on_one_line(given, named):
+def test_wrong_parameters_are_named_on_one_line(given, named):
     with pytest.raises(InputError, match=named) as caught:
-        solve_many(ORBIT, **given)
+        solve(ORBIT, {"V": [1.0], **given})
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("given", "options", "named"),
+    [
+        ([1.0], {"threads": 0}, "threads = 0"),
+        ([1.0], {"threads": -2}, "threads = -2"),
+        ([1.0], {"threads": 1.5}, "threads = 1.5"),
+        ([1.0], {"chunk": 0}, "chunk = 0"),
+        ([1.0], {"chunk": 2.5}, "chunk = 2.5"),
+        ([1.0], {"digits": 20, "unknown": "e1"}, "unknown and digits: of one parameter point only"),
+        ([1.0], {"symmetry": {"x": "-x"}}, "symmetry: of one parameter point only"),
+        (1.0, {"threads": 2, "chunk": 9}, "threads and chunk: of many parameter points"),
+        (1.0, {"derivatives": "V"}, "derivatives: of many parameter points"),
+        (1.0, {"admissibility": False}, "admissibility: of many parameter points"),
+        (1.0, {"multipliers": True}, "multipliers: of many parameter points"),
+    ],
+    ids=str,
+)
+def test_wrong_options_are_named_on_one_line(given, options, named):
+    with pytest.raises(InputError, match=named) as caught:
+        solve(ORBIT, {"V": given}, **options)
     assert "\n" not in str(caught.value)
 
 
 def test_an_unknown_orbit_is_named():
     with pytest.raises(InputError, match="did you mean 'dry-friction/global-stick'"):
-        solve_many("dry-friction/global-slick")
-
-
-def test_one_point_gives_arrays_of_no_dimension_whoever_answers() -> None:
-    found = solve_many("dry-friction/global-stick", eta=0.98, us1=1.0, us2=1.0)
-    phases = [
-        ("stick-stick", "first-breaks-forward"),
-        ("slip-stick", "second-breaks-forward"),
-        ("slip-slip", "first-reaches-belt"),
-        ("stick-slip", "second-reaches-belt"),
-    ]
-    data = {
-        "chi": "0.5",
-        "eta": "0.98",
-        "V": 1,
-        "us1": 1,
-        "us2": 1,
-        "ur1": "4.0195",
-        "ur2": "1.4831",
-    }
-    composed = solve_many("dry-friction", data, found.dwell_times, itinerary=phases)
-    for name in ("period", "admissible", "trace", "residual", "iterations", "status"):
-        for one in (found, composed):
-            value = getattr(one, name)
-            assert isinstance(value, np.ndarray), name
-            assert value.shape == (), name
-    assert composed.period == pytest.approx(float(found.period), rel=1e-12)
+        solve("dry-friction/global-slick")

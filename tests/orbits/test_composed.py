@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonsmooth import InputError, NoConvergence, refine, solve, solve_many
+from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.model.kernels import compiled_engine, load_system
 from nonsmooth.runtime.model.parameter_batches import parameter_points
@@ -276,7 +276,7 @@ def test_compiled_as_in_python_with_a_period(monkeypatch):
 def test_many_points():
     eta = np.linspace(0.95, 1.05, 3)[:, None]
     data = STICK_DATA | {"eta": eta, "V": [0.98, 1.02]}
-    many = solve_many("dry-friction", data, STICK_GUESS, itinerary=STICK, multipliers=True)
+    many = solve("dry-friction", data, STICK_GUESS, itinerary=STICK, multipliers=True)
     assert many.admissible.all()
     assert many.converged.all()
     assert many.dwell_times.shape == (3, 2, 4)
@@ -298,9 +298,9 @@ def test_threads_and_chunks_change_nothing(threads, monkeypatch):
     data = STICK_DATA | {"V": np.linspace(0.98, 1.02, 8)}
     start = stick().states[0]
     guess = [*STICK_GUESS, *start]
-    many = solve_many("dry-friction", data, guess, itinerary=STICK, threads=threads)
+    many = solve("dry-friction", data, guess, itinerary=STICK, threads=threads)
     monkeypatch.undo()
-    whole = solve_many("dry-friction", data, guess, itinerary=STICK)
+    whole = solve("dry-friction", data, guess, itinerary=STICK)
     np.testing.assert_array_equal(many.dwell_times, whole.dwell_times)
     np.testing.assert_array_equal(many.trace, whole.trace)
 
@@ -312,15 +312,15 @@ def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
         "dry-friction", STICK_DATA, turned(STICK_GUESS, first), itinerary=turned(STICK, first)
     )
     guess = [*exact.dwell_times, *exact.states[0]]
-    many = solve_many("dry-friction", STICK_DATA, guess, itinerary=turned(STICK, first))
+    many = solve("dry-friction", STICK_DATA, guess, itinerary=turned(STICK, first))
     assert many.converged
     assert many.iterations == 1
 
 
 def test_no_points_and_lost_points():
-    none = solve_many("dry-friction", STICK_DATA | {"V": []}, STICK_GUESS, itinerary=STICK)
+    none = solve("dry-friction", STICK_DATA | {"V": []}, STICK_GUESS, itinerary=STICK)
     assert none.dwell_times.shape == (0, 4)
-    lost = solve_many("dry-friction", STICK_DATA | {"V": [-1, 1]}, STICK_GUESS, itinerary=STICK)
+    lost = solve("dry-friction", STICK_DATA | {"V": [-1, 1]}, STICK_GUESS, itinerary=STICK)
     assert lost.status.tolist() == [INVALID, CONVERGED]
     assert np.isnan(lost.dwell_times[0]).all()
     assert np.isnan(lost.trace[0])
@@ -480,7 +480,7 @@ def test_bad_input_of_many(changes, match):
         "guess": STICK_GUESS,
     }
     with pytest.raises(InputError, match=match):
-        solve_many(**(arguments | changes))
+        solve(**arguments | changes)
 
 
 @needs_engine

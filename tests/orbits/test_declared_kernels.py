@@ -51,7 +51,7 @@ def by_tables(orbit: Any, monkeypatch: pytest.MonkeyPatch, values: Any, **option
     with monkeypatch.context() as elsewhere:
         elsewhere.setenv("NONSMOOTH_BACKEND", "numpy")
         assert declared_kernels(load_orbit(orbit)) is None
-        return ns.solve_many(orbit, values, **options)
+        return ns.solve(orbit, values, **options)
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,7 @@ def by_tables(orbit: Any, monkeypatch: pytest.MonkeyPatch, values: Any, **option
 def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.MonkeyPatch) -> None:
     assert declared_kernels(load_orbit(orbit)) is not None
     values = points_in(orbit, 120)
-    fast: Any = ns.solve_many(orbit, values)
+    fast: Any = ns.solve(orbit, values)
     slow = by_tables(orbit, monkeypatch, values)
     assert list(fast.unknowns) == list(slow.unknowns) == list(ns.solve(orbit).unknowns)
     assert fast.parameters.keys() == slow.parameters.keys()
@@ -83,7 +83,7 @@ def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.Monkey
     np.testing.assert_allclose(fast.starts[same], slow.starts[same], rtol=1e-8, atol=1e-8)
     # no motion is lost
     assert (fast.admissible >= slow.admissible).all()
-    other = ns.solve_many(orbit, values, threads=2, chunk=7)
+    other = ns.solve(orbit, values, threads=2, chunk=7)
     for name, row in fast.unknowns.items():
         assert other.unknowns[name].tobytes() == row.tobytes(), name
 
@@ -92,9 +92,9 @@ def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.Monkey
 def test_a_point_has_the_bits_of_itself(orbit: str) -> None:
     """Not of the others, of their number, or of how often it was asked for."""
     values = points_in(orbit, 40)
-    together: Any = ns.solve_many(orbit, values)
+    together: Any = ns.solve(orbit, values)
     for place in (17, int(np.argmin(together.admissible)), int(np.argmax(together.admissible))):
-        alone = ns.solve_many(orbit, {name: row[place] for name, row in values.items()})
+        alone = ns.solve(orbit, {name: row[[place]] for name, row in values.items()})
         for name, row in together.unknowns.items():
             assert row[place].tobytes() == alone.unknowns[name].tobytes(), name
         assert together.trace[place].tobytes() == alone.trace.tobytes()
@@ -112,7 +112,7 @@ def test_of_both_roots_the_motion_is_found() -> None:
     values = points_in(ONE_PERIOD, 3000, seed=8)
     # beside the resonance w = 2 one impact is many times as hard as at the reference
     values["w"][:300] = np.random.default_rng(9).uniform(2.02, 2.06, 300)
-    found = ns.solve_many(ONE_PERIOD, values)
+    found = ns.solve(ONE_PERIOD, values)
     with np.errstate(invalid="ignore"):
         roots = np.stack(closed_form(values["w"], values["sigma"], values["r"]))
     # an orbit of that period, and not of several
@@ -146,14 +146,14 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
     kernels = own.by_kernels(every)
     assert kernels.admissible is not None
     assert not kernels.admissible.all()
-    both = ns.solve_many(SUBHARMONIC, values)
+    both = ns.solve(SUBHARMONIC, values)
     tables = by_tables(SUBHARMONIC, monkeypatch, values)
     lost = ~kernels.admissible
     for name, row in both.unknowns.items():
         np.testing.assert_allclose(row[lost], tables.unknowns[name][lost], rtol=1e-12)
         np.testing.assert_array_equal(row[~lost], kernels.unknowns[name][~lost])
     # they are looked for where nobody asks for the verdicts, too
-    plain = ns.solve_many(SUBHARMONIC, values, admissibility=False)
+    plain = ns.solve(SUBHARMONIC, values, admissibility=False)
     assert plain.admissible is None
     assert plain.trace.tobytes() == both.trace.tobytes()
 
@@ -192,7 +192,7 @@ def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c
     orbit: Any = two_stops()
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     assert (declared_kernels(load_orbit(orbit)) is None) == (backend == "numpy")
-    found = ns.solve_many(orbit, {"M_PI": [0.5, 1.5, 1.0], "cos": 2.0})
+    found = ns.solve(orbit, {"M_PI": [0.5, 1.5, 1.0], "cos": 2.0})
     assert found.converged.tolist() == [True, False, True]
     assert np.isnan(found.unknowns["x0"]).tolist() == [False, True, False]
     # FLOWS of one forced, damped mass: the impact velocity is the root of a quadratic
@@ -201,8 +201,8 @@ def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c
     line = ns.chart(load_orbit(orbit).name, M_PI=[0.5, 1.0, 1.5], cos=2.0)
     assert (line.status.values == 0).tolist() == [True, True, False]
     with pytest.raises(InputError, match="unknown parameter 'near'"):
-        ns.solve_many(orbit, near=0.5)
-    assert ns.solve_many(orbit, M_PI="1/2", cos="2").converged
+        ns.solve(orbit, {"near": 0.5})
+    assert ns.solve(orbit, {"M_PI": "1/2", "cos": [2]}).converged.all()
 
 
 @pytest.mark.parametrize("shape", [(0,), (2, 0), (0, 3)])
@@ -210,7 +210,7 @@ def test_no_points_have_the_shape_of_any(
     shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     values = {"w": np.empty(shape)}
-    for found in (ns.solve_many(SUBHARMONIC, values), by_tables(SUBHARMONIC, monkeypatch, values)):
+    for found in (ns.solve(SUBHARMONIC, values), by_tables(SUBHARMONIC, monkeypatch, values)):
         assert found.status.shape == found.admissible.shape == found.trace.shape == shape
         assert found.starts.shape[: len(shape)] == shape
 
@@ -232,7 +232,7 @@ def test_wrong_arrays_are_refused_in_the_same_words(
     with monkeypatch.context() as elsewhere:
         elsewhere.setattr("nonsmooth.runtime.orbits.many.declared_kernels", None)
         with pytest.raises(InputError, match=message) as early:
-            ns.solve_many(ONE_PERIOD, values)
+            ns.solve(ONE_PERIOD, values)
     with pytest.raises(InputError, match=message) as late:
         by_tables(ONE_PERIOD, monkeypatch, values)
     assert str(early.value) == str(late.value)

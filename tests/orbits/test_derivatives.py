@@ -150,7 +150,7 @@ def test_names_that_are_none_are_refused_wherever_they_are_asked_for(names, told
     motion = ns.solve("rigid-stop/one-impact").trajectory()
     for asked in (
         lambda: orbit.derivatives(names),
-        lambda: ns.solve_many(KERNELS[0], eta=[1.0, 1.01], derivatives=names or "etta"),
+        lambda: ns.solve(KERNELS[0], {"eta": [1.0, 1.01]}, derivatives=names or "etta"),
         lambda: motion.derivatives(names),
         lambda: ns.orbit_function(orbit, by=names, of="period"),
         lambda: ns.certify(orbit, derivatives=names),
@@ -161,7 +161,7 @@ def test_names_that_are_none_are_refused_wherever_they_are_asked_for(names, told
 
 @pytest.mark.parametrize("none", [(), [], {}, set(), np.array([])])
 def test_no_names_are_no_derivatives_of_many(none):
-    assert ns.solve_many(KERNELS[0], eta=[1.0, 1.01], derivatives=none).derivatives is None
+    assert ns.solve(KERNELS[0], {"eta": [1.0, 1.01]}, derivatives=none).derivatives is None
 
 
 ALONG = (
@@ -252,7 +252,7 @@ def test_many_orbits_have_the_derivatives_of_each(name):
     by = tuple(orbit.given)
     values = {name: float(value) for name, value in orbit.given.items()}
     values[by[0]] += np.array([0.0, 0.003, 1e3 if name == DECLARED[0] else -50.0])
-    found = ns.solve_many(name, values, derivatives=by)
+    found = ns.solve(name, values, derivatives=by)
     assert found.derivatives is not None
     assert found.converged.tolist() == [True, True, False]
     for place in (0, 1):
@@ -270,9 +270,9 @@ def test_many_orbits_of_a_family_have_derivatives_at_a_given_period():
     tables = orbit.problem.by_tables(orbit)
     single = tables.derivatives()
     data = {name: float(tables.parameters[name]) for name in tables.parameters}
-    found = ns.solve_many(
+    found = ns.solve(
         "elastic-stop",
-        data,
+        {**data, "k2": [data["k2"]]},
         [*tables.dwell_times, *tables.states[0]],
         itinerary=tables.itinerary,
         given={"period": float(tables.period)},

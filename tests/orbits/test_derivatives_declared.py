@@ -157,4 +157,4 @@ def test_along_a_border_collision_both_boundaries_stay_together():
 
 def test_many_orbits_of_a_border_collision_are_refused_by_name():
     with pytest.raises(InputError, match="border collision"):
-        ns.solve_many("dry-friction/solution-ii", V=[1.0, 1.01], derivatives="V")
+        ns.solve("dry-friction/solution-ii", {"V": [1.0, 1.01]}, derivatives="V")

@@ -74,7 +74,7 @@ def test_the_digits_of_one_orbit_are_those_of_fifty(name: str, backend: str) -> 
 @pytest.mark.parametrize("name", VARIED)
 def test_orbits_of_a_batch_have_six_digits(name: str, backend: str) -> None:
     every = list(points(name, 2 if backend == "numpy" else 12, 8))
-    found = ns.solve_many(name, {key: np.array([p[key] for p in every]) for key in every[0]})
+    found = ns.solve(name, {key: np.array([p[key] for p in every]) for key in every[0]})
     for i in np.flatnonzero(found.converged):
         guess = {key: float(values[i]) for key, values in found.unknowns.items()}
         exact = ns.refine(ns.solve(name, every[i], guess), 50)
@@ -90,20 +90,22 @@ def test_what_is_beyond_doubles_is_told(tiny: float, backend: str) -> None:
     name, point = "elastic-stop/one-contact", dict(m1=1, m2=1, k1=1, k2=tiny, k3=1, T=3)
     with pytest.raises(NoConvergence):
         ns.solve(name, point)
-    found = ns.solve_many(name, point)
+    found = ns.solve(name, {**point, "T": [3]})
     assert found.status != CONVERGED
     assert np.isnan(found.trace)
     for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
         for varied in VARIED[name]:
             point = dict.fromkeys(VARIED[name], 1.0) | {varied: tiny, "T": 3.0}
-            many = ns.solve_many(name, point)
+            many = ns.solve(name, {**point, "T": [3.0]})
             if many.status == CONVERGED:
                 exact = ns.refine(ns.solve(name, point), 50)
                 assert many.trace == pytest.approx(float(exact.stability.trace), abs=1e-6)
 
 
 def test_the_status_says_what_to_do() -> None:
-    found = ns.solve_many("elastic-stop/one-contact", m1=1, m2=1, k1=1, k2=1e-300, k3=1, T=3)
+    found = ns.solve(
+        "elastic-stop/one-contact", {"m1": 1, "m2": 1, "k1": 1, "k2": 1e-300, "k3": 1, "T": [3]}
+    )
     assert "beyond double precision" in found.message(UNSURE)
 
 
@@ -147,7 +149,7 @@ def test_digits_of_composed_orbits_are_those_of_fifty(decades: float, backend: s
     every = table_points(6 if backend == "c" else 3, decades)
     guess = [[2 * np.pi / point["w"]] for point in every]
     given = {name: np.array([point[name] for point in every]) for name in TABLES}
-    many = ns.solve_many(masses(), given, guess, itinerary=STRUCK, admissibility=False)
+    many = ns.solve(masses(), given, guess, itinerary=STRUCK, admissibility=False)
     found = 0
     for i in np.flatnonzero(many.converged):
         start = [float(values[i]) for values in many.unknowns.values()]
@@ -172,7 +174,7 @@ def test_composed_orbits_beyond_doubles_are_told(tiny: float, backend: str) -> N
     for place, name in enumerate(TABLES):
         given[name][place] = tiny
     guess = (2 * np.pi / np.clip(given["w"], 1e-3, 1e3))[:, None]
-    many = ns.solve_many(masses(), given, guess, itinerary=STRUCK)
+    many = ns.solve(masses(), given, guess, itinerary=STRUCK)
     assert np.isnan(many.trace[~many.converged]).all()
     for i in np.flatnonzero(many.converged):
         point = {name: float(values[i]) for name, values in given.items()}
@@ -189,7 +191,7 @@ def test_composed_orbits_far_apart_have_the_status_that_says_so() -> None:
         every = table_points(20, decades)
         given = {name: np.array([point[name] for point in every]) for name in TABLES}
         guess = [[2 * np.pi / point["w"]] for point in every]
-        many = ns.solve_many(masses(), given, guess, itinerary=STRUCK, admissibility=False)
+        many = ns.solve(masses(), given, guess, itinerary=STRUCK, admissibility=False)
         assert decades == 20 or UNSURE in many.status
         assert np.isnan(many.trace[many.status == UNSURE]).all()
         assert "beyond double precision" in many.message(UNSURE)

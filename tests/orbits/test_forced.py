@@ -94,7 +94,7 @@ def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
 def test_many_points_as_one() -> None:
     speeds = np.array([1.95, 2.0, 2.05])
     data = {**DATA, "Omega": speeds, "zeta": 0.05, "r": 0.8}
-    found = ns.solve_many(impact(), data, [3.14], itinerary=ONE, multipliers=True)
+    found = ns.solve(impact(), data, [3.14], itinerary=ONE, multipliers=True)
     assert found.converged.all()
     for k, speed in enumerate(speeds):
         one = ns.solve(impact(), DATA | {"Omega": speed}, [2 * np.pi / speed], itinerary=ONE)

@@ -11,7 +11,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 
-from nonsmooth import InputError, NoConvergence, Orbit, refine, solve, solve_many
+from nonsmooth import InputError, NoConvergence, Orbit, refine, solve
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.coulomb_friction import Friction
@@ -26,7 +26,7 @@ MULTIPLIERS = (-1.44546317, -0.12198051)
 @cache
 def symmetric_orbits() -> tuple[Orbit, ...]:
     points = random_points(SYMMETRIC, 81, 60)
-    many = solve_many(SYMMETRIC, **points)
+    many = solve(SYMMETRIC, points)
     found = [solve(SYMMETRIC)]
     for i in np.flatnonzero(many.admissible)[:4]:
         guess = {n: float(a[i]) for n, a in many.unknowns.items()}
@@ -177,7 +177,7 @@ def test_forces_on_the_first_mass_decide_nothing() -> None:
     with pytest.raises(InputError, match="us1 = -1 is outside its domain"):
         solve(SYMMETRIC, {"us1": -1})
     with pytest.raises(InputError, match="e1 decides nothing about dry-friction/symmetric"):
-        solve_many(SYMMETRIC, e1=[1.0])
+        solve(SYMMETRIC, {"e1": [1.0]})
 
 
 # --- the border collision ---------------------------------------------------------------
@@ -305,7 +305,7 @@ def test_a_dwell_time_within_its_error_is_none(side: int) -> None:
     with mpmath.workdps(40):
         limits = [mpmath.nstr(border["e1"] + mpmath.mpf(offset), 40) for offset in offsets]
     orbits = [solve(STICK, {"e1": limit}, near, throw=False) for limit in limits]
-    many = solve_many(STICK, e1=np.array(limits, dtype=float))
+    many = solve(STICK, {"e1": np.array(limits, dtype=float)})
     told = np.array([orbit.converged for orbit in orbits])
     assert_array_equal(told, many.converged & many.admissible)
     assert_array_equal(told, [orbit.admissibility.verdict == "conditional" for orbit in orbits])

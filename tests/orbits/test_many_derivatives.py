@@ -110,7 +110,7 @@ def settled(system: ns.derive.System, data: dict[str, float]) -> ns.Orbit:
 def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     for system, data, orbit, given in cases(forced):
         values, guess = scattered(data, 6), [*orbit.dwell_times, *orbit.states[0]]
-        solved = ns.solve_many(system, values, guess, itinerary=orbit.itinerary, given=given)
+        solved = ns.solve(system, values, guess, itinerary=orbit.itinerary, given=given)
         cycle = itinerary_shape(structure_of(orbit.system), orbit.itinerary)
         given_points = [values[table.name] for table in orbit.system.parameters]
         points, unknowns = (
@@ -144,7 +144,7 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
 
     values = {**TURNED, "i": [TURNED["i"]]}
     options: Any = {"itinerary": orbit.itinerary, "multipliers": True}
-    found = ns.solve_many(GEARED, values, guess, derivatives=list(data), **options).derivatives
+    found = ns.solve(GEARED, values, guess, derivatives=list(data), **options).derivatives
     assert found is not None
     above, below = solved(TURNED["i"] + 1e-5), solved(TURNED["i"] - 1e-5)
     pairs = {name: (above.unknowns[name], below.unknowns[name]) for name in orbit.unknowns}
@@ -162,9 +162,7 @@ def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
         values = scattered(data, 3)
         guess = [*orbit.dwell_times, *orbit.states[0]]
         options = {"itinerary": orbit.itinerary, "given": given}
-        found = ns.solve_many(
-            system, values, guess, multipliers=True, derivatives=list(data), **options
-        )
+        found = ns.solve(system, values, guess, multipliers=True, derivatives=list(data), **options)
         assert found.converged.all()
         assert found.derivatives is not None
         for place in range(3):
@@ -182,7 +180,7 @@ def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
 def test_kernels_in_c_and_on_numpy_agree(name: str) -> None:
     orbit = ns.solve(name)
     data = {key: float(value) for key, value in orbit.given.items()}
-    found = ns.solve_many(name, scattered(data, 37, 1e-2), admissibility=False)
+    found = ns.solve(name, scattered(data, 37, 1e-2), admissibility=False)
     kernels = found.problem.kernels
     assert kernels.directions is not None
     other = replace(found, problem=kernel_problem(uncompiled(kernels)))
@@ -231,7 +229,7 @@ def test_a_family_that_is_lost_has_no_derivative_in_any_unit(
 def have_derivatives(orbit: ns.Orbit, data: dict[str, float]) -> dict[str, bool]:
     """Of many orbits, of which this is one, by parameters; the last one is given as an array."""
     *_, (name, value) = data.items()
-    found = ns.solve_many(
+    found = ns.solve(
         orbit.system, {**data, name: [value]}, [*orbit.dwell_times, *orbit.states[0]],
         itinerary=orbit.itinerary, derivatives=list(data), given={
             name: value for name, value in orbit.given.items() if name == "period"
@@ -244,10 +242,10 @@ def have_derivatives(orbit: ns.Orbit, data: dict[str, float]) -> dict[str, bool]
 def test_they_are_those_of_fifty_digits() -> None:
     name, by = "dry-friction/global-stick", "eta"
     orbit = ns.solve(name, {by: "0.98"})
-    found = ns.solve_many(name, eta=[0.98, 0.99], derivatives=[by])
+    found = ns.solve(name, {"eta": [0.98, 0.99]}, derivatives=[by])
     tables = by_tables(name)
     values = {key: float(value) for key, value in tables.parameters.items()} | {by: [0.98, 0.99]}
-    composed = ns.solve_many(
+    composed = ns.solve(
         "dry-friction", values, [*tables.dwell_times, *tables.states[0]],
         itinerary=tables.itinerary, derivatives=by,
     )  # fmt: skip
@@ -276,8 +274,8 @@ def test_no_point_depends_on_its_neighbours(tables: bool) -> None:
         name, options["itinerary"] = "dry-friction", orbit.itinerary
         options["guess"] = [*orbit.dwell_times, *orbit.states[0]]
     order = np.random.default_rng(1).permutation(600)[:531]
-    whole = ns.solve_many(name, values, **options)
-    part = ns.solve_many(name, {k: v[order] for k, v in values.items()}, **options)
+    whole = ns.solve(name, values, **options)
+    part = ns.solve(name, {k: v[order] for k, v in values.items()}, **options)
     for quantity, rates in whole.derivatives.items():
         for key, rate in rates.items():
             assert_array_equal(rate[order], part.derivatives[quantity][key])
@@ -335,7 +333,7 @@ def test_a_point_is_the_same_alone_and_beside_another(name: str) -> None:
     guess = np.array([*map(float, tables.dwell_times), *map(float, tables.states[0])])
     options = {"itinerary": tables.itinerary, "multipliers": True, "derivatives": names}
     alone, both = (
-        ns.solve_many(
+        ns.solve(
             tables.problem.system, values | {names[0]: np.full(count, values[names[0]])}, guess,
             **options,
         )

@@ -54,7 +54,7 @@ def test_a_live_record_does_not_read_its_file_again(
     tmp_path: Path, text: str, derived: bool, change: str
 ) -> None:
     name = declared(tmp_path, text, derived=derived)
-    orbit, many = ns.solve(name, {"r": "0.4"}), ns.solve_many(name, r=[0.3, 0.5])
+    orbit, many = ns.solve(name, {"r": "0.4"}), ns.solve(name, {"r": [0.3, 0.5]})
     assert (orbit.problem.kernels is not None) == derived
     before, times = told(orbit), many.dwell_times.tolist()
     if change == "edited":

@@ -14,7 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
-from nonsmooth import InputError, simulate_many
+from nonsmooth import InputError, simulate
 from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
@@ -238,7 +238,7 @@ def test_orbits_are_found_up_to_their_shift():
     assert entry.period == pytest.approx(sled().period, abs=1e-12)
     assert entry.starts > 5
     kernels, data = kernels_of(SLED), {name: float(x) for name, x in found.parameters.items()}
-    motions = simulate_many(kernels, data, found.starts, transitions=200, keep=65)
+    motions = simulate(kernels, data, found.starts, transitions=200, keep=65)
     told = settled(kernels, data, motions)
     assert ((told.outcomes == PERIODIC) == (found.labels == 0)).all()
     np.testing.assert_allclose(told.periods[found.labels == 0], entry.period, atol=1e-5)
@@ -277,7 +277,7 @@ def test_many_points_at_once_give_the_same():
     orbit = sled()
     data = {name: float(value) for name, value in orbit.parameters.items()}
     guess = [*orbit.dwell_times, *orbit.states[0]]
-    many = ns.solve_many(
+    many = ns.solve(
         SLED, {**data, "V": [0.5, 0.51]}, guess, itinerary=orbit.itinerary, multipliers=True
     )
     other = ns.solve(SLED, {**PULLED, "V": "0.51"}, guess, itinerary=orbit.itinerary)
@@ -380,7 +380,7 @@ def test_they_are_proved_and_proved_again(tmp_path, orbit):
     )
     path = tmp_path / "proof.json"
     certificate.save(path)
-    assert ns.check_certificate(path).certificate is not None
+    assert ns.certify.check(path).certificate is not None
 
 
 @pytest.mark.parametrize(
@@ -402,19 +402,19 @@ def test_another_direction_is_refused(tmp_path, change):
     content["closing"]["translations"] = change(content["closing"]["translations"])
     content["sha256"] = checksum_of(content)
     path.write_text(json.dumps(content))
-    assert ns.check_certificate(path).certificate is None
+    assert ns.certify.check(path).certificate is None
 
 
 def test_a_box_of_parameters_is_proved_and_proved_again(tmp_path):
     # the spring's end moves at V, whatever V is: its speed spans an interval and does not change
-    found = ns.certify_box(sled(), {"V": ("0.499", "0.501")}, tiles=20)
+    found = ns.certify.box(sled(), {"V": ("0.499", "0.501")}, tiles=20)
     assert found.proved
     found.save(path := tmp_path / "box.json")
-    assert ns.check_certificate(path).certificate is not None
+    assert ns.certify.check(path).certificate is not None
     assert found.enclosures["tau1"].lower < sled().dwell_times[0] < found.enclosures["tau1"].upper
 
 
 def test_what_does_not_return_is_not_counted():
     orbit = sled()
     with pytest.raises(ns.InputError, match="up to a shift"):
-        ns.certify_all(SLED, PULLED, {"tau1": (1, 9), "tau2": (1, 9)}, itinerary=orbit.itinerary)
+        ns.certify.all(SLED, PULLED, {"tau1": (1, 9), "tau2": (1, 9)}, itinerary=orbit.itinerary)

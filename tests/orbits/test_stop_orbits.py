@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh, expm
 from scipy.optimize import brentq
 
-from nonsmooth import NoConvergence, Orbit, solve, solve_many
+from nonsmooth import NoConvergence, Orbit, solve
 from nonsmooth.derive import Configuration, SecondOrder, derive_equations
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
@@ -71,7 +71,7 @@ def test_the_conditions_of_symmetry_require_r_and_w() -> None:
 def test_the_full_closure_has_the_same_orbit_and_no_other() -> None:
     """Four conditions on (y, u, w): they hold together, with w = 0, for r = 1 alone."""
     points = random_points(RIGID, 61, 30)
-    many = solve_many(RIGID, **points)
+    many = solve(RIGID, points)
     for i in range(30):
         values = {n: float(a[i]) for n, a in points.items()}
         (y, u, w), residual, singular = closure(values, values["T"])
@@ -88,7 +88,7 @@ def test_the_full_closure_has_the_same_orbit_and_no_other() -> None:
 def test_position_and_velocity_as_functions_of_the_period() -> None:
     """y(T) and u(T) of the explicit kernel: both velocities vanish halfway."""
     periods = np.linspace(0.3, 12, 200)
-    many = solve_many(RIGID, T=periods)
+    many = solve(RIGID, {"T": periods})
     assert many.converged.all()
     assert not many.iterations.any()
     for i, period in enumerate(periods):
@@ -165,12 +165,12 @@ def test_at_a_resonance_it_says_so(backend: str, monkeypatch: pytest.MonkeyPatch
         assert singular[-1] < 1e-9
         with pytest.raises(NoConvergence, match=r"singular: .*resonance.*change a parameter"):
             solve(RIGID, {"T": period})
-    many = solve_many(RIGID, T=found)
+    many = solve(RIGID, {"T": found})
     assert many.status.tolist() == [5] * len(found)
     assert "resonance" in many.message(5)
     assert np.isnan(many.unknowns["y"]).all()
     assert not many.admissible.any()
-    beside = solve_many(RIGID, T=[period * (1 + 1e-6) for period in found])
+    beside = solve(RIGID, {"T": [period * (1 + 1e-6) for period in found]})
     assert beside.converged.all()
 
 
@@ -187,7 +187,7 @@ def test_rational_frequencies_in_resonance(
     assert_allclose(eigh(stiffness, np.diag([1.0, 2]), eigvals_only=True), [1, 4])
     with pytest.raises(NoConvergence, match="singular"):
         solve(RIGID, {**RATIONAL, "T": f"{turns}*pi"})
-    many = solve_many(RIGID, **RATIONAL, T=[float(turns) * np.pi, float(turns) * np.pi + 0.1])
+    many = solve(RIGID, {**RATIONAL, "T": [float(turns) * np.pi, float(turns) * np.pi + 0.1]})
     assert many.status.tolist() == [5, 0]
 
 
@@ -262,7 +262,7 @@ def test_a_second_impact_or_a_penetration_is_reported_where_it_is(period: float)
 
 
 def test_both_ways_to_fail_and_both_verdicts_occur() -> None:
-    many = solve_many(RIGID, T=np.linspace(3.0, 15.0, 2000))
+    many = solve(RIGID, {"T": np.linspace(3.0, 15.0, 2000)})
     outward = many.unknowns["u"] < 0
     assert (outward & ~many.admissible).any(), "a second impact"
     assert (~outward & ~many.admissible).any(), "a penetration"
@@ -401,7 +401,7 @@ def test_a_stiff_stop_is_found_without_a_guess() -> None:
     for orbit in softened()[::3]:
         alone = solve(ELASTIC, {"k3": orbit.values["k3"]})
         assert_allclose(list(alone.unknowns.values()), list(orbit.unknowns.values()), atol=1e-9)
-    many = solve_many(ELASTIC, k3=STIFFNESSES)
+    many = solve(ELASTIC, {"k3": STIFFNESSES})
     assert many.admissible.all()
     assert_allclose(many.unknowns["u"], [o.unknowns["u"] for o in softened()], atol=1e-8)
 

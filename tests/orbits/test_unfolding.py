@@ -140,7 +140,7 @@ def test_many_points_of_a_declared_orbit() -> None:
     whole = Itinerary("whole", system, phases, reference=Reference({"r": "0.7"}, guess))
     name = load_orbit(whole).name
     values = np.linspace(0.6, 0.75, 4)
-    found = ns.solve_many(name, r=values)
+    found = ns.solve(name, {"r": values})
     assert found.converged.all()
     assert found.admissible is not None
     for k, value in enumerate(values):
@@ -148,12 +148,12 @@ def test_many_points_of_a_declared_orbit() -> None:
         assert found.admissible[k] == (one.admissibility.verdict is True)
         assert found.trace[k] == pytest.approx(one.trace, abs=1e-11)
         assert found.unknowns["T"][k] == pytest.approx(one.unknowns["T"], rel=1e-12)
-    assert ns.solve_many(name, r=values, admissibility=False).admissible is None
+    assert ns.solve(name, {"r": values}, admissibility=False).admissible is None
 
 
 def test_many_points_are_none_of_a_part() -> None:
     with pytest.raises(InputError, match="a part and a symmetry"):
-        ns.solve_many(load_orbit(symmetric(between())).name, r=[0.6, 0.7])
+        ns.solve(load_orbit(symmetric(between())).name, {"r": [0.6, 0.7]})
 
 
 @pytest.mark.compiled
@@ -164,8 +164,8 @@ def test_a_declaration_in_numbers_alone() -> None:
     # the rest oscillates below the velocity of the belt
     assert entry.share + found.share(Outcome.FAMILY) == 1
     guesses = [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]]
-    many = ns.solve_many(belt, {}, guesses, itinerary=entry.itinerary)
+    many = ns.solve(belt, {}, guesses, itinerary=entry.itinerary)
     assert many.dwell_times.shape == (3, 2)
     np.testing.assert_allclose(many.period, entry.period, rtol=1e-12)
-    runs = ns.simulate_many(belt, {}, np.zeros((4, 2)), transitions=9)
+    runs = ns.simulate(belt, {}, np.zeros((4, 2)), transitions=9)
     assert (runs.transitions == 9).all()

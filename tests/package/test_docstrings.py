@@ -33,6 +33,10 @@ def public() -> Iterator[tuple[str, str, Any]]:
             found = getattr(package, name)
             if inspect.isfunction(found):
                 yield "function", name, found
+            elif name == "certify":
+                yield "function", name, type(found).__call__
+                for target in (n for n in vars(type(found)) if not n.startswith("_")):
+                    yield "function", f"{name}.{target}", getattr(found, target)
             elif inspect.isclass(found):
                 yield "class", name, found
                 for attribute, member in vars(found).items():

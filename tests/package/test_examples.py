@@ -13,7 +13,7 @@ from nonsmooth.runtime.model.kernels import compiled_engine
 # simulate many motions, which takes minutes in Python
 COMPILED = {
     *("basins", "find_orbits", "load_found", "load_sweep"),
-    *("lyapunov", "simulate_many", "sweep"),
+    *("lyapunov", "sweep"),
     "certify_doubling",
     "certify_chaos",
 }

@@ -769,7 +769,7 @@ def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
 
 @pytest.mark.slow  # its kernels are compiled first
 def test_those_of_many_hold_where_the_load_of_a_pad_is_positive() -> None:
-    many = ns.solve_many(f"{page('brake_pad')}:pressed", A=np.array([1.15, 1.17, 4.0]))
+    many = ns.solve(f"{page('brake_pad')}:pressed", {"A": np.array([1.15, 1.17, 4.0])})
     assert many.admissible.tolist() == [True, False, False]
 
 

@@ -101,10 +101,10 @@ CASES: dict[str, Callable[[], Any]] = {
     "design": lambda: ns.design(
         ns.solve("dry-friction/symmetric"), minimise="spectral_radius", over={"V": (0.3, 3)}
     ).plot(),
-    "box": lambda: ns.certify_box(
+    "box": lambda: ns.certify.box(
         loop(r="-19/20", a="3/5"), {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
     ).plot(),
-    "line of a box": lambda: ns.certify_box(
+    "line of a box": lambda: ns.certify.box(
         ns.solve("dry-friction/symmetric", {"V": "1.1"}), {"V": ("1.09", "1.11")}
     ).plot(),
     "certified branch": lambda: proved_branch().plot(),
@@ -180,13 +180,13 @@ def symmetric_branch(high: str = "1.3") -> Any:
 
 @cache
 def proved_branch() -> Any:
-    return ns.certify_branch(symmetric_branch("1.2"), interval=("1", "1.05"))
+    return ns.certify.branch(symmetric_branch("1.2"), interval=("1", "1.05"))
 
 
 @cache
 def flips() -> Any:
     (flip,) = (event for event in symmetric_branch().events if event.kind == "flip")
-    return ns.continue_event(symmetric_branch(), flip, "eta", (3.9, 4.1))
+    return ns.continue_orbit(symmetric_branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache

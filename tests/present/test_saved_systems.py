@@ -66,7 +66,7 @@ def fit(source: Path) -> Any:
 def event(source: Path) -> Any:
     near = ns.solve(f"{source}:one", {"gap": "-0.332"})
     found = ns.continue_orbit(near, "gap", (-0.335, -0.33))
-    return ns.certify_event(found, found.events[-1])
+    return ns.certify.event(found, found.events[-1])
 
 
 MAKE: dict[str, Callable[[Path, Path], None]] = {
@@ -85,11 +85,11 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
     "sweep.json": lambda source, path: sweep(source).save(path),
     "fit.json": lambda source, path: fit(source).save(path),
     "proof.json": lambda source, path: ns.certify(ns.solve(f"{source}:one")).save(path),
-    "map.json": lambda source, path: ns.certify_box(
+    "map.json": lambda source, path: ns.certify.box(
         ns.solve(f"{source}:one"), {"r": ("0.799", "0.801")}, tiles=2
     ).save(path),
     "events.json": lambda source, path: event(source).save(path),
-    "census.json": lambda source, path: ns.certify_all(
+    "census.json": lambda source, path: ns.certify.all(
         f"{source}:one", DATA, {"T": ("3.1", "3.2")}
     ).save(path),
 }  # fmt: skip
@@ -481,7 +481,7 @@ def test_what_is_saved_is_the_system_that_was_computed_with(folder: Path) -> Non
         result.save("lost.json")
     assert ns.load("lost.json").values.tolist() == diagram.values.tolist()
     proof.save("lost.json")
-    assert ns.check_certificate("lost.json").difference is None
+    assert ns.certify.check("lost.json").difference is None
     motion.save("lost.npz")
     assert ns.load("lost.npz").times.tolist() == motion.times.tolist()
     source.unlink()

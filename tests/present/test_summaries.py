@@ -45,13 +45,13 @@ def result(kind: str) -> Any:
         case "Orbit":
             return ns.solve(ORBIT)
         case "Orbits":
-            return ns.solve_many(ORBIT, V=np.linspace(0.9, 1.1, 4))
+            return ns.solve(ORBIT, {"V": np.linspace(0.9, 1.1, 4)})
         case "Motion":
             return ns.solve(ORBIT).motion()
         case "Trajectory":
             return ns.simulate("dry-friction", DATA, REST, transitions=60)
         case "Trajectories":
-            return ns.simulate_many("rigid-stop", RIGID, np.full((5, 4), 0.5), transitions=3)
+            return ns.simulate("rigid-stop", RIGID, np.full((5, 4), 0.5), transitions=3)
         case "Recurrence":
             return ns.itinerary_of(ns.solve(ORBIT, {"us1": 1, "us2": 1}).trajectory(8))
         case "PoincareMap":
@@ -73,7 +73,7 @@ def result(kind: str) -> Any:
         case "Event":
             return flip()
         case "Locus":
-            return ns.continue_event(branch(), flip(), "eta", (3.99, 4.01))
+            return ns.continue_orbit(branch(), "eta", (3.99, 4.01), event=flip())
         case "DifferentiableFunction":
             return ns.orbit_function(ns.solve(ORBIT), by=["V", "eta"], of=["period", "trace"])
         case "Design":
@@ -81,7 +81,7 @@ def result(kind: str) -> Any:
         case "Certificate":
             return ns.certify(result("Orbit"))
         case "BoxCertificate":
-            return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
+            return ns.certify.box(result("Orbit"), {"V": ("0.999", "1.001")})
         case "CertifiedBranch":
             return ns.load(shared_file("branch of friction", prove_branch))
         case "CertifiedDoubling":
@@ -93,16 +93,16 @@ def result(kind: str) -> Any:
         case "GraphCertificate":
             return ns.load(shared_file("nonsmooth graph certificate", prove_graph))
         case "Census":
-            return ns.certify_all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
+            return ns.certify.all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":
-            return ns.certify_event(branch(), flip())
+            return ns.certify.event(branch(), flip())
         case "Proof":
-            return ns.validate("rigid-stop", RIGID, START, "free", 3)
+            return ns.certify.motion("rigid-stop", RIGID, START, "free", 3)
         case "Check":
             with TemporaryDirectory() as folder:
                 file = Path(folder, "proof.json")
                 result("Certificate").save(file)
-                return ns.check_certificate(file)
+                return ns.certify.check(file)
     raise AssertionError(f"a new public result: tell here how one is made: {kind}")
 
 

@@ -31,7 +31,7 @@ def orbit():
 
 @pytest.fixture(scope="module")
 def found(orbit):
-    return ns.certify_basin(orbit, box=BOX, side=0.125, tiles=60)
+    return ns.certify.basin(orbit, box=BOX, side=0.125, tiles=60)
 
 
 @pytest.fixture(scope="module")
@@ -97,17 +97,17 @@ def test_motions_from_tiles_come_to_the_orbit(orbit, found):
 
 def test_more_tiles_are_added_to_those_that_were_looked_at(orbit, found):
     tiles = int(found.looked.sum()) + 20
-    more = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=tiles, resume=found)
+    more = ns.certify.basin(orbit, box=BOX, side=0.125, tiles=tiles, resume=found)
     assert more.looked.sum() == found.looked.sum() + 20
     assert more.attracted[found.attracted].all()
-    again = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=tiles, resume=found)
+    again = ns.certify.basin(orbit, box=BOX, side=0.125, tiles=tiles, resume=found)
     assert np.array_equal(again.attracted, more.attracted)
     with pytest.raises(ns.InputError, match="another tiles"):
-        ns.certify_basin(orbit, box=BOX, side=0.25, tiles=20, resume=more)
+        ns.certify.basin(orbit, box=BOX, side=0.25, tiles=20, resume=more)
     name, (low, high) = next(iter(BOX.items()))
     shorter = {**BOX, name: (low, high - 0.01)}
     with pytest.raises(ns.InputError, match="another box"):
-        ns.certify_basin(orbit, box=shorter, side=0.125, tiles=20, resume=more)
+        ns.certify.basin(orbit, box=shorter, side=0.125, tiles=20, resume=more)
 
 
 def test_a_share_is_that_of_the_box_which_was_asked_for(found):
@@ -130,12 +130,12 @@ def test_a_share_is_that_of_the_box_which_was_asked_for(found):
 def test_several_processes_find_what_one_finds(orbit, found):
     none = np.zeros_like(found.looked)
     begun = replace(found, looked=none, attracted=none)
-    shared = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=60, workers=2, resume=begun)
+    shared = ns.certify.basin(orbit, box=BOX, side=0.125, tiles=60, workers=2, resume=begun)
     both = shared.looked & found.looked
     assert both.any()
     assert np.array_equal(shared.attracted[both], found.attracted[both])
     with pytest.raises(ns.InputError, match="workers = 0"):
-        ns.certify_basin(orbit, workers=0)
+        ns.certify.basin(orbit, workers=0)
 
 
 @pytest.mark.slow
@@ -145,7 +145,7 @@ def test_an_interrupt_keeps_what_several_processes_found(orbit, found):
             raise KeyboardInterrupt
 
     with pytest.raises(ns.Interrupted) as ended:
-        ns.certify_basin(
+        ns.certify.basin(
             orbit, box=BOX, side=0.125, tiles=9000, resume=found, workers=2, progress=interrupted
         )
     partial = ended.value.partial
@@ -181,7 +181,7 @@ def test_files_are_read_as_they_were(found, tmp_path):
 @pytest.mark.slow
 @pytest.mark.compiled
 def test_with_a_forcing_the_section_holds_all_states(impact, tmp_path):
-    found = ns.certify_basin(impact, box={"x": (-0.6, -0.5), "v": (0.045, 0.085)})
+    found = ns.certify.basin(impact, box={"x": (-0.6, -0.5), "v": (0.045, 0.085)})
     assert found.proved, found.reason
     assert found.phase
     assert found.tiles is None
@@ -211,7 +211,7 @@ def test_an_orbit_that_is_not_stable_has_no_basin():
         f"{GALLERY / 'impact_oscillator.py'}:one-period", {"r": "0.8", "sigma": "0.2", "w": "2.4"}
     )
     assert orbit.stability.verdict == "unstable"
-    found = ns.certify_basin(orbit)
+    found = ns.certify.basin(orbit)
     assert found.claim == "undecided"
     assert found.reason
     assert found.statement.startswith("nothing is proved")
@@ -233,7 +233,7 @@ def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit, found):
 def test_an_orbit_beside_an_attractor_has_no_basin():
     # the motions beside it come to another orbit
     orbit = ns.solve("dry-friction/symmetric", dict(V="0.8", us1=1, us2=1, ur1=4, ur2=2))
-    found = ns.certify_basin(orbit, tiles=0)
+    found = ns.certify.basin(orbit, tiles=0)
     assert (found.claim, found.reason) == ("undecided", "the orbit is no motion of the system")
 
 
@@ -257,12 +257,12 @@ def test_an_orbit_beside_an_attractor_has_no_basin():
 def test_wrong_numbers_are_refused_before_anything_is_proved(orbit, wrong, told, monkeypatch):
     monkeypatch.setattr(certifying, "attracting_core", None)
     with pytest.raises(ns.InputError, match=told):
-        ns.certify_basin(orbit, **wrong)
+        ns.certify.basin(orbit, **wrong)
 
 
 def test_parameters_that_an_orbit_leaves_open_are_asked_for():
     with pytest.raises(ns.InputError, match="open"):
-        ns.certify_basin(ns.solve("dry-friction/global-stick"))
+        ns.certify.basin(ns.solve("dry-friction/global-stick"))
 
 
 def test_a_linear_response_has_a_section_at_every_frequency():

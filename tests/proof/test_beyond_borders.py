@@ -82,7 +82,7 @@ def test_a_contact_that_grazes_begins_to_stick(symmetric: Any) -> None:
     assert "stick-slip -> slip-slip begins, stable, below it" in found.statement
     told = beyond.branch.events[0].enclosures["V"]
     assert told.ball.overlaps(found.events[0].enclosures["V"].ball)
-    assert ns.check_certificate(path).claims == {"branch": "proved"}
+    assert ns.certify.check(path).claims == {"branch": "proved"}
     assert ns.load(path).statement == found.statement
 
 
@@ -118,7 +118,7 @@ def test_the_other_boundary_takes_over(relay: Any) -> None:
     beyond = only(found)
     assert beyond.itinerary == (("off", "cold"), ("on", "hot"))
     assert (beyond.side, beyond.own, beyond.scenario) == ("below", "above", "persistence")
-    assert ns.check_certificate(path).difference is None
+    assert ns.certify.check(path).difference is None
     # by an orbit at a point that is proved on its own
     system = SYSTEMS["simultaneous"][0]
     for value, verdict in (("0.5207", "proved"), ("0.521", "refuted")):
@@ -207,7 +207,7 @@ def test_a_contact_begins_where_a_soft_stop_is_touched(pad: Any) -> None:
     beyond = only(found)
     assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
     assert beyond.scenario == "persistence"
-    assert ns.check_certificate(path).difference is None
+    assert ns.certify.check(path).difference is None
     # without the stop the amplitude is 2/5 / |1 - Omega^2 + i Omega / 5|: 1 at the event
     (event,) = found.events
     with mpmath.workprec(200):

@@ -35,13 +35,13 @@ PROVED = dict.fromkeys(("existence", "admissibility", "stability"), "proved")
 def paper() -> ns.BoxCertificate:
     """Five percent around the paper's data."""
     box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
-    return ns.certify_box(ns.solve(STICK), box)
+    return ns.certify.box(ns.solve(STICK), box)
 
 
 @cache
 def line() -> ns.BoxCertificate:
     """Not admissible, unstable and stable along V: a grazing and a flip are in between."""
-    return ns.certify_box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")})
+    return ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")})
 
 
 def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data() -> None:
@@ -53,7 +53,7 @@ def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data() -> Non
     assert found.undecided == ()
     assert len(found.tiles) < 12
     assert -1 < found.enclosures["trace"].lower < found.enclosures["trace"].upper < -0.95
-    one = ns.certify_box(ns.solve(STICK), {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")})
+    one = ns.certify.box(ns.solve(STICK), {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")})
     assert one.claims == PROVED
     assert len(one.tiles) == 1
 
@@ -94,7 +94,7 @@ def test_verdicts_along_a_line_are_those_of_the_points() -> None:
 
 def test_closed_forms_over_boxes() -> None:
     # the period is pi/sqrt(k) + pi/2, the multiplier r, the speed at the start 1/(1 - r)
-    found = ns.certify_box(loop(), {"k": ("0.9", "1.1"), "r": ("0.45", "0.55")})
+    found = ns.certify.box(loop(), {"k": ("0.9", "1.1"), "r": ("0.45", "0.55")})
     assert found.proved
     trace, period, speed = (found.enclosures[name] for name in ("trace", "period", "v0"))
     assert trace.lower <= 0.45
@@ -107,7 +107,7 @@ def test_closed_forms_over_boxes() -> None:
 
 def test_a_wall_that_is_touched_inside_the_box_is_undecided_there() -> None:
     # the orbit reaches v0/sqrt(k) = 2, where the wall stands
-    found = ns.certify_box(loop(), {"a": ("3/2", "7/2")}, tiles=40)
+    found = ns.certify.box(loop(), {"a": ("3/2", "7/2")}, tiles=40)
     assert found.tile_at({"a": 2}).verdict == "undecided"
     assert {found.tile_at({"a": a}).verdict for a in (1.6, 1.9)} == {"not admissible"}
     assert {found.tile_at({"a": a}).verdict for a in (2.1, 3.4)} == {"proved"}
@@ -116,17 +116,17 @@ def test_a_wall_that_is_touched_inside_the_box_is_undecided_there() -> None:
 
 @pytest.mark.slow
 def test_a_multiplier_on_the_unit_circle_is_never_decided() -> None:
-    found = ns.certify_box(loop(r="1/2"), {"r": ("0.4", "1.6")}, tiles=60)
+    found = ns.certify.box(loop(r="1/2"), {"r": ("0.4", "1.6")}, tiles=60)
     assert found.tile_at({"r": 1}).verdict == "undecided"  # there the orbit is infinite
     assert found.tile_at({"r": Fraction(1, 2)}).verdict == "proved"
-    down = ns.certify_box(loop(r="-1/2"), {"r": ("-3/2", "-1/4")}, tiles=60)
+    down = ns.certify.box(loop(r="-1/2"), {"r": ("-3/2", "-1/4")}, tiles=60)
     assert down.tile_at({"r": -1}).verdict == "undecided"
     assert down.tile_at({"r": Fraction(-5, 4)}).verdict == "unstable"
     assert down.tile_at({"r": Fraction(-3, 4)}).verdict == "proved"
 
 
 def test_parameters_beside_the_box_may_be_irrational() -> None:
-    found = ns.certify_box(loop(k="sqrt(2)"), {"r": ("0.45", "0.55")})
+    found = ns.certify.box(loop(k="sqrt(2)"), {"r": ("0.45", "0.55")})
     assert found.proved
     wanted = math.pi / 2**0.25 + math.pi / 2
     assert found.enclosures["period"].contains(wanted) or math.isclose(
@@ -143,7 +143,7 @@ def test_conservative_orbits_are_neutral_over_boxes(name: str, parameter: str) -
     middle = orbit.given[parameter].exact
     assert middle is not None
     box = {parameter: (middle * Fraction(999, 1000), middle * Fraction(1001, 1000))}
-    found = ns.certify_box(orbit, box)
+    found = ns.certify.box(orbit, box)
     assert found.proved
     assert found.stability == "neutral"
     for end in (*box[parameter], middle):
@@ -153,7 +153,7 @@ def test_conservative_orbits_are_neutral_over_boxes(name: str, parameter: str) -
 
 def test_a_given_period_may_span_the_box() -> None:
     orbit = ns.solve("rigid-stop/one-impact", {"T": "6"})
-    found = ns.certify_box(orbit, {"T": ("5.9", "6.1")})
+    found = ns.certify.box(orbit, {"T": ("5.9", "6.1")})
     assert found.proved
     period = found.enclosures["period"]
     assert period.lower <= 5.9
@@ -181,7 +181,7 @@ def impacts() -> ns.Orbit:
 
 
 def test_forced_orbits_over_frequency_and_force() -> None:
-    found = ns.certify_box(impacts(), {"w": ("2.58", "2.62"), "F": ("0.69", "0.71")})
+    found = ns.certify.box(impacts(), {"w": ("2.58", "2.62"), "F": ("0.69", "0.71")})
     assert found.proved, found.reasons
     period = found.enclosures["period"]
     assert period.lower <= 2 * math.pi / 2.62 < 2 * math.pi / 2.58 <= period.upper
@@ -208,23 +208,23 @@ def same(left: ns.BoxCertificate, right: ns.BoxCertificate) -> bool:
 def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
     path = tmp_path / "map.json"
     orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
-    part = ns.certify_box(orbit, box, tiles=6)
+    part = ns.certify.box(orbit, box, tiles=6)
     assert part.decided < line().decided
     assert any(not tile.looked_at for tile in part.tiles)
     part.save(path)
     again = ns.load(path)
     assert again.to_json() == part.to_json()
     told = []
-    whole = ns.certify_box(orbit, box, resume=again, progress=lambda *now: told.append(now))
+    whole = ns.certify.box(orbit, box, resume=again, progress=lambda *now: told.append(now))
     assert same(whole, line())
     assert told[-1][0] == pytest.approx(float(line().decided))
     assert told[-1][1] == 6 + len(told)
     # larger tiles were decided before: they are not proved again
     assert len(told) < len(line().tiles) * 2
     assert same(
-        ns.certify_box(orbit, box, tiles=8, resume=again), ns.certify_box(orbit, box, tiles=8)
+        ns.certify.box(orbit, box, tiles=8, resume=again), ns.certify.box(orbit, box, tiles=8)
     )
-    finished = ns.certify_box(orbit, box, resume=whole)
+    finished = ns.certify.box(orbit, box, resume=whole)
     assert finished.to_json() == whole.to_json()
 
 
@@ -235,11 +235,11 @@ def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(certify, "_EVERY", 0.0)
     kept: list[ns.BoxCertificate] = []
     box = {"V": ("0.6", "1.3")}
-    ns.certify_box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append)
+    ns.certify.box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append)
     assert len(kept) == 5
     for state in kept:
         assert sum(state.shares.values()) == 1
-    assert same(ns.certify_box(ns.solve(SYMMETRIC), box, resume=kept[2]), line())
+    assert same(ns.certify.box(ns.solve(SYMMETRIC), box, resume=kept[2]), line())
 
 
 def test_damaged_files_are_refused(tmp_path: Path) -> None:
@@ -281,28 +281,28 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
 def test_wrong_boxes_are_refused(box: Any, told: str) -> None:
     orbit = ns.solve(STICK)
     with pytest.raises(InputError, match=told):
-        ns.certify_box(orbit, box)
+        ns.certify.box(orbit, box)
 
 
 def test_wrong_states_and_counts_are_refused() -> None:
     orbit = ns.solve(STICK)
     box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
     with pytest.raises(InputError, match="tiles"):
-        ns.certify_box(orbit, box, tiles=0)
+        ns.certify.box(orbit, box, tiles=0)
     with pytest.raises(InputError, match="another box"):
-        ns.certify_box(orbit, {"V": ("0.95", "1.05")}, resume=paper())
+        ns.certify.box(orbit, {"V": ("0.95", "1.05")}, resume=paper())
     with pytest.raises(InputError, match="another chi"):
-        ns.certify_box(ns.solve(STICK, {"chi": "0.49"}), box, resume=paper())
+        ns.certify.box(ns.solve(STICK, {"chi": "0.49"}), box, resume=paper())
     with pytest.raises(InputError, match="another orbit"):
-        ns.certify_box(ns.solve(SYMMETRIC), {"V": ("0.6", "0.7")}, resume=paper())
+        ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "0.7")}, resume=paper())
     far = ns.solve(STICK, {"V": "40"}, throw=False)
     assert not far.converged
     with pytest.raises(InputError, match="cannot be certified"):
-        ns.certify_box(far, {"V": ("30", "50")})
+        ns.certify.box(far, {"V": ("30", "50")})
 
 
 def test_an_orbit_without_exact_parameters_is_undecided() -> None:
-    found = ns.certify_box(ns.solve("dry-friction/solution-ii"), {"V": ("0.9", "1.1")})
+    found = ns.certify.box(ns.solve("dry-friction/solution-ii"), {"V": ("0.9", "1.1")})
     assert found.claims == dict.fromkeys(PROVED, "undecided")
     assert "border collision" in found.reasons["existence"]
     assert found.decided == 0
@@ -329,7 +329,7 @@ def test_maps_are_drawn(tmp_path: Path) -> None:
         assert found.plot(axes) is axes
     names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
     with pytest.raises(InputError, match="two parameters"):
-        ns.certify_box(loop(), names).plot()
+        ns.certify.box(loop(), names).plot()
 
 
 @pytest.mark.parametrize("parameter", ["V", "eta", "chi"])
@@ -338,7 +338,7 @@ def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> Non
     width = Fraction(1, 10**5)
     middle = orbit.given[parameter].exact
     assert middle is not None
-    found = ns.certify_box(orbit, {parameter: (middle - width, middle + width)})
+    found = ns.certify.box(orbit, {parameter: (middle - width, middle + width)})
     trace = found.enclosures["trace"]
     slope = abs(orbit.derivatives(parameter).trace[0])
     assert (trace.upper - trace.lower) / float(2 * width) == pytest.approx(slope, rel=0.02)
@@ -352,14 +352,14 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
         (ns.solve(SYMMETRIC), {"V": ("0.2", "5")}),
         (loop(), {"k": ("1/100", "11/10"), "r": ("1/4", "3/4")}),
     ):
-        found = ns.certify_box(orbit, box, tiles=20)
+        found = ns.certify.box(orbit, box, tiles=20)
         tile = found.tile_at({name: orbit.given[name] for name in box})
         period = tile.enclosures["period"]
         assert period.lower <= float(orbit.period) <= period.upper
         for other in found.tiles:
             if other.verdict == "not admissible":
                 assert "negative" not in other.reasons["admissibility"]
-    wide = ns.certify_box(loop(), {"k": ("1/10", "10")}, tiles=100)
+    wide = ns.certify.box(loop(), {"k": ("1/10", "10")}, tiles=100)
     # the period is pi/sqrt(k) + pi/2 wherever the orbit is proved
     for tile in wide.tiles:
         if tile.claims["existence"] == "proved" and tile.enclosures:
@@ -383,13 +383,13 @@ def test_ctrl_c_while_what_is_left_is_checked(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(BoxRefusals, "of_tile", interrupted)
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_box(orbit, {"V": ("1", "1.1")}, tiles=1)
+        ns.certify.box(orbit, {"V": ("1", "1.1")}, tiles=1)
     assert sum(tile.place.share for tile in stopped.value.partial.tiles) == 1
 
 
 @pytest.mark.slow
 def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
-    found = ns.certify_box(loop(), {"k": ("1/4", "3"), "a": ("1.9", "4")}, tiles=120)
+    found = ns.certify.box(loop(), {"k": ("1/4", "3"), "a": ("1.9", "4")}, tiles=120)
     assert len(found.tiles) > 40
     period = found.enclosures["period"]
     proved = [t.enclosures["period"] for t in found.tiles if t.enclosures]
@@ -398,7 +398,7 @@ def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
 
 
 def test_open_parameters_are_large_enough_for_the_whole_box() -> None:
-    found = ns.certify_box(ns.solve(STICK), {"e1": ("2.6", "5")})
+    found = ns.certify.box(ns.solve(STICK), {"e1": ("2.6", "5")})
     assert set(found.chosen) == {"us1", "us2"}
     tile = found.tile_at({"e1": "4.9"})
     assert ns.solve(STICK, {"e1": "4.9"}).admissibility.verdict
@@ -408,7 +408,7 @@ def test_open_parameters_are_large_enough_for_the_whole_box() -> None:
 def test_domains_hold_in_every_corner() -> None:
     for box in ({"r": ("-6", "0.9")}, {"k": ("-1", "1.1")}):
         with pytest.raises(InputError, match="domain"):
-            ns.certify_box(loop(), box)
+            ns.certify.box(loop(), box)
 
 
 @pytest.mark.parametrize("width", [Fraction(1, 10**4), Fraction(1, 10**9)])
@@ -426,7 +426,7 @@ def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
     middle = orbit.given[axis].exact
     assert middle is not None
     ends = (str(middle * (1 - width)), str(middle * (1 + width)))
-    found, alone = ns.certify_box(orbit, {axis: ends}, tiles=1), ns.certify(orbit)
+    found, alone = ns.certify.box(orbit, {axis: ends}, tiles=1), ns.certify(orbit)
     (tile,) = found.tiles
     assert tile.claims == alone.claims
     for text, enclosure in alone.enclosures.items():
@@ -453,14 +453,14 @@ def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_
     sys.settrace(trace)
     try:
         with pytest.raises(Interrupted) as stopped:
-            ns.certify_box(orbit, box, tiles=5)
+            ns.certify.box(orbit, box, tiles=5)
     finally:
         sys.settrace(before)
     state: Any = stopped.value.partial
     assert sum(tile.place.share for tile in state.tiles) == 1
     state.save(tmp_path / "map.json")
     read = ns.load(tmp_path / "map.json")
-    resumed = ns.certify_box(orbit, box, resume=read, tiles=7)
+    resumed = ns.certify.box(orbit, box, resume=read, tiles=7)
     assert len(resumed.tiles) > len(read.tiles)
 
 

@@ -14,7 +14,7 @@ import sympy as sp
 from flint import arb, fmpq
 
 import nonsmooth as ns
-from nonsmooth import CertifiedBranch, InputError, Interrupted, certify_event
+from nonsmooth import CertifiedBranch, InputError, Interrupted, certify
 from nonsmooth.runtime.checker import Failure, check_branch, stability
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.motion import Border, time_of_touch
@@ -82,7 +82,7 @@ def test_the_papers_orbit_has_three_intervals_and_two_events(found: CertifiedBra
 def test_events_are_those_of_their_certificates(branch: Any, found: CertifiedBranch) -> None:
     for event, computed in zip(found.events, branch.events, strict=True):
         assert event.kind == computed.kind
-        told = certify_event(branch, computed, 180).value
+        told = certify.event(branch, computed, 180).value
         here = event.enclosures["V"]
         with flint_precision(300):
             assert here.ball.overlaps(told.ball)
@@ -122,11 +122,11 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
 def test_a_branch_can_be_interrupted_and_resumed(
     branch: Any, found: CertifiedBranch, tmp_path: Path
 ) -> None:
-    part = ns.certify_branch(branch, tiles=4)
+    part = ns.certify.branch(branch, tiles=4)
     assert not part.complete
     assert part.claims == {"branch": "undecided"}
     part.save(tmp_path / "part.json")
-    again = ns.certify_branch(branch, resume=ns.load(tmp_path / "part.json"))
+    again = ns.certify.branch(branch, resume=ns.load(tmp_path / "part.json"))
     assert again.statement == found.statement
     assert len(again.tiles) == len(found.tiles)
 
@@ -134,18 +134,18 @@ def test_a_branch_can_be_interrupted_and_resumed(
         raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_branch(branch, progress=stop)
+        ns.certify.branch(branch, progress=stop)
     assert len(stopped.value.partial.tiles) == 1
-    other = ns.certify_branch(branch, interval=("0.65", "1.1"), tiles=1)
+    other = ns.certify.branch(branch, interval=("0.65", "1.1"), tiles=1)
     with pytest.raises(InputError):
-        ns.certify_branch(branch, resume=other)
+        ns.certify.branch(branch, resume=other)
 
 
 @pytest.mark.slow
 def test_progress_rises_to_all_of_it(branch: Any) -> None:
     """In between it is the part of the interval that the tiles so far cover."""
     told: list[tuple[float, int]] = []
-    found = ns.certify_branch(branch, progress=lambda *now: told.append(now))
+    found = ns.certify.branch(branch, progress=lambda *now: told.append(now))
     shares = [share for share, _ in told]
     assert shares == sorted(shares)
     assert shares[-1] == 1
@@ -174,7 +174,7 @@ def test_derivatives_along_the_branch_are_those_of_differences() -> None:
 @pytest.mark.slow
 def test_a_vanishing_phase_is_one_event(tmp_path: Path) -> None:
     branch = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.9, 1.3))
-    found = ns.certify_branch(branch, interval=("0.9", "1.3"))
+    found = ns.certify.branch(branch, interval=("0.9", "1.3"))
     assert found.complete
     (event,) = found.events
     assert event.kind == "vanishing-phase"
@@ -244,7 +244,7 @@ def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip(tmp_path: Pa
     found = forged(orbit, "T", ("7.11", "7.74"), ("7.242", "7.243"), "flip")
     assert found.complete
     found.save(tmp_path / "flip.json")
-    check = ns.check_certificate(tmp_path / "flip.json")
+    check = ns.certify.check(tmp_path / "flip.json")
     assert "may meet at 1" in str(check.difference)
 
 
@@ -293,11 +293,11 @@ def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
     """Two real multipliers whose product passes 1 do not pass the circle."""
     found = forged(impacts.orbit(-0.05), "c", ("-0.2", "0.1"), ("-0.2", "-0.197"), "neimark-sacker")
     found.save(tmp_path / "saddle.json")
-    check = ns.check_certificate(tmp_path / "saddle.json")
+    check = ns.certify.check(tmp_path / "saddle.json")
     assert "neutral saddle" in str(check.difference)
     # without that event it is what it is
     branch = ns.continue_orbit(impacts.orbit(-0.05), "c", (-0.2, 0.1), step=0.02)
-    found = ns.certify_branch(branch, interval=("-0.2", "0.1"))
+    found = ns.certify.branch(branch, interval=("-0.2", "0.1"))
     assert [part.verdict for part in found.intervals] == ["unstable"]
     assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
@@ -305,7 +305,7 @@ def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_torus_is_an_event(tmp_path: Path) -> None:
     branch = ns.continue_orbit(impacts.orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
-    found = ns.certify_branch(branch, interval=("-0.2", "0.1"))
+    found = ns.certify.branch(branch, interval=("-0.2", "0.1"))
     assert [part.verdict for part in found.intervals] == ["unstable", "stable"]
     (event,) = found.events
     assert event.kind == "neimark-sacker"
@@ -317,13 +317,13 @@ def test_a_torus_is_an_event(tmp_path: Path) -> None:
 
 def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
     with pytest.raises(InputError, match="no branch"):
-        ns.certify_branch(branch.orbit)
+        ns.certify.branch(branch.orbit)
     with pytest.raises(InputError, match="positive integer"):
-        ns.certify_branch(branch, tiles=0)
+        ns.certify.branch(branch, tiles=0)
     with pytest.raises(InputError, match="is not in"):
-        ns.certify_branch(branch, interval=("1.2", "1.3"))
+        ns.certify.branch(branch, interval=("1.2", "1.3"))
     with pytest.raises(InputError, match="state to resume"):
-        ns.certify_branch(branch, resume=branch)
+        ns.certify.branch(branch, resume=branch)
 
 
 @pytest.mark.slow
@@ -331,10 +331,10 @@ def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
     """Where tubes are as narrow as rounding the check takes more bits."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
     branch = ns.continue_orbit(orbit, "V", (1.07, 1.09))
-    found = ns.certify_branch(branch, interval=("1.08", "1.08000000001"))
+    found = ns.certify.branch(branch, interval=("1.08", "1.08000000001"))
     assert found.complete
     found.save(tmp_path / "narrow.json")
-    check = ns.check_certificate(tmp_path / "narrow.json")
+    check = ns.certify.check(tmp_path / "narrow.json")
     assert check.claims == {"branch": "proved"}, check.difference
 
 
@@ -344,7 +344,7 @@ def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
     event = branch.events[-1]
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.080588075"})
     beside = ns.continue_orbit(orbit, "V", (1.0805, 1.0807))
-    found = ns.certify_branch(beside, interval=("1.080588074177112019767064076", "1.0805881"))
+    found = ns.certify.branch(beside, interval=("1.080588074177112019767064076", "1.0805881"))
     assert not found.complete
     assert all(abs(part.begin - event.value) < 1e-9 for part in found.undecided)
     assert sum(part.width for part in found.undecided) < 1e-11
@@ -371,7 +371,7 @@ def test_a_tile_that_the_check_refuses_is_divided(
         return claims(tile)
 
     monkeypatch.setattr(CheckedTile, "claims", weak)
-    found = ns.certify_branch(near_a_flip, interval=("1.06", "1.1"))
+    found = ns.certify.branch(near_a_flip, interval=("1.06", "1.1"))
     assert found.complete, found.statement
     assert [event.kind for event in found.events] == ["flip"]
     assert refused
@@ -387,7 +387,7 @@ def test_what_the_check_does_not_join_is_not_stated(
         raise Failure("planted")
 
     monkeypatch.setattr(certifying, "check_joint", refuse)
-    found = ns.certify_branch(near_a_flip, interval=("1.06", "1.1"))
+    found = ns.certify.branch(near_a_flip, interval=("1.06", "1.1"))
     assert len(found.tiles) == 1
     assert not found.complete
     assert any("planted" in end for end in found.ends)
@@ -423,7 +423,7 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     system = bump_stop()
     orbit = ns.find_orbits(system, {"F": 2, "Omega": 26}, 50, transitions=500).orbits[0].orbit
     branch = ns.continue_orbit(orbit, "Omega", (25.5, 30), step=0.05)
-    found = ns.certify_branch(branch, interval=("25.5", "30"))
+    found = ns.certify.branch(branch, interval=("25.5", "30"))
     assert found.complete, found.statement
     assert [part.verdict for part in found.intervals] == ["stable", "unstable"]
     (event,) = found.events
@@ -436,7 +436,7 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     ends = [found.intervals[0].begin, found.intervals[-1].end]
     np.testing.assert_allclose(ends, 25.5)
     found.save(tmp_path / "fold.json")
-    check = ns.check_certificate(tmp_path / "fold.json")
+    check = ns.certify.check(tmp_path / "fold.json")
     assert check.difference is None
     assert check.claims == {"branch": "proved"}
     assert found.plot() is not None
@@ -463,7 +463,7 @@ def grazing(tmp_path_factory: pytest.TempPathFactory) -> Path:
     found = ns.find_orbits(soft_stop(), {"Omega": "0.8"}, 10, transitions=300).orbits
     branch = ns.continue_orbit(found[0].orbit, "Omega", (0.79, 0.805))
     path = tmp_path_factory.mktemp("soft") / "soft.json"
-    ns.certify_branch(branch, interval=("0.79", "0.805")).save(path)
+    ns.certify.branch(branch, interval=("0.79", "0.805")).save(path)
     return path
 
 
@@ -482,7 +482,7 @@ def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(grazing: Path) 
         half = mpmath.mpf(49) / 50
         closed = mpmath.sqrt(half - mpmath.sqrt(half**2 - mpmath.mpf(21) / 25))
         assert event.enclosures["Omega"].ball.contains(exact_ball(closed))
-    assert ns.check_certificate(grazing).claims == {"branch": "proved"}
+    assert ns.certify.check(grazing).claims == {"branch": "proved"}
 
 
 def first_tile(content: dict[str, Any]) -> None:

@@ -221,7 +221,7 @@ def shrinking(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.slow
 def test_numbers_that_are_zero_are_proved_again(shrinking: Path) -> None:
     """The reset sets them to zero: no ball around them is that narrow in every proof."""
-    assert ns.check_certificate(shrinking).claims == {"branch": "proved"}
+    assert ns.certify.check(shrinking).claims == {"branch": "proved"}
 
 
 def test_a_phase_that_may_end_before_passes_nothing(shrinking: Path) -> None:

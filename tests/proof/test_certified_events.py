@@ -42,19 +42,19 @@ def test_closed_forms_of_folds_flips_and_tori(bits: int) -> None:
         cotangent, gain = 1 / mpmath.tan(period / 2), 1 / (1 - w * w)
         fold = gain * mpmath.sqrt(1 + (w * cotangent * (1 + r) / (1 - r)) ** 2)
         torus = 2 * mpmath.log(r) / period
-        found = ns.certify_event(impacts.branch(), of_kind(impacts.branch(), "fold"), bits)
+        found = ns.certify.event(impacts.branch(), of_kind(impacts.branch(), "fold"), bits)
         assert found.proved
         assert holds(found, fold)
         assert float(found.value.ball.rad()) < 1e3 * 2.0**-bits
         damped = ns.continue_orbit(impacts.orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
-        found = ns.certify_event(damped, of_kind(damped, "neimark-sacker"), bits)
+        found = ns.certify.event(damped, of_kind(damped, "neimark-sacker"), bits)
         assert found.proved
         assert holds(found, torus)
 
 
 def test_both_flips_of_an_impact_oscillator_are_found() -> None:
     flips = [e for e in impacts.branch().events if e.kind == "flip"]
-    values = [ns.certify_event(impacts.branch(), event).value for event in flips]
+    values = [ns.certify.event(impacts.branch(), event).value for event in flips]
     _, flip = impacts.closed_forms()
     assert sorted(float(value) for value in values) == pytest.approx([-abs(flip), abs(flip)])
 
@@ -62,14 +62,14 @@ def test_both_flips_of_an_impact_oscillator_are_found() -> None:
 @pytest.mark.slow
 def test_the_flip_lies_where_the_box_is_undecided() -> None:
     whole = branch(SYMMETRIC, "V", 0.6, 1.3)
-    flip = ns.certify_event(whole, of_kind(whole, "flip"), 128)
+    flip = ns.certify.event(whole, of_kind(whole, "flip"), 128)
     assert flip.proved
     assert flip.value.upper - flip.value.lower < 1e-15
     middle = flip.value.mid
     orbit = ns.refine(ns.solve(SYMMETRIC, {"V": middle}), 35)
     nearest = min(orbit.stability.multipliers, key=lambda m: abs(m.real + 1))
     assert abs(nearest.real + 1) < 1e-30
-    box = ns.certify_box(ns.solve(SYMMETRIC, {"V": "1.1"}), {"V": ("1", "1.2")})
+    box = ns.certify.box(ns.solve(SYMMETRIC, {"V": "1.1"}), {"V": ("1", "1.2")})
     assert box.tile_at({"V": middle}).verdict == "undecided"
     # beside it everything is decided: there is no other in this range
     assert sum(tile.verdict == "undecided" for tile in box.tiles) == 1
@@ -78,7 +78,7 @@ def test_the_flip_lies_where_the_box_is_undecided() -> None:
 def test_a_grazing_is_a_double_root_in_time() -> None:
     whole = branch(SYMMETRIC, "V", 0.6, 1.3)
     event = of_kind(whole, "grazing")
-    found = ns.certify_event(whole, event, 160)
+    found = ns.certify.event(whole, event, 160)
     assert found.proved
     assert (found.phase, found.boundary) == (0, "first-reaches-belt")
     inside, outside = (
@@ -94,7 +94,7 @@ def test_a_grazing_is_a_double_root_in_time() -> None:
 @pytest.mark.parametrize(("parameter", "lower", "upper"), [("V", 0.5, 1.6), ("eta", 0.3, 2)])
 def test_a_phase_that_vanishes(parameter: str, lower: float, upper: float) -> None:
     whole = branch(STICK, parameter, lower, upper)
-    found = ns.certify_event(whole, of_kind(whole, "vanishing-phase"), 128)
+    found = ns.certify.event(whole, of_kind(whole, "vanishing-phase"), 128)
     assert found.proved
     # the dwell time itself is exactly zero, and positive on the one side
     assert found.enclosures["ta"].contains(0)
@@ -112,7 +112,7 @@ def test_solution_ii_is_the_collision_of_the_global_stick() -> None:
     collision = ns.refine(ns.solve("dry-friction/solution-ii"), 45)
     e1 = collision.unknowns["e1"]
     whole = branch(STICK, "e1", 2.3, 3.2)
-    found = ns.certify_event(whole, of_kind(whole, "vanishing-phase"), 128)
+    found = ns.certify.event(whole, of_kind(whole, "vanishing-phase"), 128)
     assert found.proved
     assert abs(float(found.value) - float(e1)) < 1e-14
     assert abs(mpmath.mpf(found.value.mid) - mpmath.mpf(str(e1))) < 1e-30
@@ -122,11 +122,11 @@ def test_composed_orbits_and_touched_walls() -> None:
     # the orbit reaches v0/sqrt(k) = 2: a wall there is touched
     found = ns.continue_orbit(loop(), "a", (1.5, 3.5))
     event = of_kind(found, "grazing")
-    certificate = ns.certify_event(found, event, 200)
+    certificate = ns.certify.event(found, event, 200)
     assert certificate.proved
     assert certificate.value.contains(2)
     over = ns.continue_orbit(loop(r="-1/2"), "r", (-1.5, -0.25))
-    flip = ns.certify_event(over, of_kind(over, "flip"), 200)
+    flip = ns.certify.event(over, of_kind(over, "flip"), 200)
     assert flip.proved
     assert flip.value.contains(-1)
     assert kicked().name in flip.orbit
@@ -134,7 +134,7 @@ def test_composed_orbits_and_touched_walls() -> None:
 
 def test_what_is_no_regular_root_is_undecided_and_says_why() -> None:
     whole = branch("rigid-stop/one-impact", "T", 5.5, 7.5)
-    found = ns.certify_event(whole, of_kind(whole, "branch-point"))
+    found = ns.certify.event(whole, of_kind(whole, "branch-point"))
     assert found.claim == "undecided"
     assert not found.proved
     assert "no regular root" in found.reason
@@ -148,18 +148,18 @@ def test_an_event_that_is_elsewhere_is_not_proved() -> None:
     flip = of_kind(whole, "flip")
     moved = replace(flip, value=flip.value + 1e-3)
     with pytest.raises(InputError, match="no event of the branch"):
-        ns.certify_event(whole, moved)
+        ns.certify.event(whole, moved)
     wrong = replace(whole, events=(moved,))
-    found = ns.certify_event(wrong, moved)
+    found = ns.certify.event(wrong, moved)
     assert found.claim == "undecided"
     for bits in (10, 1.5, True, 10**6):
         with pytest.raises(InputError, match="bits"):
-            ns.certify_event(whole, flip, bits)  # type: ignore[arg-type]  # that is what is refused
+            ns.certify.event(whole, flip, bits)  # type: ignore[arg-type]  # that is what is refused
 
 
 def test_json_has_every_digit() -> None:
     whole = branch(SYMMETRIC, "V", 0.6, 1.3)
-    found = ns.certify_event(whole, of_kind(whole, "flip"), 256)
+    found = ns.certify.event(whole, of_kind(whole, "flip"), 256)
     told = found.to_json()
     assert told["claim"] == "proved"
     assert told["kind"] == "flip"
@@ -179,7 +179,7 @@ def test_where_no_multiplier_differs_from_zero_a_fold_is_undecided_and_says_why(
     found = ns.continue_orbit(orbit, "p", (1.06, 1.1))
     fold, touch = of_kind(found, "fold"), of_kind(found, "tangent")
     assert fold.value == pytest.approx(touch.value)
-    assert ns.certify_event(found, touch).proved
-    turn = ns.certify_event(found, fold)
+    assert ns.certify.event(found, touch).proved
+    turn = ns.certify.event(found, fold)
     assert not turn.proved
     assert "too few multipliers differ from zero" in turn.reason

@@ -78,7 +78,7 @@ def test_digits_beyond_those_of_pythons_integers(tmp_path: Path) -> None:
     file = tmp_path / "many.json"
     found = certified(ns.solve("elastic-stop/one-contact"), 20_000)
     found.save(file)
-    assert set(ns.check_certificate(file).claims.values()) == {"proved"} == {*found.claims.values()}
+    assert set(ns.certify.check(file).claims.values()) == {"proved"} == {*found.claims.values()}
 
 
 def test_the_physical_start_is_the_presented_one_moved() -> None:

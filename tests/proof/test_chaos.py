@@ -8,7 +8,7 @@ import pytest
 from flint import arb_mat, fmpq
 
 import nonsmooth as ns
-from nonsmooth import certify_chaos
+from nonsmooth import certify
 from nonsmooth.runtime.checker.section_maps import Parallelepiped
 from nonsmooth.runtime.checker.sets import CarryingPhase, StateSet
 from nonsmooth.runtime.core.values import flint_precision
@@ -51,7 +51,7 @@ def returned(kernels):
 
 @pytest.mark.slow
 def test_two_masses_on_a_belt_are_chaotic():
-    check_entropy(certify_chaos("dry-friction", FRICTION_DATA, START, iterates=3))
+    check_entropy(certify.chaos("dry-friction", FRICTION_DATA, START, iterates=3))
 
 
 def test_a_folded_motion_is_chaotic(chaos):
@@ -107,7 +107,7 @@ def test_words_are_periodic_motions(chaos, returned):
 
 def test_a_stable_motion_is_not_called_chaos():
     stable = {**FRICTION_DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
-    found = certify_chaos("dry-friction", stable, [1.0, 1.2, 0.1, 0.1], iterates=2, attempts=2)
+    found = certify.chaos("dry-friction", stable, [1.0, 1.2, 0.1, 0.1], iterates=2, attempts=2)
     assert found.claim == "undecided"
     assert found.tried
     assert found.entropy == "0"
@@ -116,7 +116,7 @@ def test_a_stable_motion_is_not_called_chaos():
 @pytest.mark.slow
 def test_a_mass_that_rests_at_its_stop_when_the_forcing_has_a_phase_is_not_called_chaos():
     system = load_system(str(GALLERY / "impact_oscillator.py"))
-    found = certify_chaos(system, {"r": "0.2", "sigma": "0", "w": "0.7"}, {"x": -0.5, "v": 0.1})
+    found = certify.chaos(system, {"r": "0.2", "sigma": "0", "w": "0.7"}, {"x": -0.5, "v": 0.1})
     assert found.claim == "undecided"
     assert all("free" in told for told in found.tried)
 
@@ -178,9 +178,9 @@ def test_decimals_of_sets_are_short_and_near_in_all_units(units):
 
 def test_wrong_input_is_told():
     with pytest.raises(ns.InputError, match="iterates"):
-        certify_chaos("dry-friction", FRICTION_DATA, START, iterates=0)
+        certify.chaos("dry-friction", FRICTION_DATA, START, iterates=0)
     with pytest.raises(ns.InputError, match="rational"):
-        certify_chaos("dry-friction", {**FRICTION_DATA, "V": "sqrt(2)"}, START)
+        certify.chaos("dry-friction", {**FRICTION_DATA, "V": "sqrt(2)"}, START)
 
 
 def test_neighbours_part_as_the_cones_say(chaos, returned):

@@ -23,8 +23,8 @@ def test_solve_chart_continue_and_certify_agree() -> None:
         branch = ns.continue_orbit(orbit, "V", (values["V"] - 0.01, values["V"] + 0.01), step=0.5)
         place = int(np.argmin(abs(branch.parameter_values - values["V"])))
         composed, _ = composed_family(branch, place)
-        many = ns.solve_many(STICK, **values)
-        bounds = {n: float(b) for n, b in (many.bounds or {}).items()}
+        many = ns.solve(STICK, {**values, "V": [values["V"]]})
+        bounds = {n: b.item() for n, b in (many.bounds or {}).items()}
         assert whole.chosen
         for name in whole.chosen:
             assert composed.parameters[name] == whole.parameters[name]
@@ -49,7 +49,7 @@ def test_what_plays_no_part_is_kept_where_it_is_given() -> None:
 
 def test_a_batch_takes_physical_parameters_as_a_point_does() -> None:
     us1, ur1, us2 = np.array([0.5, 1.0, 2.0, -1.0]), np.array([3.6, 4.0, 5.2, 2.0]), [[0.6], [0.8]]
-    many = ns.solve_many(STICK, us1=us1, ur1=ur1, us2=us2)
+    many = ns.solve(STICK, {"us1": us1, "ur1": ur1, "us2": us2})
     assert many.status.shape == (2, 4)
     for i, j in np.ndindex(2, 3):
         one = ns.solve(STICK, {"us1": us1[j], "ur1": ur1[j], "us2": us2[i][0]}, throw=False)

@@ -42,7 +42,7 @@ def stick(**values: object) -> ns.Orbit:
 @cache
 def found() -> ns.BoxCertificate:
     """A curve on which three conditions change."""
-    return ns.certify_box(ns.solve(STICK, {"us1": 1, "us2": "0.76"}), BOX)
+    return ns.certify.box(ns.solve(STICK, {"us1": 1, "us2": "0.76"}), BOX)
 
 
 @cache

@@ -32,7 +32,7 @@ def mapped():
         forcing = np.tile([-1.0, 0.0], (len(points), 1))  # the section's phase
         starts = np.hstack([points, forcing])
         places = np.zeros(len(points), dtype=np.int32)
-        return ns.simulate_many(system, values, starts, places, until=PERIOD).states[:, :2]
+        return ns.simulate(system, values, starts, places, until=PERIOD).states[:, :2]
 
     return map_of
 

@@ -186,7 +186,7 @@ def test_singular_linear_equations_are_no_obstacle() -> None:
 @pytest.mark.slow
 def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
     told: list[float] = []
-    census = ns.certify_all(STICK, box={"tau": (0, "12.6"), "tau1": (0, 20)}, progress=told.append)
+    census = ns.certify.all(STICK, box={"tau": (0, "12.6"), "tau1": (0, 20)}, progress=told.append)
     assert census.decided
     assert (census.count, census.admissible) == (6, 1)
     assert "exactly 6 orbits" in census.statement
@@ -213,17 +213,17 @@ def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
 
 @pytest.mark.slow
 def test_dwell_times_that_follow_may_be_bounded_too() -> None:
-    census = ns.certify_all(STICK, box={"tau": 3, "tau1": 10, "ta": (1, 2)})
+    census = ns.certify.all(STICK, box={"tau": 3, "tau1": 10, "ta": (1, 2)})
     assert census.decided
     assert census.count == 1
-    everywhere = ns.certify_all(STICK, box={"tau": 3, "tau1": 10})
+    everywhere = ns.certify.all(STICK, box={"tau": 3, "tau1": 10})
     assert everywhere.count + everywhere.beyond == census.count + census.beyond
 
 
 def test_its_four_dwell_times_give_the_same_orbit() -> None:
     phases = [(c, b) for c, b, _ in load_orbit(STICK).table["phases"]]
     box = {"tau1": (1, "1.1"), "tau2": ("1.9", "2.1"), "tau3": ("1.4", "1.6"), "tau4": (3, "3.5")}
-    census = ns.certify_all("dry-friction", DATA, box, itinerary=phases)
+    census = ns.certify.all("dry-friction", DATA, box, itinerary=phases)
     assert census.decided
     orbit = ns.solve(STICK)
     assert np.allclose(times(census), [orbit.dwell_times.tolist()], atol=1e-10)
@@ -232,7 +232,7 @@ def test_its_four_dwell_times_give_the_same_orbit() -> None:
 
 @pytest.mark.slow
 def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
-    census = ns.certify_all("dry-friction", DATA, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
+    census = ns.certify.all("dry-friction", DATA, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
     assert census.decided
     found = times(census)
     random = np.random.default_rng(3)
@@ -251,13 +251,13 @@ def test_a_kicked_mass_has_an_orbit_for_each_pair_of_half_turns() -> None:
     # v returns after m half turns on the right and n on the left, whatever m and n are
     values = {"k": 9, "r": "1/3", "a": 10}
     box = {"tau1": "2.5", "tau2": "4"}  # half turns take pi/3 and pi/2
-    census = ns.certify_all(kicked(), values, box, itinerary=LOOP)
+    census = ns.certify.all(kicked(), values, box, itinerary=LOOP)
     assert census.decided
     exact = [(m * math.pi / 3, n * math.pi / 2) for m in (1, 2) for n in (1, 2)]
     assert np.allclose(sorted(map(tuple, times(census))), exact, atol=1e-12)
     assert census.admissible == 1
     # of sqrt(81) it is not known that it is 9: the entries are functions of it
-    rough = ns.certify_all(kicked(), {**values, "k": "sqrt(81)"}, box, itinerary=LOOP)
+    rough = ns.certify.all(kicked(), {**values, "k": "sqrt(81)"}, box, itinerary=LOOP)
     assert rough.decided
     assert (rough.count, rough.admissible) == (4, 1)
 
@@ -267,7 +267,7 @@ def test_an_orbit_counts_once_wherever_it_begins() -> None:
     # (1, 2) and (2, 1) are one orbit, (1, 1) and (2, 2) are orbits of half the itinerary
     box = {"tau1": (1, "2.2"), "tau2": ("1.5", "1.6"), "tau3": (1, "2.2"), "tau4": ("1.5", "1.6")}
     values = {"k": 9, "r": "1/3", "a": 10}
-    census = ns.certify_all(kicked(), values, box, itinerary=LOOP * 2)
+    census = ns.certify.all(kicked(), values, box, itinerary=LOOP * 2)
     assert census.decided
     (found,) = times(census)
     assert np.allclose(sorted(found), [math.pi / 3, *[math.pi / 2] * 2, 2 * math.pi / 3])
@@ -275,12 +275,12 @@ def test_an_orbit_counts_once_wherever_it_begins() -> None:
 
 
 def test_the_mass_on_a_belt_turns_any_number_of_times() -> None:
-    census = ns.certify_all(BELT, box={"ts": 10, "tau": 20})
+    census = ns.certify.all(BELT, box={"ts": 10, "tau": 20})
     exact = [(1.2, 2 * math.pi * m - 2 * math.atan(0.3 / 0.5)) for m in (1, 2, 3)]
     assert census.decided
     assert np.allclose(sorted(map(tuple, times(census))), exact, atol=1e-12)
     assert census.admissible == 1
-    assert ns.certify_all(BELT, box={"ts": 10, "tau": 5}).statement.count("exactly 0 orbits") == 1
+    assert ns.certify.all(BELT, box={"ts": 10, "tau": 5}).statement.count("exactly 0 orbits") == 1
 
 
 @pytest.mark.parametrize(
@@ -288,7 +288,7 @@ def test_the_mass_on_a_belt_turns_any_number_of_times() -> None:
     [((1, 2), 1, 0), (("1.2", 2), 0, 1), (("1.20000001", 2), 0, 0), ((1, "1.2"), 0, 1)],
 )
 def test_a_solution_on_the_edge_is_never_counted(stick: Any, count: int, undecided: int) -> None:
-    census = ns.certify_all(BELT, box={"ts": stick, "tau": (4, 6)})
+    census = ns.certify.all(BELT, box={"ts": stick, "tau": (4, 6)})
     assert (census.count, len(census.undecided)) == (count, undecided)
     for box in census.undecided:
         assert "edge" in box.reason
@@ -297,11 +297,11 @@ def test_a_solution_on_the_edge_is_never_counted(stick: Any, count: int, undecid
 
 def test_phases_of_no_time_are_told_apart_by_the_default_bound_only() -> None:
     # after a whole turn it slips again at once: a solution with ts = 0 at tau = 2 pi
-    whole = ns.certify_all(BELT, box={"ts": (0, 10), "tau": (6, 7)})
+    whole = ns.certify.all(BELT, box={"ts": (0, 10), "tau": (6, 7)})
     assert whole.count == 0
     assert len(whole.undecided) == 1
     assert "at least 0" in whole.statement
-    assert ns.certify_all(BELT, box={"ts": 10, "tau": (6, 7)}).decided
+    assert ns.certify.all(BELT, box={"ts": 10, "tau": (6, 7)}).decided
 
 
 def impacts(sigma: float, number: int, r: float = 0.8, w: float = 2.4) -> list[float]:
@@ -317,7 +317,7 @@ def impacts(sigma: float, number: int, r: float = 0.8, w: float = 2.4) -> list[f
 
 @pytest.mark.parametrize("sigma", ["0", "0.3", "-0.7", "4"])
 def test_an_impact_oscillator_has_two_orbits_of_each_period_or_none(sigma: str) -> None:
-    census = ns.certify_all(IMPACT, {"sigma": sigma}, {"T": 13})
+    census = ns.certify.all(IMPACT, {"sigma": sigma}, {"T": 13})
     exact = [(k, u) for k in range(1, 5) for u in impacts(float(sigma), k)]
     assert census.decided
     assert census.count == len(exact)
@@ -337,7 +337,7 @@ def test_where_two_orbits_meet_nothing_is_counted() -> None:
     slope = w * mp.cot(mp.pi / w) * (1 + r) / (1 - r)
     fold = mp.sqrt(1 + slope**2) / (w * w - 1)
     below, at, above = (
-        ns.certify_all(IMPACT, {"sigma": mp.nstr(fold + shift, 30)}, {"T": (2, 3)})
+        ns.certify.all(IMPACT, {"sigma": mp.nstr(fold + shift, 30)}, {"T": (2, 3)})
         for shift in (-mp.mpf("1e-6"), mp.mpf(0), mp.mpf("1e-6"))
     )
     assert (below.count, below.decided) == (2, True)
@@ -348,12 +348,12 @@ def test_where_two_orbits_meet_nothing_is_counted() -> None:
 
 
 def test_conservative_orbits_are_counted_at_their_period() -> None:
-    census = ns.certify_all("elastic-stop/one-contact", box={"tau": 10, "tau1": 10})
+    census = ns.certify.all("elastic-stop/one-contact", box={"tau": 10, "tau1": 10})
     orbit = ns.solve("elastic-stop/one-contact")
     assert census.decided
     assert np.allclose(times(census), [list(map(float, orbit.dwell_times))], atol=1e-10)
-    assert ns.certify_all("rigid-stop/one-impact", box={"T": 7}).admissible == 1
-    assert ns.certify_all("rigid-stop/one-impact", box={"T": 6}).count == 0
+    assert ns.certify.all("rigid-stop/one-impact", box={"T": 7}).admissible == 1
+    assert ns.certify.all("rigid-stop/one-impact", box={"T": 6}).count == 0
 
 
 def test_equations_over_boxes_enclose_those_at_points() -> None:
@@ -410,7 +410,7 @@ def test_divided_conditions_are_the_flow_over_the_time() -> None:
 
 
 def test_too_few_boxes_leave_the_rest_undecided() -> None:
-    census = ns.certify_all(STICK, box={"tau": 12, "tau1": 20}, limit=500)
+    census = ns.certify.all(STICK, box={"tau": 12, "tau1": 20}, limit=500)
     assert census.looked == 500
     assert not census.decided
     assert census.undecided[0].reason == "too many boxes"
@@ -418,7 +418,7 @@ def test_too_few_boxes_leave_the_rest_undecided() -> None:
 
 
 def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[str]) -> None:
-    census = ns.certify_all(BELT, box={"ts": 10, "tau": 8})
+    census = ns.certify.all(BELT, box={"ts": 10, "tau": 8})
     (orbit,) = census.orbits
     bare = replace(census, orbits=(replace(orbit, certificate=None, reason="no reason"),))
     assert bare.count == 1
@@ -428,7 +428,7 @@ def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[st
 
 
 def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
-    census = ns.certify_all(BELT, box={"ts": (0, 10), "tau": 8})
+    census = ns.certify.all(BELT, box={"ts": (0, 10), "tau": 8})
     path = tmp_path / "census.json"
     census.save(path)
     again = ns.load(path)
@@ -470,7 +470,7 @@ def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
 )  # fmt: skip
 def test_wrong_input_is_refused_by_name(arguments: Any, options: Any, culprit: str) -> None:
     with pytest.raises(InputError, match=culprit):
-        ns.certify_all(*arguments, **options)
+        ns.certify.all(*arguments, **options)
 
 
 def run(*arguments: str) -> tuple[int, str, str]:
@@ -524,7 +524,7 @@ SEARCHING = {"search", "_examined", "_around", "_polished", "_inside", "_again",
 )
 def test_an_interrupted_census_loses_no_orbit(line: int) -> None:
     asked: Any = {"orbit": STICK, "box": {"tau": 6, "tau1": 6}}
-    whole = ns.certify_all(**asked)
+    whole = ns.certify.all(**asked)
     lines, before = 0, sys.gettrace()
 
     def trace(frame: Any, event: str, argument: Any) -> Any:
@@ -541,7 +541,7 @@ def test_an_interrupted_census_loses_no_orbit(line: int) -> None:
     sys.settrace(trace)
     try:
         with pytest.raises(Interrupted) as stopped:
-            ns.certify_all(**asked)
+            ns.certify.all(**asked)
     finally:
         sys.settrace(before)
     partial: Any = stopped.value.partial

@@ -128,7 +128,7 @@ def test_constants_beside_parameters_of_a_box(tmp_path: Path) -> None:
     maps = []
     for number, (system, values) in enumerate(((declared, {"k": "1.4"}), (over, texts))):
         orbit = ns.solve(system, values, itinerary=known)
-        maps.append(ns.certify_box(orbit, {"k": ("1.39", "1.41")}))
+        maps.append(ns.certify.box(orbit, {"k": ("1.39", "1.41")}))
         maps[-1].save(tmp_path / f"{number}.json")
         content = json.loads((tmp_path / f"{number}.json").read_text())
         assert ("constants" in content["declaration"]) == (number == 0)

@@ -38,7 +38,7 @@ def branch() -> Any:
 
 @pytest.fixture(scope="module")
 def found(branch: Any) -> CertifiedDoubling:
-    return ns.certify_doubling(branch, tiles=3)
+    return ns.certify.doubling(branch, tiles=3)
 
 
 @pytest.mark.slow
@@ -153,7 +153,7 @@ def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off() -> None:
 def test_a_proof_can_be_interrupted_and_resumed(branch: Any, found: Any, tmp_path: Path) -> None:
     found.save(tmp_path / "part.json")
     part = ns.load(tmp_path / "part.json")
-    again = ns.certify_doubling(branch, tiles=6, resume=part)  # of the doubled branch
+    again = ns.certify.doubling(branch, tiles=6, resume=part)  # of the doubled branch
     assert again.doubled is not None
     assert again.doubled.side == found.doubled.side
     assert len(again.doubled.branch.tiles) == 6
@@ -163,18 +163,18 @@ def test_a_proof_can_be_interrupted_and_resumed(branch: Any, found: Any, tmp_pat
         raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_doubling(branch, tiles=3, progress=stop)
+        ns.certify.doubling(branch, tiles=3, progress=stop)
     first: Any = stopped.value.partial
     assert first.doubled is None
     with pytest.raises(InputError):
-        ns.certify_doubling(branch, interval=("1", "1.1"), resume=part)
+        ns.certify.doubling(branch, interval=("1", "1.1"), resume=part)
 
 
 @pytest.mark.slow
 def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     branch: Any, found: Any, tmp_path: Path
 ) -> None:
-    short = ns.certify_doubling(branch, tiles=3, seconds=1e-6)
+    short = ns.certify.doubling(branch, tiles=3, seconds=1e-6)
     assert (short.ended, short.claims) == ("unfinished", {"doubling": "undecided"})
     assert "s that were given are over" in short.end
     assert len(short.branch.tiles) == 1
@@ -186,13 +186,13 @@ def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
             raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_doubling(branch, tiles=3, progress=stop, resume=short)
+        ns.certify.doubling(branch, tiles=3, progress=stop, resume=short)
     part: Any = stopped.value.partial
     assert shares == sorted(shares)
     assert part.ended == "unfinished"
     assert 0 < len(part.doubled.branch.tiles) < 3
     assert accepted(part, tmp_path).claims == {"doubling": "proved"}
-    whole: Any = ns.certify_doubling(branch, tiles=3, resume=ns.load(tmp_path / "found.json"))
+    whole: Any = ns.certify.doubling(branch, tiles=3, resume=ns.load(tmp_path / "found.json"))
     assert (whole.ended, whole.end) == ("complete", "")
     assert whole.kind == found.kind
     assert len(whole.doubled.branch.tiles) > len(part.doubled.branch.tiles)
@@ -203,7 +203,7 @@ def test_an_interval_that_does_not_reach_the_flip_has_none(branch: Any) -> None:
     begun = float(branch.parameter_values[round(event.place)])
     between = (begun + event.value) / 2
     ends = (between, "1.09") if begun > event.value else ("1.07", between)
-    found = ns.certify_doubling(branch, interval=ends)
+    found = ns.certify.doubling(branch, interval=ends)
     assert (found.ended, found.end) == ("no flip", "no flip is proved on the branch")
     assert (found.flip, found.kind, found.claims) == (None, "", {"doubling": "undecided"})
 
@@ -231,9 +231,9 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedDoublin
 )
 def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None:
     with pytest.raises(InputError):
-        ns.certify_doubling(branch, **words)
+        ns.certify.doubling(branch, **words)
     with pytest.raises(InputError):
-        ns.certify_doubling(branch.orbit, **words)
+        ns.certify.doubling(branch.orbit, **words)
 
 
 @pytest.mark.slow
@@ -242,7 +242,7 @@ def test_each_of_two_doublings_of_impacts_is_asked_for_by_itself(tmp_path: Path)
     branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
     flips: list[float] = []
     for impacted in (1, 2):
-        found: Any = ns.certify_doubling(branch, tiles=60)
+        found: Any = ns.certify.doubling(branch, tiles=60)
         assert (found.claims, found.kind) == ({"doubling": "proved"}, "supercritical"), found.end
         assert [len(each.branch.itinerary) for each in (found, found.doubled)] == [
             impacted,

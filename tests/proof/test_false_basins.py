@@ -56,7 +56,7 @@ def basin(itinerary, **options):
     orbit = ns.solve(itinerary, {}, guess={"tau": 1})
     assert orbit.stability.verdict == "stable"
     box = {"x": (-1, 0), "y": (0, 2)}
-    return orbit, ns.certify_basin(orbit, box=box, side=2.0**-5, tiles=0, **options)
+    return orbit, ns.certify.basin(orbit, box=box, side=2.0**-5, tiles=0, **options)
 
 
 def rank_of(found, place):
@@ -73,7 +73,7 @@ def with_rank(found, place, rank, path):
     ranks[number] = rank
     content["ranks"] = [[value, 1] for value in ranks]
     path.write_text(json.dumps(signed(content)))
-    return ns.check_certificate(path).difference
+    return ns.certify.check(path).difference
 
 
 @pytest.fixture(scope="module")
@@ -119,6 +119,6 @@ def test_the_check_does_not_take_it_for_an_arrival(beyond, tmp_path, rank):
 def test_a_trapping_region_has_no_box_that_motions_leave(beyond):
     orbit, _ = beyond
     region = {"y": (-1, 1.2)}
-    graph = ns.certify_graph(orbit.system, {}, [-1, 0.5], "loop", boxes=256, region=region)
+    graph = ns.certify.region(orbit.system, {}, [-1, 0.5], "loop", boxes=256, region=region)
     assert graph.box_of([0.5]) in graph.trapping
     assert graph.box_of([0.6686]) not in graph.trapping

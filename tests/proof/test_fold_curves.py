@@ -70,7 +70,7 @@ def orbit(stable: bool) -> Orbit:
 @cache
 def folded() -> ns.BoxCertificate:
     """The stable orbit's map."""
-    return ns.certify_box(orbit(True), BOX)
+    return ns.certify.box(orbit(True), BOX)
 
 
 def velocities(sigma: Any, r: Any) -> list[Any]:
@@ -200,7 +200,7 @@ def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
 
 @pytest.mark.slow
 def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
-    found = ns.certify_box(orbit(False), {"sigma": ("-1.24", "-1.22"), "r": ("0.799", "0.801")})
+    found = ns.certify.box(orbit(False), {"sigma": ("-1.24", "-1.22"), "r": ("0.799", "0.801")})
     assert [region.verdict for region in found.regions] in (
         ["unstable", BEYOND],
         [BEYOND, "unstable"],
@@ -214,11 +214,11 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
 
 @pytest.mark.slow
 def test_a_map_with_a_fold_is_kept_and_resumed(tmp_path: Path) -> None:
-    part = ns.certify_box(orbit(True), BOX, tiles=5)
+    part = ns.certify.box(orbit(True), BOX, tiles=5)
     part.save(tmp_path / "map.json")
     again = ns.load(tmp_path / "map.json")
     assert map_json(again) == map_json(part)
-    whole = ns.certify_box(orbit(True), BOX, resume=again)
+    whole = ns.certify.box(orbit(True), BOX, resume=again)
     assert whole.shares == folded().shares
     assert [r.verdict for r in whole.regions] == [r.verdict for r in folded().regions]
 
@@ -257,7 +257,7 @@ def test_a_map_with_a_fold_is_drawn() -> None:
 def content(*, small: bool = True) -> str:
     import tempfile
 
-    found = ns.certify_box(orbit(True), SMALL) if small else folded()
+    found = ns.certify.box(orbit(True), SMALL) if small else folded()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "map.json"
         found.save(path)
@@ -283,7 +283,7 @@ def test_what_is_stated_beside_folds_is_accepted(seed: int, tmp_path: Path) -> N
         "sigma": (Fraction(-1225, 1000) - 4 * sides[0], Fraction(-1225, 1000) + sides[1]),
         "r": (Fraction(8, 10) - sides[2] / 4, Fraction(8, 10) + sides[3] / 4),
     }
-    found = ns.certify_box(orbit(bool(seed % 2)), box, tiles=20)
+    found = ns.certify.box(orbit(bool(seed % 2)), box, tiles=20)
     assert folds(found)
     accepted(found, tmp_path)
 

@@ -20,14 +20,14 @@ IMPACTS = {"r": "0.65", "sigma": "0", "w": "2.3"}
 @pytest.fixture(scope="module")
 def friction():
     region = {"x2": (2, 13.5)}
-    return ns.certify_graph("dry-friction", DATA, [5, 4, 0.5, 0.25], boxes=512, region=region)
+    return ns.certify.region("dry-friction", DATA, [5, 4, 0.5, 0.25], boxes=512, region=region)
 
 
 @pytest.fixture(scope="module")
 def impacts():
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     region = {"x": (-2, 0), "v": (-2, 2)}
-    return ns.certify_graph(system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region)
+    return ns.certify.region(system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region)
 
 
 def returned(place):
@@ -145,16 +145,18 @@ def test_images_that_are_no_boxes_are_not_known_or_outside(bad):
 def test_what_cannot_be_asked_is_refused():
     start = [5, 4, 0.5, 0.25]
     with pytest.raises(InputError, match="x1 is no coordinate"):
-        ns.certify_graph("dry-friction", DATA, start, region={"x1": (0, 1)})
+        ns.certify.region("dry-friction", DATA, start, region={"x1": (0, 1)})
     with pytest.raises(InputError, match="no interval"):
-        ns.certify_graph("dry-friction", DATA, start, region={"x2": (4, 4)})
+        ns.certify.region("dry-friction", DATA, start, region={"x2": (4, 4)})
     with pytest.raises(InputError, match="take longer ones"):
-        ns.certify_graph("dry-friction", DATA, start, region={"x2": (1e15, 1.000001e15)}, levels=24)
+        ns.certify.region(
+            "dry-friction", DATA, start, region={"x2": (1e15, 1.000001e15)}, levels=24
+        )
     with pytest.raises(InputError, match="a side of a box"):
-        ns.certify_graph("dry-friction", DATA, start, region={"x2": (-1e308, 1e308)})
+        ns.certify.region("dry-friction", DATA, start, region={"x2": (-1e308, 1e308)})
     with pytest.raises(InputError, match="boxes = 0"):
-        ns.certify_graph("dry-friction", DATA, start, boxes=0)
-    found = ns.certify_graph("dry-friction", DATA, start, region={"x2": (4, 5)}, boxes=8)
+        ns.certify.region("dry-friction", DATA, start, boxes=0)
+    found = ns.certify.region("dry-friction", DATA, start, region={"x2": (4, 5)}, boxes=8)
     with pytest.raises(InputError, match="not in the region"):
         found.box_of([9])
 
@@ -170,7 +172,7 @@ def test_a_picture_shows_the_components(friction, impacts):
 
 @pytest.fixture(scope="module")
 def chaotic():
-    return ns.certify_graph("dry-friction", FRICTION_DATA, [1.93, 7.18, 1.18, 1.18], levels=1)
+    return ns.certify.region("dry-friction", FRICTION_DATA, [1.93, 7.18, 1.18, 1.18], levels=1)
 
 
 @pytest.mark.slow
@@ -211,21 +213,21 @@ def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
 def test_several_processes_find_the_same_graph(impacts):
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     region = {"x": (-2, 0), "v": (-2, 2)}
-    shared = ns.certify_graph(
+    shared = ns.certify.region(
         system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region, workers=2
     )
     assert shared.to_json() == impacts.to_json()
     with pytest.raises(InputError, match="workers = 0"):
-        ns.certify_graph("dry-friction", DATA, [5, 4, 0.5, 0.25], workers=0)
+        ns.certify.region("dry-friction", DATA, [5, 4, 0.5, 0.25], workers=0)
 
 
 @pytest.mark.slow
 def test_boxes_are_divided_where_it_helps():
     asked = {"region": {"x2": (2, 14)}, "boxes": 64}
     start = [5, 4, 0.5, 0.25]
-    coarse = ns.certify_graph("dry-friction", DATA, start, **asked)
-    fine = ns.certify_graph("dry-friction", DATA, start, levels=2, **asked)
-    again = ns.certify_graph("dry-friction", DATA, start, levels=2, resume=coarse, **asked)
+    coarse = ns.certify.region("dry-friction", DATA, start, **asked)
+    fine = ns.certify.region("dry-friction", DATA, start, levels=2, **asked)
+    again = ns.certify.region("dry-friction", DATA, start, levels=2, resume=coarse, **asked)
     assert again.to_json() == fine.to_json()
     assert len(coarse.graph.grid) < len(fine.graph.grid) < 2 * len(coarse.graph.grid)
     (one,) = (own for own in coarse.components if own.attracting)
@@ -240,7 +242,7 @@ def test_boxes_are_divided_where_it_helps():
         found = fine.targets(box)
         assert ((low[found, 0] <= there + 1e-9) & (there - 1e-9 <= high[found, 0])).any()
     with pytest.raises(InputError, match="another"):
-        ns.certify_graph("dry-friction", {**DATA, "ur1": "4.02"}, start, resume=coarse, **asked)
+        ns.certify.region("dry-friction", {**DATA, "ur1": "4.02"}, start, resume=coarse, **asked)
 
 
 @pytest.mark.slow
@@ -255,11 +257,11 @@ def test_an_interrupted_graph_goes_on():
 
     asked = {"region": {"v": (0.5, 4)}, "boxes": 16, "levels": 2}
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_graph(kicked(), data, [0, 1.5], progress=stopping, **asked)
+        ns.certify.region(kicked(), data, [0, 1.5], progress=stopping, **asked)
     known = stopped.value.partial
     assert 0 < known.graph.unknown.sum() < len(known.graph.grid)
-    whole = ns.certify_graph(kicked(), data, [0, 1.5], **asked)
-    again = ns.certify_graph(kicked(), data, [0, 1.5], resume=known, **asked)
+    whole = ns.certify.region(kicked(), data, [0, 1.5], **asked)
+    again = ns.certify.region(kicked(), data, [0, 1.5], resume=known, **asked)
     assert again.to_json() == whole.to_json()
 
 

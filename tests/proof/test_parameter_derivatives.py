@@ -87,7 +87,7 @@ def test_every_precision_is_proved_again(bits: int, tmp_path: Path) -> None:
     for name in BUILT_IN:
         found = ns.certify(ns.solve(name), bits, derivatives=True)
         found.save(tmp_path / "proof.json")
-        assert ns.check_certificate(tmp_path / "proof.json").difference is None, name
+        assert ns.certify.check(tmp_path / "proof.json").difference is None, name
         widest = max(
             enclosure.ball.rad()
             for rates in found.derivatives.values()
@@ -280,7 +280,7 @@ def test_why_there_is_no_derivative(orbit: Any, by: str, told: str, tmp_path: Pa
     assert told in found._repr_html_()
     found.save(tmp_path / "proof.json")
     assert ns.load(tmp_path / "proof.json").no_derivatives == found.no_derivatives
-    assert ns.check_certificate(tmp_path / "proof.json").difference is None
+    assert ns.certify.check(tmp_path / "proof.json").difference is None
 
 
 def test_what_was_not_asked_for_is_not_there(tmp_path: Path) -> None:

@@ -87,10 +87,10 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
 
 def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (event,) = branch().events
-    assert ns.certify_event(branch(), event).proved
+    assert ns.certify.event(branch(), event).proved
     with monkeypatch.context() as planted:
         planted.setattr(JudgedEvent, "located", refusing(JudgedEvent.located))
-        found = ns.certify_event(branch(), event)
+        found = ns.certify.event(branch(), event)
     assert (found.claim, found.reason) == ("undecided", PLANTED)
     assert accepted(found, tmp_path).claims == {"events": "undecided"}
 
@@ -101,7 +101,7 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     with monkeypatch.context() as planted:
         judged = refusing(CheckedBox.judged, lambda _, place, *told: place[0][0] == 0)
         planted.setattr(CheckedBox, "judged", judged)
-        found = ns.certify_box(orbit(), {"V": ("0.999", "1.001")}, tiles=9)
+        found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")}, tiles=9)
     verdicts = {tile.place.steps[0]: tile.verdict for tile in found.tiles}
     assert verdicts.pop((0, 5)) == verdicts.pop((1, 5), "undecided") == "undecided"
     assert {*verdicts.values()} == {"proved"}
@@ -117,7 +117,7 @@ def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
         whole = refusing(CheckedBox.judged, lambda _, place, *told: place == ((0, 0), (0, 0)))
         planted.setattr(CheckedBox, "judged", whole)
         planted.setattr(CheckedBox, "check_joint", refusing(CheckedBox.check_joint))
-        found = ns.certify_box(orbit(), box)
+        found = ns.certify.box(orbit(), box)
     assert sorted(tile.verdict for tile in found.tiles) == ["proved", "undecided"]
     assert found.reasons["existence"].endswith(PLANTED)
     assert accepted(found, tmp_path).claims == found.claims
@@ -127,7 +127,7 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyP
     with monkeypatch.context() as planted:
         told = refusing(of_tiles.check_whole, lambda content: content["enclosures"])
         planted.setattr(of_tiles, "check_whole", told)
-        found = ns.certify_box(orbit(), {"V": ("0.999", "1.001")})
+        found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")})
     assert found.reasons["existence"].endswith(PLANTED)
     assert accepted(found, tmp_path).claims == found.claims
 
@@ -138,7 +138,7 @@ def test_a_tile_of_a_branch_that_is_not_joined(
     """The branch is given up where it is, on both sides, and the first tile stays."""
     with monkeypatch.context() as planted:
         planted.setattr(of_branches, "check_joint", refusing(of_branches.check_joint))
-        found = ns.certify_branch(branch(), interval=("1.077", "1.079"))
+        found = ns.certify.branch(branch(), interval=("1.077", "1.079"))
     assert len(found.tiles) == 1
     assert any("planted" in end for end in found.ends)
     assert not found.complete
@@ -152,7 +152,7 @@ def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
         step = "verdict" if what == "verdict" else "locate"
         check = getattr(JudgedDoubling, step)
         planted.setattr(JudgedDoubling, step, refusing(check))
-        found = ns.certify_doubling(branch(), tiles=1)
+        found = ns.certify.doubling(branch(), tiles=1)
     if what == "verdict":
         assert found.doubled is not None
         assert (found.doubled.verdict, found.doubled.reason) == ("undecided", PLANTED)
@@ -183,7 +183,7 @@ def test_cones(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as planted:
         planted.setattr(certify_all, "check_listed", refusing(certify_all.check_listed))
-        found = ns.certify_all(ORBIT, box={"tau": 3, "tau1": 3})
+        found = ns.certify.all(ORBIT, box={"tau": 3, "tau1": 3})
     (counted,) = found.orbits
     assert (counted.certificate, counted.reason) == (None, PLANTED)
     assert accepted(found, tmp_path).claims == {"listed": "undecided", "no others": "undecided"}

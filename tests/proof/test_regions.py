@@ -38,20 +38,20 @@ BESIDE = {"r": ("-5/4", "-3/4"), "a": ("27/50", "7/10")}
 @cache
 def corner() -> ns.BoxCertificate:
     """A flip and a grazing that cross at r = -1, a = 1/2."""
-    return ns.certify_box(loop(r="-1/2", a="3/5"), CORNER)
+    return ns.certify.box(loop(r="-1/2", a="3/5"), CORNER)
 
 
 @cache
 def beside() -> ns.BoxCertificate:
     """The two curves without the corner."""
-    return ns.certify_box(loop(r="-19/20", a="3/5"), BESIDE)
+    return ns.certify.box(loop(r="-19/20", a="3/5"), BESIDE)
 
 
 @cache
 def paper() -> ns.BoxCertificate:
     """The flip of the paper's symmetric orbit."""
     orbit = ns.solve(SYMMETRIC, {"V": "1.08"})
-    return ns.certify_box(orbit, {"V": ("1.05", "1.1"), "eta": ("3.98", "4.02")})
+    return ns.certify.box(orbit, {"V": ("1.05", "1.1"), "eta": ("3.98", "4.02")})
 
 
 def true_verdict(r: Fraction, a: Fraction) -> str:
@@ -156,7 +156,7 @@ def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
     for eta in ("3.986", "4.014"):
         branch = ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.08", "eta": eta}), "V", (1.05, 1.1))
         (event,) = [e for e in branch.events if e.kind == "flip"]
-        proved = ns.certify_event(branch, event, bits=128)
+        proved = ns.certify.event(branch, event, bits=128)
         ball = proved.enclosures["V"]
         value = Fraction(ball.texts[0])
         tile = found.tile_at({"V": value, "eta": eta})
@@ -169,7 +169,7 @@ def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
 @pytest.mark.slow
 def test_an_event_on_the_edge_of_the_box(tmp_path: Path) -> None:
     # r = -1 is the right edge: there is a flip, and beside it all is unstable
-    found = ns.certify_box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
+    found = ns.certify.box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
     assert [region.verdict for region in found.regions] == ["unstable"]
     assert found.decided == 1
     (curve,) = found.curves
@@ -181,7 +181,7 @@ def test_an_event_on_the_edge_of_the_box(tmp_path: Path) -> None:
 def test_a_thin_tongue_is_found() -> None:
     # not admissible only between the edge a = 1/2 and a = 1/(1 - r), below 1e-3 of the box
     box = {"r": ("-101/100", "-999/1000"), "a": ("1/2", "5/8")}
-    found = ns.certify_box(loop(r="-1001/1000", a="3/5"), box, tiles=60)
+    found = ns.certify.box(loop(r="-1001/1000", a="3/5"), box, tiles=60)
     (tongue,) = [region for region in found.regions if region.verdict == "not admissible"]
     assert 0 < tongue.share < 1e-3
     tile = found.tile_at({"r": "-0.9991", "a": "0.50015"})
@@ -191,12 +191,12 @@ def test_a_thin_tongue_is_found() -> None:
 @pytest.mark.slow
 def test_maps_with_curves_are_kept_and_resumed(tmp_path: Path) -> None:
     orbit = loop(r="-19/20", a="3/5")
-    part = ns.certify_box(orbit, BESIDE, tiles=3)
+    part = ns.certify.box(orbit, BESIDE, tiles=3)
     part.save(tmp_path / "map.json")
     again = ns.load(tmp_path / "map.json")
     assert again.to_json()["tiles"] == part.to_json()["tiles"]
     assert map_json(again) == map_json(part)
-    whole = ns.certify_box(orbit, BESIDE, resume=again)
+    whole = ns.certify.box(orbit, BESIDE, resume=again)
     assert part.shares != whole.shares == beside().shares
     assert [r.verdict for r in whole.regions] == [r.verdict for r in beside().regions]
 
@@ -278,8 +278,8 @@ def corner_content() -> str:
 
     with tempfile.TemporaryDirectory() as folder:
         box = {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
-        flip = ns.certify_box(loop(r="-19/20", a="3/5"), box)
-        grazing = ns.certify_box(
+        flip = ns.certify.box(loop(r="-19/20", a="3/5"), box)
+        grazing = ns.certify.box(
             loop(r="-1/2", a="7/10"), {"r": ("-11/20", "-9/20"), "a": ("13/20", "7/10")}
         )
         return json.dumps(
@@ -325,7 +325,7 @@ def test_what_is_stated_beside_curves_is_never_refused(
     size, a = Fraction(drawn.randint(8, 40), 100), Fraction(drawn.randint(600, 700), 1000)
     r = -1 + size * Fraction(drawn.randint(-9, 9), 20)
     box = {"r": (-1 - size, -1 + size / 2), "a": (a - size, a + size / 3)}
-    found = ns.certify_box(loop(r=str(r), a=str(a)), box, tiles=20)
+    found = ns.certify.box(loop(r=str(r), a=str(a)), box, tiles=20)
     assert refused
     assert {*refused} == {""}
     accepted(found, tmp_path)
@@ -363,7 +363,7 @@ def test_a_curve_that_is_left_out_is_refused() -> None:
 
 def test_a_curve_beside_its_tile_is_none_of_the_box(tmp_path: Path) -> None:
     """The flip is at r = -1: a file may state it of a tile, but not that the box has one."""
-    found = ns.certify_box(
+    found = ns.certify.box(
         loop(r="-19/20", a="3/5"), {"r": ("-99/100", "-9/10"), "a": ("27/50", "7/10")}
     )
     content = content_of(found, tmp_path / "map.json")

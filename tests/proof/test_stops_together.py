@@ -114,7 +114,7 @@ def test_motions_of_masses_that_are_struck_together_are_proved(
     law: str | None, coupling: str
 ) -> None:
     start = [0, 0, 1, 1, 1, 0]
-    proof = ns.validate(struck(law), {"c": coupling}, start, "free-free", 3)
+    proof = ns.certify.motion(struck(law), {"c": coupling}, start, "free-free", 3)
     assert proof.decided
     assert proof.sets == (BOTH,) * 3
     motion = ns.simulate(struck(law), {"c": coupling}, start, transitions=3)
@@ -123,7 +123,7 @@ def test_motions_of_masses_that_are_struck_together_are_proved(
 
 
 def test_a_motion_whose_impacts_have_no_order_is_proved_up_to_there() -> None:
-    proof = ns.validate(struck(), {"c": "1/4"}, [0, 0, 1, 1, 1, 0], "free-free", 3)
+    proof = ns.certify.motion(struck(), {"c": "1/4"}, [0, 0, 1, 1, 1, 0], "free-free", 3)
     assert not proof.decided
     assert OPEN in str(proof.reason)
     assert proof.transitions == 0

@@ -61,14 +61,14 @@ def guess() -> tuple[float, ...]:
 @cache
 def found() -> ns.BoxCertificate:
     """The map over the forcing's frequency and the restitution."""
-    return ns.certify_box(orbit(), BOX, tiles=40)
+    return ns.certify.box(orbit(), BOX, tiles=40)
 
 
 @cache
 def closed() -> ns.BoxCertificate:
     """The map over the damping and the restitution of one mass, whose curve is known."""
     box = {"c": ("-0.25", "0.05"), "r": ("0.75", "0.85")}
-    return ns.certify_box(impacts.orbit(-0.5), box, tiles=40)
+    return ns.certify.box(impacts.orbit(-0.5), box, tiles=40)
 
 
 @cache

@@ -14,7 +14,7 @@ import pytest
 from flint import arb
 from mpmath import MPContext
 
-from nonsmooth import InputError, Proof, validate
+from nonsmooth import InputError, Proof, certify
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.certificate import Stated
@@ -217,7 +217,7 @@ def agrees(proof: Proof, found: tuple[Any, ...], narrow: float) -> None:
     + [(SECOND, s) for s in starts(2, 4, Fraction("0.6773"), 20)],
 )
 def test_friction_agrees_with_60_digits(data: dict[str, str], start: list[str]) -> None:
-    proof = validate("dry-friction", data, start, "slip-slip", 16)
+    proof = certify.motion("dry-friction", data, start, "slip-slip", 16)
     agrees(proof, Friction(data).run("slip-slip", start, 16), 1e-20)
 
 
@@ -227,7 +227,7 @@ def test_the_starts_reach_most_configurations() -> None:
         name
         for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20))
         for start in starts(seed, 4, Fraction(fastest), spread)
-        for name in validate("dry-friction", data, start, "slip-slip", 16).configurations
+        for name in certify.motion("dry-friction", data, start, "slip-slip", 16).configurations
     }
     assert len(seen) >= 6
 
@@ -238,21 +238,21 @@ def test_the_starts_reach_most_configurations() -> None:
 )
 def test_stops_agree_with_60_digits(system: str, more: dict[str, str]) -> None:
     data, start = CHAIN | more, ["0.5", "0.2", "1", "-0.25"]
-    proof = validate(system, data, start, "free", 10)
+    proof = certify.motion(system, data, start, "free", 10)
     agrees(proof, Stop(data).run("free", start, 10), 1e-20)
 
 
 def test_more_bits_where_the_first_do_not_do() -> None:
     """Each transition costs digits; the sequence is the same at any precision."""
     given = "dry-friction", FIRST, START, "slip-slip", 100
-    few = validate(*given, 64)
-    many = validate(*given, 512)
+    few = certify.motion(*given, 64)
+    many = certify.motion(*given, 512)
     assert 64 < few.bits < 512 == many.bits
     assert (few.configurations, few.sets) == (many.configurations, many.sets)
     for wide, narrow in zip(few.times, many.times, strict=True):
         assert wide.contains(narrow.ball)
         assert narrow.ball.rad() <= wide.ball.rad()
-    stopped = validate(*given, 64, most_bits=64)
+    stopped = certify.motion(*given, 64, most_bits=64)
     assert not stopped.decided
     assert 0 < stopped.transitions < 100
     assert stopped.sets == many.sets[: stopped.transitions]
@@ -277,7 +277,7 @@ TANGENT = FIRST | {"ur1": "2", "ur2": "100"}
 
 
 def test_an_exact_tangency_is_not_decided() -> None:
-    proof = validate("dry-friction", TANGENT, tangent(Fraction(0)), "slip-stick", 1)
+    proof = certify.motion("dry-friction", TANGENT, tangent(Fraction(0)), "slip-stick", 1)
     assert not proof.decided
     assert proof.transitions == 0
     assert proof.bits == 2048
@@ -289,8 +289,8 @@ def test_an_exact_tangency_is_not_decided() -> None:
 
 @pytest.mark.parametrize("size", [Fraction(1, 10**20), Fraction(1, 10**60)])
 def test_a_tangency_missed_by_little_is_decided(size: Fraction) -> None:
-    above = validate("dry-friction", TANGENT, tangent(size), "slip-stick", 1)
-    below = validate("dry-friction", TANGENT, tangent(-size), "slip-stick", 1)
+    above = certify.motion("dry-friction", TANGENT, tangent(size), "slip-stick", 1)
+    below = certify.motion("dry-friction", TANGENT, tangent(-size), "slip-stick", 1)
     assert above.sets == (("first-reaches-belt",),)
     early = 3 * mp.pi / 2 - mp.acos(mp.mpf(1) / (1 + 2 * mp.mpf(size.numerator) / size.denominator))
     assert abs(float(above.times[1].ball.mid()) - float(early)) < 1e-14
@@ -301,7 +301,7 @@ def test_a_tangency_missed_by_little_is_decided(size: Fraction) -> None:
 
 def test_two_boundaries_at_one_instant_are_not_decided() -> None:
     start = [CENTRE[0] + 4, CENTRE[1] + Fraction(11, 2), -1, -1]
-    proof = validate("dry-friction", COMMENSURATE, start, "slip-slip", 3, most_bits=512)
+    proof = certify.motion("dry-friction", COMMENSURATE, start, "slip-slip", 3, most_bits=512)
     assert not proof.decided
     assert proof.transitions == 0
     assert proof.bits == 512
@@ -309,7 +309,7 @@ def test_two_boundaries_at_one_instant_are_not_decided() -> None:
     assert proof.reason is not None
     assert "first-reaches-belt and second-reaches-belt are reached at one instant" in proof.reason
     for velocity, first in (("-1.000001", "second"), ("-0.999999", "first")):
-        apart = validate("dry-friction", COMMENSURATE, [*start[:3], velocity], "slip-slip", 1)
+        apart = certify.motion("dry-friction", COMMENSURATE, [*start[:3], velocity], "slip-slip", 1)
         assert apart.decided
         assert apart.sets == ((f"{first}-reaches-belt",),)
 
@@ -322,7 +322,7 @@ def test_a_force_exactly_at_its_limit_is_not_decided(difference: str, follows: s
     start = [CENTRE[0] + 6, CENTRE[1] + Fraction(11, 2), Fraction(-1), Fraction(-1, 4)]
     limit = Fraction(25, 16) + Fraction(difference)
     data = COMMENSURATE | {"ur1": str(limit)}
-    proof = validate("dry-friction", data, start, "slip-slip", 1, most_bits=512)
+    proof = certify.motion("dry-friction", data, start, "slip-slip", 1, most_bits=512)
     if follows is None:
         assert not proof.decided
         assert proof.reason is not None
@@ -337,18 +337,18 @@ def test_a_force_exactly_at_its_limit_is_not_decided(difference: str, follows: s
 def test_rest_is_proved_to_last() -> None:
     """In the middle of slip-slip, and near it, nothing is ever reached."""
     for start in (["4", "6", "0", "0"], ["4.1", "5.9", "0.2", "-0.1"]):
-        proof = validate("dry-friction", FIRST, start, "slip-slip", 3)
+        proof = certify.motion("dry-friction", FIRST, start, "slip-slip", 3)
         assert proof.decided
         assert proof.transitions == 0
         assert proof.reason == "no boundary is reached any more"
-    moving = validate("dry-friction", FIRST, ["4", "9", "0", "0"], "slip-slip", 3)
+    moving = certify.motion("dry-friction", FIRST, ["4", "9", "0", "0"], "slip-slip", 3)
     assert moving.transitions == 3
 
 
 def test_what_resets_set_is_known_exactly() -> None:
     """A plastic impact leaves the mass on the stop at rest: balls alone could not go on."""
     data = CHAIN | {"r": "0"}
-    proof = validate("rigid-stop", data, ["0.5", "1.5", "1", "1"], "free", 5)
+    proof = certify.motion("rigid-stop", data, ["0.5", "1.5", "1", "1"], "free", 5)
     assert proof.configurations == ("free", "free", "contact", "free", "free", "free")
     assert proof.times[2].ball.overlaps(proof.times[1].ball)
     assert proof.times[2].ball is proof.times[1].ball  # no time passes
@@ -360,15 +360,15 @@ def test_what_resets_set_is_known_exactly() -> None:
 
 def test_a_start_on_a_boundary() -> None:
     """It is left, or passed at once; the first derivative that is not zero says which."""
-    inwards = validate("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "-1", "0"], "free", 1)
+    inwards = certify.motion("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "-1", "0"], "free", 1)
     assert float(inwards.times[1]) > 1
-    outwards = validate("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "1", "0"], "free", 1)
+    outwards = certify.motion("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "1", "0"], "free", 1)
     assert outwards.times[1].ball.is_zero()
     assert outwards.states[1][2].ball == -1
     # at rest on it: the spring decides, in the second derivative
-    pulled = validate("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "0", "-2"], "free", 1)
+    pulled = certify.motion("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "0", "-2"], "free", 1)
     assert float(pulled.times[1]) > 1
-    pushed = validate("rigid-stop", CHAIN | {"r": "1"}, ["1", "2", "0", "0"], "free", 1)
+    pushed = certify.motion("rigid-stop", CHAIN | {"r": "1"}, ["1", "2", "0", "0"], "free", 1)
     assert pushed.configurations == ("free", "contact")
     assert pushed.times[1].ball.is_zero()
 
@@ -418,21 +418,21 @@ def test_boundaries_that_are_multiples_are_reached_together() -> None:
 
 
 def test_the_start_is_taken_exactly() -> None:
-    proof = validate("dry-friction", FIRST, [0.1, "0.1", Fraction(1, 3), 0], "slip-slip", 0)
+    proof = certify.motion("dry-friction", FIRST, [0.1, "0.1", Fraction(1, 3), 0], "slip-slip", 0)
     binary, decimal, third, _ = proof.states[0]
     assert binary.contains(0.1)
     assert not binary.contains("0.1")
     assert decimal.contains("0.1")
     assert not decimal.contains(0.1)
     assert third.contains(Fraction(1, 3))
-    named = validate(
+    named = certify.motion(
         "dry-friction", FIRST, {"v2": 0, "v1": "1/3", "x2": "0.1", "x1": 0.1}, "slip-slip", 0
     )
     assert [s.mid for s in named.states[0]] == [s.mid for s in proof.states[0]]
 
 
 def test_decimals_enclose() -> None:
-    proof = validate("dry-friction", FIRST, ["5", "4", "0.5", "0.25"], "slip-slip", 5)
+    proof = certify.motion("dry-friction", FIRST, ["5", "4", "0.5", "0.25"], "slip-slip", 5)
     for enclosure in proof.times[1:]:
         middle, radius = Fraction(enclosure.mid), Fraction(enclosure.rad)
         assert 0 < radius < Fraction(1, 10**25)
@@ -458,45 +458,47 @@ START = ["5", "4", "0.5", "0.25"]
     ("call", "told"),
     [
         (
-            lambda: validate("dry-friction", FIRST, START, "slip-slop", 1),
+            lambda: certify.motion("dry-friction", FIRST, START, "slip-slop", 1),
             "did you mean 'slip-slip'",
         ),
         (
-            lambda: validate("dry-friction", FIRST, ["5", "4", "1.5", "0"], "slip-slip", 1),
+            lambda: certify.motion("dry-friction", FIRST, ["5", "4", "1.5", "0"], "slip-slip", 1),
             "beyond first-reaches-belt",
         ),
         (
-            lambda: validate("dry-friction", FIRST, ["1", "1", "0.5", "0"], "stick-slip", 1),
+            lambda: certify.motion("dry-friction", FIRST, ["1", "1", "0.5", "0"], "stick-slip", 1),
             "v1 = 1",
         ),
         (
-            lambda: validate("dry-friction", FIRST, ["1", "1", "1", "0.9"], "stick-stick", 1),
+            lambda: certify.motion("dry-friction", FIRST, ["1", "1", "1", "0.9"], "stick-stick", 1),
             "v2 = 1",
         ),
         (
-            lambda: validate("dry-friction", FIRST, ["9", "1", "1", "0"], "stick-slip", 1),
+            lambda: certify.motion("dry-friction", FIRST, ["9", "1", "1", "0"], "stick-slip", 1),
             "beyond first-breaks-forward",
         ),
         (
-            lambda: validate(
+            lambda: certify.motion(
                 "rigid-stop", CHAIN | {"r": "0"}, ["0.5", "2", "0", "0"], "contact", 1
             ),
             "x1 = 1",
         ),
-        (lambda: validate("dry-friction", FIRST, START[:3], "slip-slip", 1), "not 4 numbers"),
-        (lambda: validate("dry-friction", FIRST, {"x1": "5"}, "slip-slip", 1), "x2, v1, v2"),
+        (lambda: certify.motion("dry-friction", FIRST, START[:3], "slip-slip", 1), "not 4 numbers"),
+        (lambda: certify.motion("dry-friction", FIRST, {"x1": "5"}, "slip-slip", 1), "x2, v1, v2"),
         (
-            lambda: validate("dry-friction", FIRST, ["sqrt(2)", *START[1:]], "slip-slip", 1),
+            lambda: certify.motion("dry-friction", FIRST, ["sqrt(2)", *START[1:]], "slip-slip", 1),
             "not rational",
         ),
         (
-            lambda: validate("dry-friction", FIRST | {"us1": "sqrt(1/2)"}, START, "slip-slip", 1),
+            lambda: certify.motion(
+                "dry-friction", FIRST | {"us1": "sqrt(1/2)"}, START, "slip-slip", 1
+            ),
             r"us1 = sqrt\(1/2\) is not",
         ),
-        (lambda: validate("dry-friction", FIRST, START, "slip-slip", -1), "transitions = -1"),
-        (lambda: validate("dry-friction", FIRST, START, "slip-slip", 1, 8), "bits = 8"),
+        (lambda: certify.motion("dry-friction", FIRST, START, "slip-slip", -1), "transitions = -1"),
+        (lambda: certify.motion("dry-friction", FIRST, START, "slip-slip", 1, 8), "bits = 8"),
         (
-            lambda: validate("dry-friction", FIRST, [math.nan, *START[1:]], "slip-slip", 1),
+            lambda: certify.motion("dry-friction", FIRST, [math.nan, *START[1:]], "slip-slip", 1),
             "not finite",
         ),
     ],
@@ -508,9 +510,9 @@ def test_wrong_input_is_named(call: Callable[[], Proof], told: str) -> None:
 
 def test_fast_enough_for_thousands() -> None:
     """40 transitions: about 20 ms where this was written."""
-    validate("dry-friction", FIRST, START, "slip-slip", 1)
+    certify.motion("dry-friction", FIRST, START, "slip-slip", 1)
     before = time.process_time()
-    proof = validate("dry-friction", FIRST, START, "slip-slip", 40)
+    proof = certify.motion("dry-friction", FIRST, START, "slip-slip", 40)
     assert time.process_time() - before < 1
     assert proof.decided
     assert proof.transitions == 40

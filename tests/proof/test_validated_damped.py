@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 from mpmath import MPContext
 
-from nonsmooth import Proof, validate
+from nonsmooth import Proof, certify
 from nonsmooth.derive import (
     Boundary,
     Condition,
@@ -169,7 +169,7 @@ def number_of(text: str) -> Any:
     ],
 )
 def test_a_damped_mass_agrees_with_50_digits(a: str, k: str, g: str, start: list[str]) -> None:
-    proof = validate(damped(), dict(a=a, k=k, g=g, r="1/2"), start, "free", 5)
+    proof = certify.motion(damped(), dict(a=a, k=k, g=g, r="1/2"), start, "free", 5)
     field = [[0, 1, 0], [-number(k), -number(a), number(g)]]
     agrees(proof, *impacts(field, mp.mpf(1) / 2, start, 5), 1e-28)
 
@@ -180,7 +180,7 @@ def test_a_forced_impact_oscillator_agrees_with_50_digits(w: str) -> None:
     """At resonance and next to it as well: without damping, w = 1 is defective."""
     start = ["0", "0", "1", "0"]
     data = dict(a="0", k="1", f="1", w=w, r="4/5")
-    proof = validate(forced(), data, start, "free", 6)
+    proof = certify.motion(forced(), data, start, "free", 6)
     turn = number(w)
     field = [[0, 1, 0, 0, 0], [-1, 0, 1, 0, 0], [0, 0, 0, -turn, 0], [0, 0, turn, 0, 0]]
     agrees(proof, *impacts(field, mp.mpf(4) / 5, start, 6), 1e-28)
@@ -189,7 +189,7 @@ def test_a_forced_impact_oscillator_agrees_with_50_digits(w: str) -> None:
 def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
     """Dwell times shrink like the restitution; what is proved goes on as digits allow."""
     data = dict(a="1/10", k="1", g="3", r="1/2")
-    proof = validate(damped(), data, ["0", "0"], "free", 60)
+    proof = certify.motion(damped(), data, ["0", "0"], "free", 60)
     assert proof.decided
     assert set(proof.configurations) == {"free"}
     dwells = [
@@ -203,21 +203,21 @@ def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
 def test_a_grazing_contact_is_not_decided() -> None:
     """Thrown up so that it comes to rest at the stop for an instant, at t = 1."""
     data = dict(a="0", k="0", g="-2", r="1/2")
-    proof = validate(damped(), data, ["0", "2"], "free", 1, most_bits=256)
+    proof = certify.motion(damped(), data, ["0", "2"], "free", 1, most_bits=256)
     assert not proof.decided
     assert proof.reason is not None
     assert "reaches-stop is reached tangentially" in proof.reason
     assert proof.instant is not None
     assert proof.instant.contains(1)
     for velocity, transitions in (("2.0000000001", 1), ("1.9999999999", 0)):
-        near = validate(damped(), data, ["0", velocity], "free", 1)
+        near = certify.motion(damped(), data, ["0", velocity], "free", 1)
         assert near.decided
         assert near.transitions == transitions
 
 
 @pytest.mark.parametrize(("a", "k"), [("1/10", "4"), ("2", "1"), ("5", "4")])
 def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
-    proof = validate(damped(), dict(a=a, k=k, g="0", r="1/2"), ["1/2", "0"], "free", 1)
+    proof = certify.motion(damped(), dict(a=a, k=k, g="0", r="1/2"), ["1/2", "0"], "free", 1)
     assert proof.decided
     assert proof.transitions == 0
     assert proof.reason == "no boundary is reached any more"
@@ -225,6 +225,6 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
 
 def test_a_growing_motion_is_not_called_quiet() -> None:
     data = dict(a="-1/10", k="4", g="0", r="1/2")
-    proof = validate(damped(), data, ["1/100000", "0"], "free", 1)
+    proof = certify.motion(damped(), data, ["1/100000", "0"], "free", 1)
     assert proof.transitions == 1
     assert float(proof.times[1]) > 100

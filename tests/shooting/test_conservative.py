@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 from numpy.testing import assert_allclose
 
-from nonsmooth import Orbit, refine, solve, solve_many
+from nonsmooth import Orbit, refine, solve
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -208,7 +208,7 @@ def test_doubles_lose_half_the_digits_of_the_double_one(point: int) -> None:
 @pytest.mark.parametrize("name", [RIGID, ELASTIC])
 def test_the_verdict_is_that_of_the_trace(name: str) -> None:
     points = random_points(name, 72, 120)
-    many = solve_many(name, **points)
+    many = solve(name, points)
     verdicts = []
     for i in np.flatnonzero(many.admissible):
         guess = {n: float(a[i]) for n, a in many.unknowns.items()}

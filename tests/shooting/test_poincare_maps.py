@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.optimize import linear_sum_assignment
 
-from nonsmooth import refine, solve, solve_many
+from nonsmooth import refine, solve
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from tests.declared import RANGES, Declared, random_points
 
@@ -26,7 +26,7 @@ every_orbit = pytest.mark.parametrize("name", RANGES)
 def orbits(name):
     """The orbit at its reference point, and admissible ones nearby."""
     points, found = random_points(name, 51, 40), [solve(name)]
-    many = solve_many(name, **points)
+    many = solve(name, points)
     for i in np.flatnonzero(many.admissible)[:4]:
         guess = {n: float(a[i]) for n, a in many.unknowns.items()}
         found.append(solve(name, {n: float(a[i]) for n, a in points.items()}, guess))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from nonsmooth import poincare_map, refine, simulate, solve, solve_many
+from nonsmooth import poincare_map, refine, simulate, solve
 from tests.two_masses import RUBBING
 
 ORBIT = "dry-friction/global-stick"
@@ -41,7 +41,7 @@ def simulated_map(orbit):
 def at_random_points():
     """Random points, and the orbits there."""
     points = LOWER + (UPPER - LOWER) * np.random.default_rng(11).random((1500, 5))
-    return points, solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    return points, solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
 
 
 def orbits_where(select, count):
@@ -119,7 +119,7 @@ def test_the_verdict_is_what_becomes_of_a_perturbation(unstable):
 
 def test_batches_have_the_same_trace_and_both_verdicts_occur():
     points = LOWER + (UPPER - LOWER) * np.random.default_rng(12).random((120, 5))
-    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
     verdicts = set()
     for i in np.flatnonzero(many.admissible)[::3]:
         orbit = solve(
@@ -154,7 +154,7 @@ def test_the_trace_does_not_depend_on_the_forces_left_open(orbits):
 def test_a_margin_within_its_error_is_undecided_until_there_are_digits():
     # a trace of -1 along chi, located with Newton's method at 700 digits
     chi = np.linspace(0.6, 0.7, 100)
-    many = solve_many(ORBIT, chi=chi)
+    many = solve(ORBIT, {"chi": chi})
     margin = 1 - np.abs(many.trace)
     sound = many.admissible[:-1] & many.admissible[1:]
     place = np.flatnonzero(sound & (margin[:-1] * margin[1:] < 0))[0]

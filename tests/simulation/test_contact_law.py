@@ -190,7 +190,7 @@ def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> Non
 def test_motions_of_coupled_contacts_are_proved(reverse: bool) -> None:
     for sign in (1, -1):
         data, start = {"P": sign, "A": 2 * sign}, [0, 0, 0, 0, 1, 0]
-        proof = ns.validate(stack(reverse), data, start, "stick-stick", 8)
+        proof = ns.certify.motion(stack(reverse), data, start, "stick-stick", 8)
         motion = ns.simulate(stack(reverse), data, start, transitions=8)
         assert proof.decided
         assert proof.configurations == tuple(motion.configurations)
@@ -208,7 +208,7 @@ def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
         "limits", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2),
         forcing=[Harmonic(1, sine=[0, 3])], elements=contacts,
     )  # fmt: skip
-    proof = ns.validate(system, {}, [0, 0, 0, 0, 1, 0], "stick-stick", 3)
+    proof = ns.certify.motion(system, {}, [0, 0, 0, 0, 1, 0], "stick-stick", 3)
     assert not proof.decided
     assert proof.transitions == 1
     assert "what the contact law says at between-reaches-belt" in str(proof.reason)

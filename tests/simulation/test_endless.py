@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth import simulate_many
+from nonsmooth import simulate
 from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
 from tests.engines import ENGINES, with_both, with_engine
 
@@ -58,7 +58,7 @@ def test_every_motion_ends_and_both_engines_say_how(name: str) -> None:
     for engine in ENGINES[: 2 if status else 1]:  # what is shaken lasts in Python
         motion = with_engine(engine, followed, system, start, until)
         many = with_engine(
-            engine, simulate_many, system, {}, motion.states[:1], until=until, transitions=5
+            engine, simulate, system, {}, motion.states[:1], until=until, transitions=5
         )
         assert (many.status == motion.status).all()
         if status is not None:

@@ -44,7 +44,7 @@ def admissible(count: int) -> object:
 
 def chart_threads() -> None:
     def work(number: int) -> None:
-        ns.simulate_many("dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=1)
+        ns.simulate("dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=1)
 
     run_threads(work, range(4), 2, lambda done: None)
 
@@ -56,17 +56,17 @@ CASES: dict[str, Callable[[], object]] = {
     "a motion without events": lambda: ns.simulate(
         "elastic-stop", GRAZING, [-1, "-0.5", 0, 0], until=1e9
     ),
-    "many motions": lambda: ns.simulate_many(
+    "many motions": lambda: ns.simulate(
         "dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=2
     ),
-    "orbits in one call": lambda: ns.solve_many(
+    "orbits in one call": lambda: ns.solve(
         "dry-friction/global-stick", {"eta": np.linspace(0.9, 1.1, MANY)}, threads=1, chunk=MANY
     ),
-    "orbits in threads": lambda: ns.solve_many(
+    "orbits in threads": lambda: ns.solve(
         "dry-friction/global-stick", {"eta": np.linspace(0.9, 1.1, 4 * MANY)}, threads=2
     ),
     "long orbits": lambda: admissible(2000),
-    "orbits of an itinerary": lambda: ns.solve_many(
+    "orbits of an itinerary": lambda: ns.solve(
         "elastic-stop", {**CHAIN, "k3": np.linspace(5, 40, MANY // 2)}, [1.0, 1.0],
         itinerary=CONTACTS, admissibility=False, threads=2,
     ),

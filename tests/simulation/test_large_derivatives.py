@@ -112,7 +112,7 @@ def test_factors_and_matrices_have_the_same_exponent() -> None:
 def test_motions_at_many_points_are_those_at_each() -> None:
     system, start = chain(9), [0.0] * 18 + [1.0, 0.0]
     stiffness = np.array([2.0, 2.5, 3.0])
-    many = ns.simulate_many(system, DATA | {"k": stiffness}, start, transitions=4)
+    many = ns.simulate(system, DATA | {"k": stiffness}, start, transitions=4)
     for k, time, state in zip(stiffness, many.times, many.states, strict=True):
         one = ns.simulate(system, DATA | {"k": k}, start, transitions=4)
         assert isinstance(one.system.flows[0], FactoredFlows)

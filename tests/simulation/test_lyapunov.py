@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth import InputError, Trajectory, lyapunov, simulate, simulate_many
+from nonsmooth import InputError, Trajectory, lyapunov, simulate
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.explore.finding.unsettled import stretching
 from nonsmooth.runtime.model.flows import flow_states
@@ -143,7 +143,7 @@ def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None
     one = lyapunov(motion, motion.end / 5)
     kernels = load_system(IMPACT)
     values = {name: float(value) for name, value in motion.system.parameters.items()}
-    many = simulate_many(kernels, values, motion.states[-1:], transitions=200, keep=129)
+    many = simulate(kernels, values, motion.states[-1:], transitions=200, keep=129)
     found = stretching(kernels, values, many, scales_of(motion.system, many))
     if np.isnan(found.exponents[0]):  # a motion that repeats to the last bit has no neighbours
         assert one.value < 0

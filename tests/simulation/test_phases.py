@@ -84,7 +84,7 @@ def test_a_start_off_the_circle_is_refused(tmp_path: object) -> None:
     with pytest.raises(InputError, match=told):
         ns.simulate(system, {}, wrong, transitions=5)
     with pytest.raises(InputError, match=told):
-        ns.simulate_many(system, {}, [[-0.5, 0, 0.5, 0, 1, 0]], transitions=5)
+        ns.simulate(system, {}, [[-0.5, 0, 0.5, 0, 1, 0]], transitions=5)
     impact = "docs/gallery/impact_oscillator.py"
     values = ["sigma=0.2", "w=3.7", "r=0.8"]
     for command in (

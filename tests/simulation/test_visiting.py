@@ -141,7 +141,7 @@ def test_special_starts_belong_where_the_listed_system_puts_them(make, start) ->
     expected = compared(make, 0, made, named(made, np.array(start)), until)
     if make is alike:
         assert len(expected.boundaries[1]) == 3
-        many = ns.simulate_many(visited(make, 0), {}, [start, start], until=until)
+        many = ns.simulate(visited(make, 0), {}, [start, start], until=until)
         np.testing.assert_allclose(many.states[0], expected(until), atol=1e-11)
 
 
@@ -166,7 +166,7 @@ def test_many_motions_are_those_of_the_listed_system() -> None:
     starts = np.zeros((60, 8))
     starts[:, :6], starts[:, 6] = rng.uniform(-0.45, 0.45, (60, 6)), 1.0
     expected, found = (
-        ns.simulate_many(system, {}, starts, until=20, keep=5, threads=2)
+        ns.simulate(system, {}, starts, until=20, keep=5, threads=2)
         for system in (listed(striking, 2), made)
     )
     names = [np.array(many.structure.configurations) for many in (expected, found)]
@@ -174,7 +174,7 @@ def test_many_motions_are_those_of_the_listed_system() -> None:
     np.testing.assert_array_equal(found.transitions, expected.transitions)
     np.testing.assert_allclose(found.last_times, expected.last_times, rtol=1e-9)
     # indices of an earlier result stay good where more was visited
-    again = ns.simulate_many(made, {}, found.states, found.configurations, until=1.0, threads=2)
+    again = ns.simulate(made, {}, found.states, found.configurations, until=1.0, threads=2)
     assert (again.status == Status.UNTIL).all()
 
 

@@ -220,47 +220,7 @@ def continue_event(
     points: int = MOST_POINTS,
     progress: Callable[[int], object] | None = None,
 ) -> Locus:
-    """Follow an event of a branch in the plane of two parameters.
-
-    Parameters
-    ----------
-    branch : Branch
-    event : Event
-        One of its events, but for limits of admissibility that no boundary explains.
-    parameter : str
-        The second one, among the numbers that were given for the orbit.
-    interval : (float, float)
-        Of the second parameter.
-    step : float
-        The largest one, as for `continue_orbit`; lengths of the first parameter in units of
-        the branch's range.
-    points : int
-        At most so many in each direction.
-    progress : callable, optional
-        Told how many points there are, as they come.
-
-    Returns
-    -------
-    Locus
-
-    Raises
-    ------
-    InputError
-        For an event that cannot be followed, a name that was not given or is the branch's
-        own, or an interval that does not hold the orbit.
-    Interrupted
-        By Ctrl-C; its `partial` is the Locus until then.
-
-    Examples
-    --------
-    >>> import nonsmooth
-    >>> orbit = nonsmooth.solve("dry-friction/symmetric")
-    >>> branch = nonsmooth.continue_orbit(orbit, "V", (0.6, 1.3))
-    >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
-    >>> locus = nonsmooth.continue_event(branch, flip, "eta", (3.9, 4.1))
-    >>> locus.parameters, locus.ends
-    (('V', 'eta'), ('end of the interval', 'end of the interval'))
-    """
+    """Follow an event of a branch in the plane of two parameters, as `continue_orbit` does."""
     if checked_event(event).kind == "admissibility":
         raise InputError("an event that no boundary explains cannot be followed")
     if parameter == branch.parameter:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -31,6 +31,9 @@ from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import SHORTEST
 
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+
 __all__ = ["STEP", "check_steps", "continue_orbit"]
 
 STEP, MOST_POINTS = 0.01, 2000
@@ -38,36 +41,67 @@ MET = "it meets the branch that it doubles"
 _NEUTRAL = 1e-10  # distance of a multiplier from the unit circle that is not decided
 
 
+@overload
 def continue_orbit(
     orbit: Orbit,
     parameter: str,
     interval: tuple[float, float],
     *,
-    step: float = STEP,
-    points: int = MOST_POINTS,
+    step: float | None = None,
+    points: int | None = None,
     admissible: bool = False,
     resume: Branch | None = None,
     progress: Callable[[int], object] | None = None,
-) -> Branch:
-    """Follow a periodic orbit over one parameter, through folds, in both directions.
+) -> Branch: ...
+@overload
+def continue_orbit(
+    orbit: Branch,
+    parameter: str,
+    interval: tuple[float, float],
+    *,
+    event: Event,
+    step: float | None = None,
+    points: int | None = None,
+    progress: Callable[[int], object] | None = None,
+) -> Locus: ...
 
-    It ends at the ends of the interval, or where a dwell time goes to zero; that of an orbit
-    whose phases repeat also where the repetitions become the same.
+
+def continue_orbit(
+    orbit: Orbit | Branch,
+    parameter: str,
+    interval: tuple[float, float],
+    *,
+    event: Event | None = None,
+    step: float | None = None,
+    points: int | None = None,
+    admissible: bool = False,
+    resume: Branch | None = None,
+    progress: Callable[[int], object] | None = None,
+) -> Branch | Locus:
+    """Follow a periodic orbit over one parameter, or an event of its branch over a second one.
+
+    An orbit is followed through folds, in both directions, to the ends of the interval, or to
+    where a dwell time goes to zero; one whose phases repeat also to where the repetitions become
+    the same.
 
     Parameters
     ----------
-    orbit : Orbit
-        A converged one.
+    orbit : Orbit or Branch
+        A converged orbit; a branch, if one of its events is followed.
     parameter : str
-        One of the numbers that were given for it: a parameter, an unknown that was exchanged
-        for one, or ``"period"`` where that was given.
+        One of the numbers that were given for the orbit: a parameter, an unknown that was
+        exchanged for one, or ``"period"`` where that was given. For an event a second one beside
+        that of the branch.
     interval : (float, float)
         Around the orbit's own value.
-    step : float
-        The largest one, of arclength: the parameter in units of the interval's length,
-        unknowns in units of their size.
-    points : int
-        At most so many in each direction.
+    event : Event, optional
+        One of the branch's events, but for limits of admissibility that no boundary explains.
+    step : float, optional
+        The largest one, of arclength, 0.01 when omitted: the parameter in units of the
+        interval's length, unknowns in units of their size. For an event 0.02; the branch's
+        parameter in units of the branch's range.
+    points : int, optional
+        At most so many in each direction; 2000 when omitted, for an event 500.
     admissible : bool, default False
         End also where the orbit ceases to be a motion of the real system.
     resume : Branch, optional
@@ -77,28 +111,46 @@ def continue_orbit(
 
     Returns
     -------
-    Branch
-        With all events on it: folds, flips, Neimark-Sacker and branch points, and what ends
-        an itinerary, each on the branch to full precision.
+    Branch or Locus
+        The branch of an orbit, with all events on it: folds, flips, Neimark-Sacker and branch
+        points, and what ends an itinerary, each on the branch to full precision. For an event
+        its curve in the plane of both parameters.
 
     Raises
     ------
     InputError
         For an orbit that has not converged, a name that was not given, an interval that is
         empty, does not hold the orbit or leaves the parameter's domain, options that are
-        none, or another family's branch to resume.
+        none, or another family's branch to resume; for an event that cannot be followed, or
+        without its branch, and for what only orbits have.
     Interrupted
-        By Ctrl-C; its `partial` is the Branch until then, with its events.
+        By Ctrl-C; its `partial` is the Branch, with its events, or the Locus until then.
 
     Examples
     --------
-    >>> import nonsmooth
-    >>> orbit = nonsmooth.solve("dry-friction/global-stick")
-    >>> branch = nonsmooth.continue_orbit(orbit, "V", (0.8, 1.3))
-    >>> branch.ends
-    ('end of the interval', 'ta goes to zero')
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    >>> [event.kind for event in branch.events], branch.ends[0]
+    (['grazing', 'flip'], 'end of the interval')
+    >>> flip = branch.events[1]
+    >>> locus = ns.continue_orbit(branch, "eta", (3.9, 4.1), event=flip)
+    >>> locus.parameters, locus.ends
+    (('V', 'eta'), ('end of the interval', 'end of the interval'))
     """
+    if event is not None:
+        from nonsmooth.runtime.explore.continuation.continue_event import continue_event
+
+        if not isinstance(orbit, Branch):
+            raise InputError("an event is followed on its branch: give that in the orbit's place")
+        if admissible or resume is not None:
+            raise InputError("admissible and resume: of orbits only, not of an event")
+        given: dict[str, Any] = {"step": step, "points": points}
+        options = {name: value for name, value in given.items() if value is not None}
+        return continue_event(orbit, event, parameter, interval, progress=progress, **options)
+    step = STEP if step is None else step
+    points = MOST_POINTS if points is None else points
     limits = _checked(orbit, parameter, interval, step, points, admissible)
+    assert isinstance(orbit, Orbit)
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit

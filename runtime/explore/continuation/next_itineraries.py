@@ -29,7 +29,7 @@ from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_sh
 from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
 from nonsmooth.runtime.simulation.last_cycle import itinerary_of
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -329,7 +329,9 @@ def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
     configuration = base.itinerary[0][0]
     start = base.states[0].astype(float).tolist()
     try:
-        motion = simulate(base.system, parameters, start, configuration, transitions=_TRANSITIONS)
+        motion = simulate_one(
+            base.system, parameters, start, configuration, transitions=_TRANSITIONS
+        )
         itinerary, dwell, begin = itinerary_of(motion)
         orbit = solve_itinerary(base.system, parameters, itinerary, dwell.tolist(), begin.tolist())
         if orbit.converged and orbit.admissibility.verdict is True:

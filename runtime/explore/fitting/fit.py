@@ -40,7 +40,7 @@ from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknown
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.simulation.simulate import checked_count, simulate
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["fit"]
@@ -314,7 +314,7 @@ def _experiment(
     # no farther than the record: what the motion does later concerns no datum
     last = [float(values.max()) - condition.offset for values in prediction.values]
     length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
-    motion = simulate(problem.kernels, condition.parameters, condition.start, until=length)
+    motion = simulate_one(problem.kernels, condition.parameters, condition.start, until=length)
     return FittedExperiment(
         name=experiment.name,
         parameters=parameters,

@@ -20,7 +20,7 @@ from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import KeptSystemName
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Fit", "FittedExperiment", "FittedResponse", "FittedSeries"]
@@ -253,7 +253,7 @@ class Fit(Kept):
         found = self.experiment(experiment)
         if found.responses:
             raise InputError(f"{found.name} holds steady responses: ask for a `response`")
-        return simulate(
+        return simulate_one(
             known_system(self.system), found.parameters, found.start.tolist(), until=found.until
         )
 

@@ -20,7 +20,7 @@ from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSer
 from nonsmooth.runtime.explore.fitting.unknowns import MotionSettings, Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Prediction", "predict", "times_of_events"]
@@ -120,7 +120,7 @@ def _motion_under(
     events = [series for series in experiment.series if series.kind == "event"]
     for factor in _LONGER if events else _LONGER[:1]:
         until = length * (factor + _PAST)
-        motion = simulate(kernels, condition.parameters, condition.start, until=until)
+        motion = simulate_one(kernels, condition.parameters, condition.start, until=until)
         needed = length if len(events) < len(experiment.series) else 0.0
         if motion.end < needed:
             raise NoConvergence(

@@ -27,7 +27,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_function import followed
 from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.starting import on_circles
 
 __all__ = ["KnownResponses", "responses_at", "survey", "survey_of"]
@@ -116,7 +116,7 @@ def _settled_from(
     The list is empty where the motion does not settle on a periodic one.
     """
     try:
-        motion = simulate(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
+        motion = simulate_one(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
         current = motion.structure.kernels or kernels
         point = motion.system
         if motion.status == Status.QUIET:

@@ -205,7 +205,7 @@ def check_certificate(
     --------
     >>> import nonsmooth as ns
     >>> ns.certify(ns.solve("dry-friction/global-stick")).save("proof.json")
-    >>> check = ns.check_certificate("proof.json")
+    >>> check = ns.certify.check("proof.json")
     >>> check.difference is None, check.claims["existence"]
     (True, 'proved')
     """

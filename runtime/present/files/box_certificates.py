@@ -127,7 +127,7 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     --------
     >>> import nonsmooth as ns
     >>> orbit = ns.solve("dry-friction/global-stick")
-    >>> ns.certify_box(orbit, {"V": ("0.999", "1.001")}).save("box.json")
+    >>> ns.certify.box(orbit, {"V": ("0.999", "1.001")}).save("box.json")
     >>> ns.load("box.json").proved
     True
     """

@@ -81,7 +81,7 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
     >>> import nonsmooth as ns
     >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
     >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
-    >>> ns.certify_event(branch, flip).save("flip.json")
+    >>> ns.certify.event(branch, flip).save("flip.json")
     >>> [found.proved for found in ns.load("flip.json")]
     [True]
     """

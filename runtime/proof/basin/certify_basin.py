@@ -123,7 +123,7 @@ def certify_basin(
     --------
     >>> import nonsmooth as ns
     >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
-    >>> found = ns.certify_basin(ns.solve("dry-friction/global-stick", data), tiles=64)
+    >>> found = ns.certify.basin(ns.solve("dry-friction/global-stick", data), tiles=64)
     >>> found.proved, found.coordinates, found.attracted.any()
     (True, ('x2',), np.True_)
     """

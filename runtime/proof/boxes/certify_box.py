@@ -96,7 +96,7 @@ def certify_box(
     --------
     >>> import nonsmooth as ns
     >>> orbit = ns.solve("dry-friction/global-stick")
-    >>> found = ns.certify_box(orbit, {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")})
+    >>> found = ns.certify.box(orbit, {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")})
     >>> found.proved, found.enclosures["trace"].upper < -0.9
     (True, True)
     """

@@ -94,7 +94,7 @@ def certify_branch(
     --------
     >>> import nonsmooth as ns
     >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
-    >>> found = ns.certify_branch(branch)
+    >>> found = ns.certify.branch(branch)
     >>> found.complete, [part.verdict for part in found.intervals]
     (True, ['not admissible', 'unstable', 'stable'])
     >>> [event.kind for event in found.events], found.events[1].enclosures["V"].mid[:20]

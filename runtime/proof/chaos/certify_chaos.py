@@ -28,7 +28,7 @@ from nonsmooth.runtime.proof.sets.visited_declaration import (
     section_entries,
     visited_declaration,
 )
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.simulate import simulate_one
 
 __all__ = ["certify_chaos"]
 
@@ -108,7 +108,7 @@ def certify_chaos(
     --------
     >>> import nonsmooth as ns
     >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "1", "ur2": "1"}
-    >>> found = ns.certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1)
+    >>> found = ns.certify.chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1)
     >>> found.claim, bool(found.reason)
     ('undecided', True)
     """
@@ -122,7 +122,7 @@ def certify_chaos(
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
-    motion = simulate(kernels, parameters, start, configuration, transitions=1)
+    motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
         enclosed = at(bits)
         if len(enclosed.structure.forcing) > 1:

@@ -102,7 +102,7 @@ def certify_all(
     Examples
     --------
     >>> import nonsmooth as ns
-    >>> census = ns.certify_all("dry-friction/global-stick", box={"tau": 3, "tau1": 3})
+    >>> census = ns.certify.all("dry-friction/global-stick", box={"tau": 3, "tau1": 3})
     >>> census.decided, census.count, census.admissible
     (True, 1, 1)
     """

@@ -104,7 +104,7 @@ def certify_doubling(
     >>> import nonsmooth as ns
     >>> orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
     >>> branch = ns.continue_orbit(orbit, "V", (1, 1.2))
-    >>> found = ns.certify_doubling(branch, tiles=2)
+    >>> found = ns.certify.doubling(branch, tiles=2)
     >>> found.kind, found.doubled.side, found.doubled.verdict
     ('subcritical', 'above', 'unstable')
     """

@@ -84,14 +84,14 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     >>> import nonsmooth as ns
     >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
     >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
-    >>> found = ns.certify_event(branch, flip)
+    >>> found = ns.certify.event(branch, flip)
     >>> found.proved, abs(float(found.value) - flip.value) < 1e-9
     (True, True)
     """
     if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
     if not isinstance(branch, Branch) or not isinstance(event, Event):
-        raise InputError("certify_event takes a branch and one of its events")
+        raise InputError("certify.event takes a branch and one of its events")
     if event not in branch.events:
         raise InputError(f"{event.text}: this is no event of the branch")
     undecided = _undecided(branch, event, bits)

@@ -31,7 +31,7 @@ from nonsmooth.runtime.proof.sets.visited_declaration import (
     refused_as_input,
     section_entries,
 )
-from nonsmooth.runtime.simulation.simulate import follow, simulate
+from nonsmooth.runtime.simulation.simulate import follow, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["certify_graph"]
@@ -138,7 +138,7 @@ def certify_graph(
     >>> import nonsmooth as ns
     >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1",
     ...         "ur1": "4.0195", "ur2": "1.4831"}
-    >>> found = ns.certify_graph(
+    >>> found = ns.certify.region(
     ...     "dry-friction", data, [5, 4, 0.5, 0.25], region={"x2": (2, 13)}, boxes=64
     ... )
     >>> found.proved, [own.attracting for own in found.components]
@@ -156,7 +156,7 @@ def certify_graph(
     check_workers(workers)
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
-    motion = simulate(kernels, parameters, start, configuration, transitions=1)
+    motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
         enclosed = at(bits)
         if len(enclosed.structure.forcing) > 1:

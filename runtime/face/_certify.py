@@ -1,0 +1,47 @@
+"""The verb `certify`: a proof of one orbit, and by its methods of what else can be proved."""
+
+from __future__ import annotations
+
+from inspect import signature
+
+from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
+from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
+from nonsmooth.runtime.proof.certify_orbit import certify as certify_orbit
+from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
+from nonsmooth.runtime.proof.counting.certify_all import certify_all
+from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling
+from nonsmooth.runtime.proof.events.certify_event import certify_event
+from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
+from nonsmooth.runtime.proof.motion.validate import validate
+
+__all__ = ["Certify", "certify"]
+
+
+class Certify:
+    """Prove an orbit by ``certify(orbit)``, and by its methods what is more than an orbit.
+
+    An orbit over a `box` of parameters or along a whole `branch`, an `event` of a branch, the
+    `doubling` beyond a flip; `all` orbits of an itinerary; a `basin` of attraction, `chaos`, the
+    attractors in a `region`; one `motion`. Files of all these but motions are proved again by
+    `check`.
+    """
+
+    __call__ = staticmethod(certify_orbit)
+    box = staticmethod(certify_box)
+    branch = staticmethod(certify_branch)
+    event = staticmethod(certify_event)
+    doubling = staticmethod(certify_doubling)
+    all = staticmethod(certify_all)
+    basin = staticmethod(certify_basin)
+    chaos = staticmethod(certify_chaos)
+    region = staticmethod(certify_graph)
+    motion = staticmethod(validate)
+    check = staticmethod(check_certificate)
+
+    def __init__(self) -> None:
+        self.__signature__ = signature(certify_orbit)  # Python 3.11 takes its first name for self
+
+
+certify = Certify()
