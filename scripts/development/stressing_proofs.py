@@ -118,7 +118,7 @@ def judged_branch(orbit: ns.Orbit, rng: np.random.Generator) -> tuple[list[str],
     away = abs(value) * rng.uniform(0.02, 0.2) + 1e-3
     try:
         branch = ns.continue_orbit(orbit, parameter, (value - away, value + away))
-        certified = ns.certify_branch(branch, tiles=TILES)
+        certified = ns.certify.branch(branch, tiles=TILES)
     except ns.InputError as problem:  # beyond a domain
         return [f"refused: {str(problem)[:40]}"], []
     wrong = [*_unlike_the_file(certified)]

@@ -290,7 +290,7 @@ def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same(tmp_pa
     with pytest.raises(Failure, match=r"admissibility|whether off follows"):
         check_branch(edited(path, alike))
     branch = ns.continue_orbit(orbit, "w", (0.5, 0.7))
-    ns.certify_event(branch, branch.events[0]).save(lone)
+    ns.certify.event(branch, branch.events[0]).save(lone)
     check_events(edited(lone, lambda content: None))
     with pytest.raises(Failure, match="another transition leads where"):
         check_events(edited(lone, lambda content: alike(content["events"][0])))
