@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.fit import fit
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
+    from nonsmooth.runtime.orbits.derivatives import orbit_function
     from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
-    from nonsmooth.runtime.orbits.orbit_function import orbit_function
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
@@ -162,7 +162,7 @@ _HOMES = {
     "NoConvergence": "core.errors",
     "NonsmoothError": "core.errors",
     "Orbit": "orbits.orbit",
-    "Orbits": "orbits.orbit_arrays",
+    "Orbits": "orbits.orbit",
     "PoincareMap": "simulation.returns",
     "Proof": "proof.motion.motion_proof",
     "Recurrence": "simulation.last_cycle",
@@ -190,7 +190,7 @@ _HOMES = {
     "lyapunov": "simulation.lyapunov",
     "motion_function": "simulation.motion_function",
     "observe": "simulation.observables",
-    "orbit_function": "orbits.orbit_function",
+    "orbit_function": "orbits.derivatives",
     "poincare_map": "simulation.returns",
     "refine": "orbits.refine",
     "simulate": "simulation.simulate",
@@ -222,6 +222,7 @@ register(
         "held_found": "present.files.found",
         "itinerary_of": "simulation.last_cycle",
         "motion_derivatives": "simulation.derivatives",
+        "orbit_derivatives": "orbits.derivatives",
         "orbit_json": "present.report",
         "orbit_latex": "present.tell",
         "plot_fit": "present.pictures.fits",

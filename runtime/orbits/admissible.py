@@ -16,7 +16,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,9 +30,11 @@ from nonsmooth.runtime.events.guaranteed_maxima import (
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.kernel_newton import dwell_times, lasting_phases
 from nonsmooth.runtime.shooting.newton import NEGATIVE
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
     "NEITHER",

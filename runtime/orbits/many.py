@@ -32,8 +32,7 @@ from nonsmooth.runtime.model.parameter_batches import (
 )
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits, changed, reshaped
+from nonsmooth.runtime.orbits.orbit import Orbit, Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, solve_kernels
 from nonsmooth.runtime.orbits.table_many import TableBatch, solve_itineraries
 from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared, unknowns_of

@@ -17,10 +17,10 @@ from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
+from nonsmooth.runtime.orbits.orbit import Orbits, reshaped
 from nonsmooth.runtime.orbits.problem import OrbitProblem
-from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
+from nonsmooth.runtime.orbits.table_solve import with_routes
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import margins as margins_of
 from nonsmooth.runtime.shooting.newton import CONVERGED
