@@ -23,9 +23,9 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 
 __all__ = [
-    "LONGEST_PHASE",
     "AlongMotion",
     "BoundaryCurve",
     "Cells",
@@ -39,7 +39,6 @@ __all__ = [
     "upper_bounds",
 ]
 
-LONGEST_PHASE = 1e5  # radians of the fastest motion; the compiled search's number
 _CELL = 0.6  # radians of the fastest motion, or |A| h of a step
 _ROUNDING = 2.0**-47  # of a sum, relative to its absolute values
 _DEGREE = 16  # of Taylor's polynomial over a step: the rest is below 0.6^17/17! of the whole
@@ -279,7 +278,7 @@ class TrigonometricSum(BoundaryCurve):
     def cells(self, duration: float) -> Cells:
         """The function g on cells of 0.6 radians of the largest frequency, or less."""
         phase = duration * self.fastest
-        if not (duration >= 0 and phase <= LONGEST_PHASE and self.rounding(duration) < 1e290):
+        if not (duration >= 0 and phase <= LONGEST_WAIT and self.rounding(duration) < 1e290):
             raise InputError(
                 f"the duration {duration} is not within 0 and 1e5 / max w, or g overflows"
             )
@@ -351,7 +350,7 @@ class LinearMotion:
         An `InputError` refuses a motion that is longer than 1e5 / |A|, has a negative duration,
         or overflows.
         """
-        if not (self.duration >= 0 and self.duration * self.norm <= LONGEST_PHASE):
+        if not (self.duration >= 0 and self.duration * self.norm <= LONGEST_WAIT):
             raise InputError(f"the duration {self.duration} is not within 0 and 1e5 / |A|")
         count = 1 + int(self.duration * self.norm / _CELL)
         width = self.duration / count

@@ -32,10 +32,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.fit import fit
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
+    from nonsmooth.runtime.orbits.derivatives import orbit_function
     from nonsmooth.runtime.orbits.motion import Motion
-    from nonsmooth.runtime.orbits.orbit import Orbit
-    from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-    from nonsmooth.runtime.orbits.orbit_function import orbit_function
+    from nonsmooth.runtime.orbits.orbit import Orbit, Orbits
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.checking.check_file import Check
@@ -140,7 +139,7 @@ _HOMES = {
     "NoConvergence": "runtime.core.errors",
     "NonsmoothError": "runtime.core.errors",
     "Orbit": "runtime.orbits.orbit",
-    "Orbits": "runtime.orbits.orbit_arrays",
+    "Orbits": "runtime.orbits.orbit",
     "PoincareMap": "runtime.simulation.returns",
     "Proof": "runtime.proof.motion.motion_proof",
     "Recurrence": "runtime.simulation.last_cycle",
@@ -158,7 +157,7 @@ _HOMES = {
     "lyapunov": "runtime.simulation.lyapunov",
     "motion_function": "runtime.simulation.motion_function",
     "observe": "runtime.simulation.observables",
-    "orbit_function": "runtime.orbits.orbit_function",
+    "orbit_function": "runtime.orbits.derivatives",
     "poincare_map": "runtime.simulation.returns",
     "refine": "runtime.orbits.refine",
     "simulate": "runtime.simulation.simulate",
@@ -187,6 +186,7 @@ register(
         "held_found": "present.files.found",
         "itinerary_of": "simulation.last_cycle",
         "motion_derivatives": "simulation.derivatives",
+        "orbit_derivatives": "orbits.derivatives",
         "orbit_json": "present.report",
         "orbit_latex": "present.tell",
         "plot_fit": "present.pictures.fits",

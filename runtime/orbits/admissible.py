@@ -16,23 +16,25 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.guaranteed_maxima import (
-    LONGEST_PHASE,
     AlongMotion,
     BoundaryCurve,
     LinearMotion,
     TrigonometricSum,
 )
 from nonsmooth.runtime.model.completion import follow
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.kernel_newton import dwell_times, lasting_phases
 from nonsmooth.runtime.shooting.newton import NEGATIVE
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
     "NEITHER",
@@ -216,10 +218,10 @@ def _noise(
 
 def _check_length(name: str, configuration: str, function: BoundaryCurve, duration: float) -> None:
     """Refuse a phase that is too long for a guaranteed search, by its name."""
-    if not duration * function.fastest <= LONGEST_PHASE:
+    if not duration * function.fastest <= LONGEST_WAIT:
         raise InputError(
             f"{name}: whether it is admissible cannot be guaranteed: {configuration} lasts"
-            f" {duration:.6g}, more than {LONGEST_PHASE:g} radians of its fastest oscillation"
+            f" {duration:.6g}, more than {LONGEST_WAIT:g} radians of its fastest oscillation"
         )
 
 

@@ -29,7 +29,6 @@ from nonsmooth.runtime.orbits.admissible import (
     kernel_limits,
     trigonometric_rows,
 )
-from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions, kernel_directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, PERIOD, Orbit
@@ -58,6 +57,7 @@ from nonsmooth.runtime.shooting.newton import (
 from nonsmooth.runtime.shooting.section_map import reciprocal
 
 if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [

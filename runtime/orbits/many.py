@@ -11,13 +11,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from numbers import Integral
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several
 from nonsmooth.runtime.core.values import by_name
-from nonsmooth.runtime.model.kernel_records import ParameterTable, SavedTable
+from nonsmooth.runtime.model.kernel_records import SavedTable
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
     SystemKernels,
@@ -32,12 +32,10 @@ from nonsmooth.runtime.model.parameter_batches import (
 )
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits, changed, reshaped
+from nonsmooth.runtime.orbits.orbit import Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, solve_kernels
-from nonsmooth.runtime.orbits.table_many import TableBatch, solve_itineraries
-from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared, unknowns_of
-from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.orbits.table_many import Arrays, TablePoints, solve_itineraries
+from nonsmooth.runtime.orbits.table_solve import period_in, solve_declared
 
 __all__ = [
     "DeclaredPoints",
@@ -48,45 +46,28 @@ __all__ = [
     "solve_many",
 ]
 
-_Arrays = Mapping[str, np.ndarray]  # by name
 _SAME = 1e-7  # difference of one orbit by kernels and by tables, in units of max(1, |x|)
 
 
 @dataclass(frozen=True, eq=False)
-class DeclaredPoints:
-    """A composed orbit at many points; see `KernelPoints`.
+class DeclaredPoints(TablePoints):
+    """A composed orbit at many points, where kernels of its own equations find it.
 
-    Kernels of its own equations find it where there are any. Where they search for dwell times
-    Newton's method may end at a root that is no motion, such as one without a phase; there, and
-    without kernels, the tables of its system look for another one.
+    Where they search for dwell times Newton's method may end at a root that is no motion, such as
+    one without a phase; there the tables of its system look for another one.
     """
 
-    kernels: OrbitKernels  # the orbit as it is composed
-    reference: Orbit  # at the reference point
-    derived: OrbitKernels | None = None  # of its own equations, with the composed orbit's reference
-    bounded: ClassVar[tuple[str, ...]] = ()  # no parameter is open
+    derived: OrbitKernels  # of its own equations, with the composed orbit's reference
 
     @cached_property
     def alone(self) -> bool:
         """Whether the kernels alone decide: they search for nothing but the start of the orbit."""
-        return self.derived is not None and not {*self.derived.reduced} & {*self.derived.timed}
+        return not {*self.derived.reduced} & {*self.derived.timed}
 
     @property
     def chunk(self) -> int:
         """See `KernelPoints`."""
-        return KernelPoints.chunk if self.alone else 1 << 11
-
-    @property
-    def parameters(self) -> list[ParameterTable]:
-        """See `KernelPoints`."""
-        period = self.kernels.table.get("period")
-        own = [ParameterTable(**period)] if period else []
-        return [*self.kernels.system.parameters, *own]
-
-    @property
-    def unknowns(self) -> tuple[str, ...]:
-        """See `KernelPoints`: dwell times, then the start."""
-        return unknowns_of(self.kernels)
+        return self._points.chunk if self.alone else super().chunk
 
     @property
     def start_names(self) -> tuple[str, ...]:
@@ -96,19 +77,16 @@ class DeclaredPoints:
     @property
     def limits(self) -> tuple[str, ...]:
         """See `KernelPoints`."""
-        return self._points.limits if self.alone else self._batch.limits
+        return self._points.limits if self.alone else super().limits
 
-    @cached_property
+    @property
     def usual(self) -> np.ndarray:
         """See `KernelPoints`."""
-        if self.alone:
-            return self._points.usual
-        dwell = self.reference.dwell_times
-        return np.concatenate([0 * dwell, sizes(self.reference.tables.shooting, dwell)])
+        return self._points.usual if self.alone else super().usual
 
     def solve(
         self,
-        values: _Arrays,
+        values: Arrays,
         start: np.ndarray | None = None,
         *,
         admissibility: bool = True,
@@ -118,8 +96,6 @@ class DeclaredPoints:
     ) -> Orbits:
         """See `KernelPoints`."""
         options: Any = {"margins": margins, "threads": threads}
-        if self.derived is None:
-            return self._by_tables(values, start, admissibility=admissibility, **options)
         near = start
         if start is not None and not self.alone:
             near = start[:, [self.unknowns.index(name) for name in self.derived.reduced]]
@@ -133,7 +109,7 @@ class DeclaredPoints:
             given = found.parameters.items()
             part = {name: np.broadcast_to(array, shape).ravel()[rest] for name, array in given}
             again = None if start is None else start[rest]
-            others = self._by_tables(part, again, admissibility=admissibility, **options)
+            others = super().solve(part, again, admissibility=admissibility, **options)
 
             def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
                 both = np.array(array)
@@ -144,56 +120,14 @@ class DeclaredPoints:
         found = reshaped(replace(found, limits=self.limits), shape)
         return found if admissibility else replace(found, limit=None, limits=(), bounds=None)
 
-    def _by_tables(
-        self,
-        values: _Arrays,
-        start: np.ndarray | None,
-        *,
-        admissibility: bool,
-        margins: bool,
-        threads: int | None,
-    ) -> Orbits:
-        """Return what the tables find, from the reference or from starts (n, p + N)."""
-        declared, count = self.kernels.table.get("period"), len(self.reference.itinerary)
-        system = self.kernels.system
-        points, shape = parameter_points(
-            system, {p.name: values[p.name] for p in system.parameters}
-        )
-        size = len(points)
-        given = np.full(size, np.nan) if declared is None else values[declared["name"]]
-        if start is None:
-            first = np.concatenate([self.reference.dwell_times, self.reference.states[0]])
-            start = np.broadcast_to(first, (size, len(first)))
-        found = self._batch.solve(
-            points,
-            np.where(start[:, :count] > 0, start[:, :count], np.nan),
-            start[:, count:],
-            given,
-            limits=admissibility,
-            margins=margins,
-            threads=threads,
-        )
-        arrays = {name: parameter_array(name, value) for name, value in values.items()}
-        return reshaped(replace(found, parameters=arrays), shape)
-
-    @cached_property
-    def _batch(self) -> TableBatch:
-        """The itinerary with the section at the reference, wherever a point is computed."""
-        known = self.reference
-        point = np.array([[float(value) for value in known.parameters.values()]])
-        return TableBatch.at(known.problem, point, known.dwell_times[None], known.states[:1])
-
     @cached_property
     def _points(self) -> KernelPoints:
         """The same orbit in the names of the kernels."""
-        assert self.derived is not None
         unused = {p.name for p in self.derived.other_parameters}
         names = (name for name in self.derived.tables if name not in unused)
         return KernelPoints(self.derived, tuple(names))
 
-    def by_kernels(
-        self, values: _Arrays, start: np.ndarray | None = None, **options: Any
-    ) -> Orbits:
+    def by_kernels(self, values: Arrays, start: np.ndarray | None = None, **options: Any) -> Orbits:
         """Return what the kernels find, in the names of the composed orbit."""
         kernels, system = self._points.kernels, self.kernels.system
         unused = {p.name for p in kernels.other_parameters}
@@ -221,7 +155,7 @@ class DeclaredPoints:
         return reshaped(orbits, shape)
 
     def _composed(
-        self, parameters: _Arrays, unknowns: _Arrays
+        self, parameters: Arrays, unknowns: Arrays
     ) -> tuple[dict[str, np.ndarray], np.ndarray]:
         """Return the unknowns (n,) of composed orbits, and where their phases start (n, p, N).
 
@@ -275,7 +209,7 @@ def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredPoints | 
     return DeclaredPoints(orbit, known, kernels) if same else None
 
 
-OrbitPoints = KernelPoints | DeclaredPoints
+OrbitPoints = KernelPoints | TablePoints
 
 
 @cache
@@ -293,7 +227,7 @@ def points_of(
     if own is not None:
         return own
     try:
-        return DeclaredPoints(kernels, solve_declared(kernels, {}))
+        return TablePoints(kernels, solve_declared(kernels, {}))
     except NoConvergence as problem:
         raise InputError(f"at its reference, where all points start: {problem}") from None
 

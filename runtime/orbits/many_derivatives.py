@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables, table_rates
 from nonsmooth.runtime.orbits.directions import moved_cycles, section_along, solve_linear
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+from nonsmooth.runtime.orbits.orbit import Orbits
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import (
     MapDerivatives,

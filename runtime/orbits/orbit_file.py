@@ -29,7 +29,7 @@ from nonsmooth.runtime.orbits.kernel_problem import KernelProblem, kernel_proble
 from nonsmooth.runtime.orbits.orbit import DOUBLE, PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
 from nonsmooth.runtime.orbits.refine import MOST_DIGITS
-from nonsmooth.runtime.orbits.routes import with_routes_at
+from nonsmooth.runtime.orbits.table_solve import with_routes_at
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import numbers_in
 from nonsmooth.runtime.shooting.symmetry import symmetry_of

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,7 +30,6 @@ from nonsmooth.runtime.model.piecewise import (
 )
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility
-from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions, table_directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
@@ -56,6 +55,9 @@ from nonsmooth.runtime.shooting.translations import (
 )
 from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 
 __all__ = ["Evaluation", "OrbitProblem", "labelled", "labelled_as", "motion_along", "orbit_of"]
 

@@ -37,7 +37,7 @@ from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Number, Numbers
-    from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+    from nonsmooth.runtime.orbits.orbit import Orbits
 
 __all__ = ["Itinerary", "guess_along", "search", "solve", "solve_kernels"]
 

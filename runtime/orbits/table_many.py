@@ -5,22 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import cached_property
+from typing import Any, ClassVar
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import eigenvalues
 from nonsmooth.runtime.core.parallel import in_parallel
-from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT
-from nonsmooth.runtime.orbits.orbit_arrays import Orbits, reshaped
+from nonsmooth.runtime.orbits.orbit import Orbit, Orbits, reshaped
 from nonsmooth.runtime.orbits.problem import OrbitProblem
-from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_admissible import first_limits
+from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import margins as margins_of
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -52,8 +53,9 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
 )
 
-__all__ = ["TableBatch", "solve_itineraries"]
+__all__ = ["Arrays", "TablePoints", "solve_itineraries"]
 
+Arrays = Mapping[str, np.ndarray]  # by name
 CHUNK = 1 << 11  # points that one thread takes at a time; an eighth where there are several
 
 
@@ -99,6 +101,11 @@ def solve_itineraries(
     batch = TableBatch.at(OrbitProblem(kernels, cycle.itinerary), points, guess, begin_at)
     options: Any = {"limits": admissibility, "multipliers": multipliers, "margins": multipliers}
     found = batch.solve(points, guess, begin_at, lengths, threads=threads, **options)
+    return _in_shape(found, parameters, shape)
+
+
+def _in_shape(found: Orbits, parameters: Mapping[str, Any], shape: tuple[int, ...]) -> Orbits:
+    """Return orbits at points (n,) in a shape (...), with parameters as they were given."""
     arrays = {name: parameter_array(name, value) for name, value in parameters.items()}
     return reshaped(replace(found, parameters=arrays), shape)
 
@@ -215,7 +222,7 @@ class TableBatch:
         margins: bool = False,
         threads: int | None = 1,
     ) -> Orbits:
-        """Return the orbits at n points from one guess each.
+        """Return the orbits at n points from one guess each, without their parameters.
 
         `points` is (n, parameters), guesses are `dwell` (n, p) and `start` (n, N), or None for
         the start that fits the dwell times best; `period` (n,) is NaN where it is free.
@@ -259,10 +266,9 @@ class TableBatch:
             values = eigenvalues(found.maps)[:, :dimension]
             values[:, rank:] *= 0  # NaN stays NaN
         unknowns = np.concatenate([found.dwell, found.starts[:, 0]], axis=1).T
-        names = [table.name for table in self.problem.parameters]
         return Orbits(
             self.problem,
-            dict(zip(names, points.T, strict=True)),
+            {},
             dict(zip(self.problem.unknown_names, unknowns, strict=True)),
             np.asarray(np.trace(found.maps, axis1=-2, axis2=-1)),
             found.dwell.sum(axis=-1),
@@ -333,3 +339,84 @@ def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
             map_[:] = projection_along(along) @ map_
             map_[:, gauges_of(along)] += along.T
     return found
+
+
+@dataclass(frozen=True, eq=False)
+class TablePoints:
+    """A composed orbit at many points, from its system's tables; see `KernelPoints`."""
+
+    kernels: OrbitKernels  # the orbit as it is composed
+    reference: Orbit  # at the reference point
+    bounded: ClassVar[tuple[str, ...]] = ()  # no parameter is open
+
+    @property
+    def chunk(self) -> int:
+        """See `KernelPoints`."""
+        return CHUNK
+
+    @property
+    def parameters(self) -> list[ParameterTable]:
+        """See `KernelPoints`."""
+        period = self.kernels.table.get("period")
+        own = [ParameterTable(**period)] if period else []
+        return [*self.kernels.system.parameters, *own]
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """See `KernelPoints`: dwell times, then the start."""
+        return unknowns_of(self.kernels)
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """See `KernelPoints`."""
+        return self.unknowns
+
+    @property
+    def limits(self) -> tuple[str, ...]:
+        """See `KernelPoints`."""
+        return self._batch.limits
+
+    @property
+    def usual(self) -> np.ndarray:
+        """See `KernelPoints`."""
+        dwell = self.reference.dwell_times
+        return np.concatenate([0 * dwell, sizes(self.reference.tables.shooting, dwell)])
+
+    def solve(
+        self,
+        values: Arrays,
+        start: np.ndarray | None = None,
+        *,
+        admissibility: bool = True,
+        margins: bool = False,
+        threads: int | None = 1,
+        chunk: int = CHUNK,
+    ) -> Orbits:
+        """See `KernelPoints`; starts (n, p + N) are the reference where none are given."""
+        declared, count = self.kernels.table.get("period"), len(self.reference.itinerary)
+        system = self.kernels.system
+        points, shape = parameter_points(
+            system, {p.name: values[p.name] for p in system.parameters}
+        )
+        size = len(points)
+        given = np.full(size, np.nan) if declared is None else values[declared["name"]]
+        if start is None:
+            first = np.concatenate([self.reference.dwell_times, self.reference.states[0]])
+            start = np.broadcast_to(first, (size, len(first)))
+        found = self._batch.solve(
+            points,
+            np.where(start[:, :count] > 0, start[:, :count], np.nan),
+            start[:, count:],
+            given,
+            limits=admissibility,
+            margins=margins,
+            threads=threads,
+        )
+        return _in_shape(found, values, shape)
+
+    @cached_property
+    def _batch(self) -> TableBatch:
+        """The itinerary with the section at the reference, wherever a point is computed."""
+        known = self.reference
+        point = np.array([[float(value) for value in known.parameters.values()]])
+        return TableBatch.at(known.problem, point, known.dwell_times[None], known.states[:1])

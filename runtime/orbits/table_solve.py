@@ -2,25 +2,36 @@
 
 No kernels are generated for the itinerary: the numbers of the system's configurations,
 boundaries and transitions are enough. Coordinates are physical, positions before velocities.
+
+Of a system whose configurations are made when they are visited, those of the itinerary are made.
+Through coupled contacts the routes of the law between the phases of an itinerary are listed.
+Which steps the law takes from one phase to the next depends on the state there. Before an orbit
+is known the shortest route stands for them: all have the same reset. Behind it comes the route
+that the law takes at the orbit, whose conditions admissibility and proofs ask for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.completion import system_parameters
+from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law
+from nonsmooth.runtime.model.contacts.stages import Path, Stage
+from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.engine_layout import numbers_of
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, grown
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, structure_of
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, labelled, orbit_of
-from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.shooting.closure_conditions import closing
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
@@ -49,10 +60,13 @@ __all__ = [
     "unknowns_of",
     "value_of",
     "whole_names",
+    "with_routes",
+    "with_routes_at",
 ]
 
 CONTINUATION_STEPS = 24  # from a reference orbit to other parameters
 
+_Phases = Sequence[tuple[str, str | Sequence[str]]]
 Symmetries = Mapping[str, str] | np.ndarray | Sequence[Sequence[int]] | None
 
 
@@ -331,3 +345,112 @@ def fitted_start(
     with np.errstate(all="ignore"):
         found: list[float] = fitting_start(cycle, flat, np.array([dwell]))[0].tolist()
     return found
+
+
+def with_routes(kernels: SystemKernels, itinerary: _Phases) -> SystemKernels:
+    """Return kernels in which every transition of an itinerary is listed, also those of the law.
+
+    They are the same kernels where nothing is missing.
+    """
+    structure = structure_of(kernels)
+    if structure.unvisited:
+        return _visited(kernels, structure, itinerary)
+    if structure.law is None or not _missing(structure, itinerary):
+        return kernels
+    law = structure.law
+    return _listed(kernels, itinerary, lambda place, event, target: _shortest(law, event, target))
+
+
+def _visited(kernels: SystemKernels, structure: Structure, itinerary: _Phases) -> SystemKernels:
+    """Return kernels with the configurations of an itinerary, as far as it is one."""
+    known = {structure.configurations[c] for c in structure.visited}
+    wanted = [
+        (source, names)
+        for source, names, _ in _steps(itinerary)
+        if source not in known or (len(names) > 1 and not _is_listed(structure, source, names))
+    ]
+    return grown(kernels, wanted) if wanted else kernels
+
+
+def _is_listed(structure: Structure, source: str, names: tuple[str, ...]) -> bool:
+    here = structure.configuration(source)
+    return bool(structure.listed(here, frozenset(structure.boundary(here, n) for n in names)))
+
+
+def with_routes_at(
+    kernels: SystemKernels,
+    point: PiecewiseLinear,
+    itinerary: _Phases,
+    dwell_times: np.ndarray,
+    starts: np.ndarray,
+) -> SystemKernels:
+    """Return kernels with the routes that the law takes at the ends of an orbit's phases.
+
+    `starts` (p, N) are the states where the phases begin. The kernels are the same where
+    the system has no law of contact.
+    """
+    structure = point.structure
+    if structure.law is None:
+        return kernels
+    law = structure.law
+    decider = Decider(structure, point.fields, point.rows, point.resets)
+
+    def taken(place: int, event: ContactEvent, target: int) -> Path:
+        source = structure.configuration(itinerary[place][0])
+        times = np.asarray(dwell_times[place : place + 1], dtype=float)
+        end = flow_states(point, source, times, np.asarray(starts[place], dtype=float))[0]
+        error = 64 * np.finfo(float).eps * float(times[0])
+        found = decider.outcome(event, decider.located(source, np.append(end, 1.0), error))
+        paths = dict(zip(found.targets, found.paths, strict=True))
+        alone = len(found.targets) == 1 and target in paths
+        return paths[target] if alone else _shortest(law, event, target)
+
+    return _listed(kernels, itinerary, taken)
+
+
+def _shortest(law: Law, event: ContactEvent, target: int) -> Path:
+    """Return the path on which all that slips behind the event slips from its first step on."""
+    regimes = law.regimes[target]
+    slipping = {i for i in event.resting
+                if law.contacts[i].friction and regimes[i] not in HOLDING}  # fmt: skip
+    first = Stage(event.reached, regimes)
+    return (first,) if slipping <= event.reached else (
+        first, Stage(event.reached | slipping, regimes)
+    )  # fmt: skip
+
+
+def _missing(structure: Structure, itinerary: _Phases) -> bool:
+    """Return whether a transition of the itinerary is not listed."""
+    for source, names, target in _steps(itinerary):
+        here, there = structure.configuration(source), structure.configuration(target)
+        reached = frozenset(structure.boundary(here, name) for name in names)
+        if all(t.target != there for t in structure.listed(here, reached)):
+            return True
+    return False
+
+
+def _steps(itinerary: _Phases) -> list[tuple[str, tuple[str, ...], str]]:
+    """Return source, boundaries and target of each transition that reaches a boundary."""
+    if [boundary for _, boundary in itinerary] == [FORCING_PHASE]:
+        return []
+    names = [tuple(b.split("+")) if isinstance(b, str) else tuple(b) for _, b in itinerary]
+    sources = [str(c) for c, _ in itinerary]
+    return list(zip(sources, names, [*sources[1:], *sources[:1]], strict=True))
+
+
+def _listed(
+    kernels: SystemKernels, itinerary: _Phases, path: Callable[[int, ContactEvent, int], Path]
+) -> SystemKernels:
+    """Return kernels with routes for unlisted transitions that the law allows."""
+    structure = structure_of(unfolded(kernels, ()))
+    law, routes = structure.law, []
+    assert law is not None
+    for place, (source, names, target) in enumerate(_steps(itinerary)):
+        here, there = structure.configuration(source), structure.configuration(target)
+        reached = frozenset(structure.boundary(here, name) for name in names)
+        event = law.event(here, names)
+        if event is None or not law.leads(event, there):
+            continue
+        if all(t.target != there for t in structure.listed(here, reached)):
+            routes.append(Route(source, names, target, path(place, event, there)))
+    return unfolded(kernels, routes)

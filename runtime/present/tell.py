@@ -35,8 +35,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
     from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
     from nonsmooth.runtime.orbits.motion import Motion
-    from nonsmooth.runtime.orbits.orbit import Orbit
-    from nonsmooth.runtime.orbits.orbit_arrays import Orbits
+    from nonsmooth.runtime.orbits.orbit import Orbit, Orbits
     from nonsmooth.runtime.present.checking.check_file import Check
     from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate

@@ -141,6 +141,12 @@ def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) 
         raise InputError("an itinerary is a sequence of (configuration, boundary)") from None
     if not pairs:
         raise InputError("the itinerary has no phase")
+    return _shape_of(structure, pairs)
+
+
+@lru_cache(maxsize=1024)
+def _shape_of(structure: Structure, pairs: tuple[tuple[str, str], ...]) -> ItineraryShape:
+    """Return the shape of an itinerary whose names are joined; errors as `itinerary_shape`."""
     configurations = tuple(structure.configuration(c) for c, _ in pairs)
     if [boundary for _, boundary in pairs] == [FORCING_PHASE]:
         _forcing_row_of(structure)

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.matrices import inverses
 from nonsmooth.runtime.model.engine_layout import layout_of
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.kernels import compiled_engine
@@ -365,8 +366,9 @@ def _errors(
     gaps = (np.abs(now.residual) + (rows * rounding).sum(axis=-1)) / np.abs(now.speeds)
     moved = rounding + np.abs(now.velocities) * gaps[..., None]
     missed[:, : size_of.shape[-1]] += (moved / size_of).sum(axis=0)
-    inverse = np.abs(np.linalg.pinv(matrix[sound], rcond=0.0))
-    by_state = (inverse * missed[sound, None, :]).sum(axis=-1) * size_of[sound]
+    square = matrix.shape[-1] == matrix.shape[-2]
+    inverse = inverses(matrix[sound]) if square else np.linalg.pinv(matrix[sound], rcond=0.0)
+    by_state = (np.abs(inverse) * missed[sound, None, :]).sum(axis=-1) * size_of[sound]
     by_start = (np.abs(now.rates[:, sound, :-1]) * by_state).sum(axis=-1) + gaps[:, sound]
     own = by_state / np.maximum(1, np.abs(start[sound]))
     waits = by_start / np.maximum(1, dwell[sound]).T

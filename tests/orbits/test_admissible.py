@@ -1,4 +1,4 @@
-"""Admissibility against boundaries sampled along matrix exponentials."""
+"""Admissibility of global-stick orbits: open forces, violations that sampling would miss."""
 
 from dataclasses import replace
 
@@ -6,7 +6,6 @@ import mpmath
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import expm
 
 from nonsmooth import InputError, Orbit, refine, solve
 from nonsmooth.runtime.core.values import as_value
@@ -15,88 +14,14 @@ from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_n
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.solve import search
 from nonsmooth.runtime.present.report import orbit_json
+from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
 UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
 DWELL_TIMES = UNKNOWNS[2:]
 LOWER, UPPER = np.array([0.3, 0.6, 0.7, 2.3, 0.3]), np.array([0.7, 1.6, 1.3, 3.8, 0.9])
-SLIPS = ((False, False), (True, False), (True, True), (False, True))
 CONFIGURATIONS = ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
-
-
-def generator(values, slips):
-    """Of Z' = A Z in z = x - d: (6) to (9)."""
-    matrix = np.zeros((4, 4))
-    matrix[:2, 2:] = np.eye(2)
-    if slips[0]:
-        matrix[2, :2] = -1, values["chi"]
-    if slips[1]:
-        matrix[3, :2] = np.array([1, -1]) * values["chi"] * values["eta"]
-    return matrix
-
-
-def boundaries(values, slips):
-    """Boundary functions that must stay below zero, by name: arrays (4, ...) to arrays (...).
-
-    With us left out where it enters, as -2 us.
-    """
-    chi, speed, e1, e2 = (values[n] for n in ("chi", "V", "e1", "e2"))
-    found = {}
-    if slips[0]:
-        found["first-reaches-belt"] = lambda z: z[2] - speed
-    else:
-        found["first-breaks-forward"] = lambda z: z[0] - chi * z[1] - e1
-        found["first-breaks-backward"] = lambda z: chi * z[1] - z[0] - e1
-    if slips[1]:
-        found["second-reaches-belt"] = lambda z: z[3] - speed
-    else:
-        found["second-breaks-forward"] = lambda z: chi * (z[1] - z[0]) - e2
-        found["second-breaks-backward"] = lambda z: chi * (z[0] - z[1]) - e2
-    return found
-
-
-def starts(values):
-    """Z at the start of each phase."""
-    states = [np.array([values["z10"], values["z20"], values["V"], values["V"]])]
-    for slips, name in zip(SLIPS, DWELL_TIMES, strict=True):
-        states.append(expm(generator(values, slips) * values[name]) @ states[-1])
-    return states[:4]
-
-
-def sampled(matrix, start, duration, count):
-    """States (4, count + 1) at equal distances of time, by doubling."""
-    states, flow = start[:, None], expm(matrix * (duration / count))
-    while states.shape[1] <= count:
-        states, flow = np.hstack([states, flow @ states]), flow @ flow
-    return states[:, : count + 1]
-
-
-def maxima(values, count=1000):
-    """Largest value and its time in the phase, for each (phase, boundary): sampled twice."""
-    found = {}
-    for phase, start in enumerate(starts(values)):
-        duration = values[DWELL_TIMES[phase]]
-        matrix = generator(values, SLIPS[phase])
-        states = sampled(matrix, start, duration, count)
-        times = np.linspace(0, duration, count + 1)
-        for name, function in boundaries(values, SLIPS[phase]).items():
-            samples = function(states)
-            best = int(np.argmax(samples))
-            candidates = [(samples[best], times[best])]
-            if 0 < best < count:
-                step = duration / count / 64
-                fine = function(sampled(matrix, states[:, best - 1], 128 * step, 128))
-                top = min(max(int(np.argmax(fine)), 1), 127)
-                left, middle, right = fine[top - 1 : top + 2]
-                bend = left - 2 * middle + right
-                candidates.append((middle, times[best - 1] + top * step))
-                if bend < -1e-13 * max(1, abs(middle)):  # the vertex of the parabola
-                    vertex = 0.5 * (left - right) / bend
-                    peak = middle - 0.25 * (left - right) * vertex
-                    candidates.append((peak, times[best - 1] + (top + vertex) * step))
-            found[phase, name] = max(candidates)
-    return found
 
 
 def record(point, unknowns):
@@ -137,34 +62,6 @@ def admissible():
 
 
 # --- solutions that are no motions
-
-
-def test_violations_are_those_of_dense_sampling(roots):
-    seen, open_ones = set(), ("first-breaks-backward", "second-breaks-backward")
-    for point, root in roots:
-        orbit = record(point, root)
-        admissibility = orbit.admissibility
-        largest = {k: v for k, v in maxima(orbit.values).items() if k[1] not in open_ones}
-        expected = {k for k, (value, _) in largest.items() if value > 1e-8}
-        found = {(v.phase, v.boundary): v for v in admissibility.violations}
-        assert expected <= found.keys()
-        assert all(largest[key][0] > -1e-10 for key in found)  # none is invented
-        assert (admissibility.verdict is False) == bool(found)
-        seen |= expected
-        offsets = np.cumsum([0.0, *orbit.dwell_times])
-        for key in expected:
-            violation, (value, _) = found[key], largest[key]
-            assert violation.configuration == CONFIGURATIONS[key[0]]
-            assert violation.excess == pytest.approx(value, rel=1e-8, abs=1e-9)
-            time = violation.time - offsets[key[0]]
-            assert -1e-12 <= time <= offsets[key[0] + 1] - offsets[key[0]] + 1e-12
-            state = (
-                expm(generator(orbit.values, SLIPS[key[0]]) * time) @ starts(orbit.values)[key[0]]
-            )
-            there = boundaries(orbit.values, SLIPS[key[0]])[key[1]](state)
-            assert there == pytest.approx(value, rel=1e-8, abs=1e-9)
-    assert len(seen) >= 4
-    assert len({phase for phase, _ in seen}) >= 2
 
 
 def test_a_violation_is_reported_in_full(roots):
@@ -245,32 +142,6 @@ def test_an_orbit_with_a_negative_dwell_time_is_found_and_refused():
 
 
 # --- the friction forces that e1 and e2 leave open
-
-
-def sampled_bounds(values):
-    """Least us1 and us2 that keep the masses from breaking away backward."""
-    largest = maxima(values)
-    pairs = {"us1": "first-breaks-backward", "us2": "second-breaks-backward"}
-    return {
-        us: max(0.0, *(value / 2 for (_, name), (value, _) in largest.items() if name == boundary))
-        for us, boundary in pairs.items()
-    }
-
-
-def test_bounds_are_those_of_dense_sampling(admissible):
-    positive = 0
-    for orbit in admissible:
-        expected = sampled_bounds(orbit.values)
-        assert orbit.admissibility.verdict == "conditional"
-        assert orbit.admissibility.violations == ()
-        found = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
-        assert set(found) == {"us1", "us2", "ur1", "ur2"}
-        for mass in "12":
-            bound, excess = expected[f"us{mass}"], orbit.values[f"e{mass}"]
-            assert found[f"us{mass}"] == pytest.approx(bound, abs=1e-9)
-            assert found[f"ur{mass}"] == pytest.approx(bound + excess, abs=1e-9)
-        positive += expected["us1"] > 1e-3
-    assert positive >= 2
 
 
 def required(orbit):
@@ -403,42 +274,20 @@ def grazing():
     return grazing_orbit()
 
 
-def exact_excess(orbit, time):
-    """v2 - V at a time of phase 2 of a refined orbit, by mpmath's matrix exponential."""
-    mp = orbit.arithmetic.mp
-    values = {n: mp.mpf(v) for n, v in orbit.values.items()}
-    chi, eta = values["chi"], values["eta"]
-    state = mp.matrix([values["z10"], values["z20"], values["V"], values["V"]])
-    durations = (values["ta"], values["tau"], mp.mpf(time))
-    for slips, duration in zip(SLIPS[:3], durations, strict=True):
-        matrix = mp.matrix(4, 4)
-        matrix[0, 2] = matrix[1, 3] = 1
-        if slips[0]:
-            matrix[2, 0], matrix[2, 1] = -1, chi
-        if slips[1]:
-            matrix[3, 0], matrix[3, 1] = chi * eta, -chi * eta
-        state = mp.expm(matrix * duration) * state
-    return state[3] - values["V"]
-
-
 def test_the_violation_is_real_and_shorter_than_1e_6(grazing):
+    """By mpmath's matrix exponentials, at times around the violation."""
     orbit = refine(grazing[1], 40)
     (violation,) = orbit.admissibility.violations
     time = violation.time - float(orbit.values["ta"] + orbit.values["tau"])
     assert 0.1 < time < float(orbit.values["tau1"]) - 0.1
     offsets = np.linspace(-1e-6, 1e-6, 41)
-    excess = [exact_excess(orbit, mpmath.mpf(time) + mpmath.mpf(t)) for t in offsets]
+    piece, start, _ = Declared(orbit, precise=True).steps[KEY[0]]
+    row = piece.boundaries[KEY[1]]
+    excess = [(row @ (piece.flow(mpmath.mpf(time) + t) @ start))[0] for t in offsets]
     assert max(excess) > 0
     lasting = offsets[[i for i, e in enumerate(excess) if e > 0]]
     assert lasting.max() - lasting.min() < 9e-7
     assert excess[0] < 0 > excess[-1]
-
-
-def test_sampling_misses_it(grazing):
-    values = grazing[1].values
-    function = boundaries(values, SLIPS[2])[KEY[1]]
-    states = sampled(generator(values, SLIPS[2]), starts(values)[2], values["tau1"], 10**5)
-    assert function(states[:, 1:]).max() < 0
 
 
 def test_the_guaranteed_search_finds_it(grazing):

@@ -1,9 +1,5 @@
 """Batches: each point depends on nothing but its own parameters."""
 
-import os
-import subprocess
-import sys
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
@@ -17,6 +13,7 @@ from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from tests.declared import random_points
+from tests.two_masses import PHASES, STICKING
 
 ORBIT = "dry-friction/global-stick"
 COUNT = 300 if backend() == "c" else 40
@@ -326,54 +323,17 @@ def test_some_points_have_no_orbit():
 
 # --- backends
 
-SCRIPT = """
-import sys
-import numpy as np
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.model.kernels import backend, orbit_names
-assert backend() == "numpy"
-results = {}
-with np.load(sys.argv[1]) as file:
-    for name in orbit_names():
-        given = {k.split(":")[1]: file[k] for k in file if k.startswith(name)}
-        found = solve_many(name, given)
-        columns = {"trace": found.trace, "residual": found.residual, "status": found.status,
-                   "admissible": found.admissible, "iterations": found.iterations,
-                   "period": found.period}
-        columns |= {"unknown " + n: a for n, a in found.unknowns.items()}
-        columns |= {"bound " + n: a for n, a in found.bounds.items()}
-        results |= {name + ":" + n: a for n, a in columns.items()}
-np.savez(sys.argv[2], **results)
-"""
-
-
-@pytest.fixture(scope="module")
-def backends(tmp_path_factory):
-    """Near and far points of every orbit, and what NumPy finds there in a process of its own."""
-    folder, given = tmp_path_factory.mktemp("backends"), {}
-    for name in orbit_names():
-        wide, near = random_points(name, 1, 60), np.linspace(-0.02, 0.02, 40)
-        given[name] = {
-            n: np.concatenate([v * (1 + near), wide[n]]) for n, v in defaults(name).items()
-        }
-    flat = {f"{name}:{n}": a for name, columns in given.items() for n, a in columns.items()}
-    np.savez(folder / "in.npz", **flat)
-    subprocess.run(
-        [sys.executable, "-W", "error", "-c", SCRIPT, folder / "in.npz", folder / "out.npz"],
-        env=os.environ | {"NONSMOOTH_BACKEND": "numpy"},
-        check=True,
-    )
-    with np.load(folder / "out.npz") as file:
-        return given, dict(file)
-
 
 @pytest.mark.slow
 @pytest.mark.compiled
 @every_orbit
-def test_numpy_agrees_with_c(name, backends):
-    given, results = backends
-    compiled = solve(name, given[name])
-    other = {k.partition(":")[2]: a for k, a in results.items() if k.startswith(name)}
+def test_numpy_agrees_with_c(name, monkeypatch):
+    wide, near = random_points(name, 1, 60), np.linspace(-0.02, 0.02, 40)
+    given = {n: np.concatenate([v * (1 + near), wide[n]]) for n, v in defaults(name).items()}
+    compiled = solve(name, given)
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
+    assert backend() == "numpy"
+    other = columns(solve(name, given))
     assert other.keys() == columns(compiled).keys()
     assert compiled.converged[:40].all()
     same = other["status"] == compiled.status
@@ -453,3 +413,15 @@ def test_wrong_options_are_named_on_one_line(given, options, named):
 def test_an_unknown_orbit_is_named():
     with pytest.raises(InputError, match="did you mean 'dry-friction/global-stick'"):
         solve("dry-friction/global-slick")
+
+
+def test_one_point_gives_arrays_of_its_shape_whoever_answers() -> None:
+    found = solve("dry-friction/global-stick", {"eta": [[0.98]], "us1": 1.0, "us2": 1.0})
+    data = STICKING | {"eta": [[0.98]]}
+    composed = solve("dry-friction", data, found.dwell_times[0, 0], itinerary=PHASES)
+    for name in ("period", "admissible", "trace", "residual", "iterations", "status"):
+        for one in (found, composed):
+            value = getattr(one, name)
+            assert isinstance(value, np.ndarray), name
+            assert value.shape == (1, 1), name
+    assert composed.period == pytest.approx(found.period, rel=1e-12)

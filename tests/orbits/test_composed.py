@@ -13,35 +13,11 @@ from nonsmooth.runtime.shooting import table_newton
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
 from nonsmooth.runtime.shooting.table_newton import solve_in_python, solve_shape
+from tests.two_masses import CHAIN, PHASES, RUBBING, STICKING
 
-STICK_DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
-STICK = [
-    ("stick-stick", "first-breaks-forward"),
-    ("slip-stick", "second-breaks-forward"),
-    ("slip-slip", "first-reaches-belt"),
-    ("stick-slip", "second-reaches-belt"),
-]
 STICK_GUESS = [1.02, 2.0, 1.57, 3.28]
-SYMMETRIC_DATA = {
-    "chi": "0.4",
-    "eta": "4",
-    "V": "0.6773",
-    "us1": "0.0127",
-    "ur1": "0.0255",
-    "us2": "0.5",
-    "ur2": "1",
-}
 SYMMETRIC = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
 SYMMETRIC_GUESS = [2.65, 2.24]
-CHAIN = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
 CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
 TRACE = -0.980114981284158715
@@ -50,7 +26,7 @@ needs_engine = pytest.mark.skipif(compiled_engine() is None, reason="the engine 
 
 
 def stick(**changes):
-    return solve("dry-friction", STICK_DATA | changes, STICK_GUESS, itinerary=STICK)
+    return solve("dry-friction", STICKING | changes, STICK_GUESS, itinerary=PHASES)
 
 
 def turned(sequence, first):
@@ -61,7 +37,10 @@ def turned(sequence, first):
 def test_global_stick_from_every_phase(first):
     kernels = solve("dry-friction/global-stick")
     orbit = solve(
-        "dry-friction", STICK_DATA, turned(STICK_GUESS, first), itinerary=turned(STICK, first)
+        "dry-friction",
+        STICKING,
+        turned(STICK_GUESS, first),
+        itinerary=turned(PHASES, first),
     )
     wanted = turned(kernels.dwell_times.tolist(), first)
     assert orbit.converged
@@ -84,7 +63,7 @@ def test_start_section_and_physical_coordinates():
 
 
 def test_symmetric_orbit():
-    orbit = solve("dry-friction", SYMMETRIC_DATA, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
+    orbit = solve("dry-friction", RUBBING, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
     np.testing.assert_allclose(orbit.dwell_times, [2.65116656, 2.24481006], rtol=0, atol=1e-8)
     np.testing.assert_allclose(orbit.multipliers, [-1.44546317, -0.12198051], rtol=0, atol=1e-8)
     assert orbit.stability.verdict == "unstable"
@@ -92,8 +71,8 @@ def test_symmetric_orbit():
 
 
 def test_many_phases():
-    once = solve("dry-friction", SYMMETRIC_DATA, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
-    orbit = solve("dry-friction", SYMMETRIC_DATA, SYMMETRIC_GUESS * 15, itinerary=SYMMETRIC * 15)
+    once = solve("dry-friction", RUBBING, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
+    orbit = solve("dry-friction", RUBBING, SYMMETRIC_GUESS * 15, itinerary=SYMMETRIC * 15)
     assert orbit.converged
     np.testing.assert_allclose(orbit.dwell_times, np.tile(once.dwell_times, 15), atol=1e-12)
     assert orbit.multipliers[0].real == pytest.approx(once.multipliers[0].real ** 15, rel=1e-11)
@@ -110,7 +89,7 @@ def test_admissibility_is_the_kernels():
         kernels = solve("dry-friction/global-stick", data, throw=False)
         if not kernels.converged:
             continue
-        orbit = solve("dry-friction", data, kernels.dwell_times.tolist(), itinerary=STICK)
+        orbit = solve("dry-friction", data, kernels.dwell_times.tolist(), itinerary=PHASES)
         assert orbit.trace == pytest.approx(kernels.trace, rel=1e-10, abs=1e-10)
         assert orbit.stability.verdict == kernels.stability.verdict
         assert orbit.admissibility.verdict == kernels.admissibility.verdict
@@ -124,7 +103,7 @@ def test_a_transition_that_the_conditions_refuse():
     # with us1 + us2 as small as that the second mass, at the belt, is torn off at once
     data = {"chi": 0.5, "eta": 1, "V": 1, "us1": 0.3, "us2": 0.3, "ur1": 3.3, "ur2": 0.7}
     kernels = solve("dry-friction/global-stick", data)
-    orbit = solve("dry-friction", data, kernels.dwell_times.tolist(), itinerary=STICK)
+    orbit = solve("dry-friction", data, kernels.dwell_times.tolist(), itinerary=PHASES)
     refused = [(v.phase, v.boundary) for v in orbit.admissibility.violations if v.excess == 0]
     assert refused == [(3, "second-reaches-belt")]
 
@@ -193,12 +172,12 @@ def made(data):
 def test_compiled_as_in_python(guided):
     random = np.random.default_rng(11)
     count = 50
-    data = {name: float(value) for name, value in STICK_DATA.items()}
+    data = {name: float(value) for name, value in STICKING.items()}
     data["eta"] = 1 + 0.05 * random.uniform(-1, 1, count)
     data["V"] = 1 + 0.05 * random.uniform(-1, 1, count)
     data["eta"][7] = -1  # outside its domain
     structure, flat = made(data)
-    cycle, free = itinerary_shape(structure, STICK), np.full(count, np.nan)
+    cycle, free = itinerary_shape(structure, PHASES), np.full(count, np.nan)
     dwell = np.tile(STICK_GUESS, (count, 1))
     start = np.tile(stick().states[0], (count, 1)) if guided else None
     compiled = solve_shape(cycle, flat, dwell, start, free)
@@ -220,9 +199,9 @@ either_solver = pytest.mark.parametrize(
 @pytest.mark.parametrize(
     ("system", "data", "itinerary", "guess", "period", "status"),
     [
-        ("dry-friction", STICK_DATA, STICK, STICK_GUESS, np.nan, CONVERGED),
-        ("dry-friction", STICK_DATA, STICK, STICK_GUESS, 8, STALLED),
-        ("dry-friction", STICK_DATA, STICK, [0.1] * 4, np.nan, NEGATIVE),
+        ("dry-friction", STICKING, PHASES, STICK_GUESS, np.nan, CONVERGED),
+        ("dry-friction", STICKING, PHASES, STICK_GUESS, 8, STALLED),
+        ("dry-friction", STICKING, PHASES, [0.1] * 4, np.nan, NEGATIVE),
         ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], np.nan, SINGULAR),
         ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], 2 * np.pi, CONVERGED),
         ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], np.nan, SINGULAR),
@@ -275,8 +254,8 @@ def test_compiled_as_in_python_with_a_period(monkeypatch):
 
 def test_many_points():
     eta = np.linspace(0.95, 1.05, 3)[:, None]
-    data = STICK_DATA | {"eta": eta, "V": [0.98, 1.02]}
-    many = solve("dry-friction", data, STICK_GUESS, itinerary=STICK, multipliers=True)
+    data = STICKING | {"eta": eta, "V": [0.98, 1.02]}
+    many = solve("dry-friction", data, STICK_GUESS, itinerary=PHASES, multipliers=True)
     assert many.admissible.all()
     assert many.converged.all()
     assert many.dwell_times.shape == (3, 2, 4)
@@ -295,12 +274,12 @@ def test_many_points():
 @pytest.mark.parametrize("threads", [1, 2])
 def test_threads_and_chunks_change_nothing(threads, monkeypatch):
     monkeypatch.setattr("nonsmooth.runtime.orbits.table_many.CHUNK", 3)
-    data = STICK_DATA | {"V": np.linspace(0.98, 1.02, 8)}
+    data = STICKING | {"V": np.linspace(0.98, 1.02, 8)}
     start = stick().states[0]
     guess = [*STICK_GUESS, *start]
-    many = solve("dry-friction", data, guess, itinerary=STICK, threads=threads)
+    many = solve("dry-friction", data, guess, itinerary=PHASES, threads=threads)
     monkeypatch.undo()
-    whole = solve("dry-friction", data, guess, itinerary=STICK)
+    whole = solve("dry-friction", data, guess, itinerary=PHASES)
     np.testing.assert_array_equal(many.dwell_times, whole.dwell_times)
     np.testing.assert_array_equal(many.trace, whole.trace)
 
@@ -309,18 +288,21 @@ def test_threads_and_chunks_change_nothing(threads, monkeypatch):
 def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
     # the engine starts from another phase: an exact guess is exact there too
     exact = solve(
-        "dry-friction", STICK_DATA, turned(STICK_GUESS, first), itinerary=turned(STICK, first)
+        "dry-friction",
+        STICKING,
+        turned(STICK_GUESS, first),
+        itinerary=turned(PHASES, first),
     )
     guess = [*exact.dwell_times, *exact.states[0]]
-    many = solve("dry-friction", STICK_DATA, guess, itinerary=turned(STICK, first))
+    many = solve("dry-friction", STICKING, guess, itinerary=turned(PHASES, first))
     assert many.converged
     assert many.iterations == 1
 
 
 def test_no_points_and_lost_points():
-    none = solve("dry-friction", STICK_DATA | {"V": []}, STICK_GUESS, itinerary=STICK)
+    none = solve("dry-friction", STICKING | {"V": []}, STICK_GUESS, itinerary=PHASES)
     assert none.dwell_times.shape == (0, 4)
-    lost = solve("dry-friction", STICK_DATA | {"V": [-1, 1]}, STICK_GUESS, itinerary=STICK)
+    lost = solve("dry-friction", STICKING | {"V": [-1, 1]}, STICK_GUESS, itinerary=PHASES)
     assert lost.status.tolist() == [INVALID, CONVERGED]
     assert np.isnan(lost.dwell_times[0]).all()
     assert np.isnan(lost.trace[0])
@@ -328,7 +310,7 @@ def test_no_points_and_lost_points():
 
 
 def test_forty_digits():
-    orbit = solve("dry-friction", STICK_DATA, STICK_GUESS, itinerary=STICK, digits=40)
+    orbit = solve("dry-friction", STICKING, STICK_GUESS, itinerary=PHASES, digits=40)
     kernels = refine(solve("dry-friction/global-stick"), 40)
     for found, wanted in zip(orbit.dwell_times, kernels.dwell_times, strict=True):
         assert abs(found - wanted) < 1e-40
@@ -401,10 +383,10 @@ def test_units_change_no_verdict():
 
 
 def test_a_period_that_no_orbit_has():
-    problem = {"itinerary": STICK, "given": {"period": 8}}
+    problem = {"itinerary": PHASES, "given": {"period": 8}}
     with pytest.raises(NoConvergence, match="period"):
-        solve("dry-friction", STICK_DATA, STICK_GUESS, **problem)
-    orbit = solve("dry-friction", STICK_DATA, STICK_GUESS, **problem, throw=False)
+        solve("dry-friction", STICKING, STICK_GUESS, **problem)
+    orbit = solve("dry-friction", STICKING, STICK_GUESS, **problem, throw=False)
     assert orbit.status == STALLED
     assert "period" in orbit.message
     with pytest.raises(InputError, match="no orbit"):
@@ -414,7 +396,7 @@ def test_a_period_that_no_orbit_has():
 
 
 def test_a_phase_that_takes_no_time():
-    orbit = solve("dry-friction", STICK_DATA, [0.1] * 4, itinerary=STICK, digits=40, throw=False)
+    orbit = solve("dry-friction", STICKING, [0.1] * 4, itinerary=PHASES, digits=40, throw=False)
     assert orbit.status == NEGATIVE
     assert not orbit.precise
 
@@ -426,14 +408,14 @@ def test_a_phase_that_takes_no_time():
         ({"itinerary": [("stick-stick",)], "guess": [1]}, "sequence of"),
         ({"itinerary": 3}, "sequence of"),
         (
-            {"itinerary": [STICK[0], STICK[2]], "guess": [1, 1]},
+            {"itinerary": [PHASES[0], PHASES[2]], "guess": [1, 1]},
             "no transition from stick-stick to slip-slip",
         ),
         ({"itinerary": [("stik", "first-breaks-forward")], "guess": [1]}, "unknown configuration"),
         ({"itinerary": [("stick-stick", "first-reaches-belt")], "guess": [1]}, "unknown boundary"),
         ({"orbit": "dry-frictoin"}, "dry-friction"),
         ({"parameters": {"chi": 0.5}}, "needs a value"),
-        ({"parameters": STICK_DATA | {"chi": 2}}, "chi"),
+        ({"parameters": STICKING | {"chi": 2}}, "chi"),
         ({"guess": None}, "takes a guess"),
         ({"guess": [1, 2, 3]}, "3 values: it takes 4"),
         ({"guess": [1, 2, 3, float("nan")]}, "finite"),
@@ -452,8 +434,8 @@ def test_a_phase_that_takes_no_time():
 def test_bad_input(changes, match):
     arguments = {
         "orbit": "dry-friction",
-        "parameters": STICK_DATA,
-        "itinerary": STICK,
+        "parameters": STICKING,
+        "itinerary": PHASES,
         "guess": STICK_GUESS,
     }
     with pytest.raises(InputError, match=match):
@@ -463,9 +445,9 @@ def test_bad_input(changes, match):
 @pytest.mark.parametrize(
     ("changes", "match"),
     [
-        ({"parameters": STICK_DATA | {"V": [1, 2], "eta": [1, 2, 3]}}, "broadcast"),
-        ({"parameters": STICK_DATA | {"W": [1, 2]}}, "unknown parameter"),
-        ({"parameters": STICK_DATA | {"V": ["a"]}}, "V"),
+        ({"parameters": STICKING | {"V": [1, 2], "eta": [1, 2, 3]}}, "broadcast"),
+        ({"parameters": STICKING | {"W": [1, 2]}}, "unknown parameter"),
+        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
         ({"parameters": {}}, "needs a value"),
         ({"guess": np.ones((3, 4))}, "broadcast"),
         ({"threads": 0}, "threads"),
@@ -475,8 +457,8 @@ def test_bad_input(changes, match):
 def test_bad_input_of_many(changes, match):
     arguments = {
         "orbit": "dry-friction",
-        "parameters": STICK_DATA | {"V": [1.0, 1.01]},
-        "itinerary": STICK,
+        "parameters": STICKING | {"V": [1.0, 1.01]},
+        "itinerary": PHASES,
         "guess": STICK_GUESS,
     }
     with pytest.raises(InputError, match=match):
@@ -486,8 +468,8 @@ def test_bad_input_of_many(changes, match):
 @needs_engine
 def test_the_engine_checks_its_arrays():
     engine = compiled_engine()
-    structure, flat = made(STICK_DATA)
-    cycle = itinerary_shape(structure, STICK)
+    structure, flat = made(STICKING)
+    cycle = itinerary_shape(structure, PHASES)
     layout = table_newton.layout_of(structure)
     one = np.zeros(1)
     arrays = [np.array([STICK_GUESS]), np.zeros((1, 4, 4)), np.zeros((1, 4, 4)), one.copy()]

@@ -265,25 +265,6 @@ def test_many_orbits_have_the_derivatives_of_each(name):
         assert all(np.isnan(rate[2]) for rate in rates.values())
 
 
-def test_many_orbits_of_a_family_have_derivatives_at_a_given_period():
-    orbit = ns.solve("elastic-stop/one-contact")
-    tables = orbit.problem.by_tables(orbit)
-    single = tables.derivatives()
-    data = {name: float(tables.parameters[name]) for name in tables.parameters}
-    found = ns.solve(
-        "elastic-stop",
-        {**data, "k2": [data["k2"]]},
-        [*tables.dwell_times, *tables.states[0]],
-        itinerary=tables.itinerary,
-        given={"period": float(tables.period)},
-        derivatives=["k2"],
-    )
-    assert found.derivatives is not None
-    place = single.by.index("k2")
-    for name, rates in single.unknowns.items():
-        assert found.derivatives[name]["k2"] == pytest.approx(rates[place], abs=1e-8)
-
-
 @pytest.mark.parametrize("name", [KERNELS[0], KERNELS[2], *DECLARED])
 def test_the_section_has_the_orbits_own_multipliers(name):
     orbit = ns.solve(name)

@@ -9,7 +9,6 @@ import mpmath
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
-from scipy.linalg import expm
 
 from nonsmooth import InputError, NoConvergence, Orbit, refine, solve
 from nonsmooth.derive.systems import dry_friction
@@ -284,14 +283,6 @@ def test_scaling_velocity_and_forces_together_changes_no_trace() -> None:
             for unknown, value in guess.items():
                 assert other.unknowns[unknown] == pytest.approx(value, rel=1e-8)
             assert other.admissibility.verdict == plain.admissibility.verdict
-
-
-def test_the_first_phase_of_no_length_has_no_flow() -> None:
-    orbit = solve(BORDER)
-    piece = Declared(orbit).pieces[0]
-    assert piece.dwell == 0
-    assert_allclose(expm(piece.field * piece.dwell), np.eye(5))
-    assert_allclose(orbit.states[0], orbit.states[1], atol=1e-15)
 
 
 @pytest.mark.parametrize("side", [1, -1])

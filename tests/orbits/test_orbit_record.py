@@ -14,6 +14,7 @@ import nonsmooth as ns
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.model.loading.declared import declaration_in
+from tests.two_masses import STICKING
 from tests.user_systems import DAMPED, KICKED, declare
 
 
@@ -70,8 +71,7 @@ def test_a_live_record_does_not_read_its_file_again(
 
 def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
     kernels = ns.solve("dry-friction/global-stick")
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    tables = ns.solve("dry-friction", data, kernels.dwell_times, itinerary=kernels.itinerary)
+    tables = ns.solve("dry-friction", STICKING, kernels.dwell_times, itinerary=kernels.itinerary)
     assert type(kernels) is type(tables)
     assert kernels.dwell_time_names == ("ta", "tau", "tau1", "tau2")
     np.testing.assert_allclose(kernels.dwell_times, tables.dwell_times, atol=1e-12)

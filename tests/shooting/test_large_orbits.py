@@ -5,8 +5,8 @@ import pytest
 
 from nonsmooth import InputError
 from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.orbits.equations import phase_waves
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
-from nonsmooth.runtime.orbits.table_phase_functions import phase_waves
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
 from nonsmooth.runtime.shooting.table_newton import digits_of, solve_shape

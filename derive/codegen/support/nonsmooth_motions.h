@@ -6,15 +6,13 @@
 #include <math.h>
 
 #include "nonsmooth_search.h"
+#include "nonsmooth_trigonometry.h"
 
 enum {
     NONSMOOTH_STATES = 16,  /* most states of a linear motion */
     NONSMOOTH_DEGREE = 16,  /* of Taylor's polynomial over a step of it */
     NONSMOOTH_BALANCING = 3 /* sweeps over its states */
 };
-
-/* Longest duration of a motion, in units of 1 / |A|. */
-#define NONSMOOTH_LONGEST 1e5
 
 /* A linear motion y' = A y + b over [0, duration], cut into equal steps that are short against A.
  *
@@ -171,7 +169,7 @@ static inline nonsmooth_motion nonsmooth_motion_of(int states, const double *fie
     if (!(duration >= 0.0))
         return motion;
     nonsmooth_balance(&motion);
-    if (!(duration * motion.norm <= NONSMOOTH_LONGEST))
+    if (!(duration * motion.norm <= NONSMOOTH_PHASE_LIMIT)) /* in units of 1 / |A| */
         return motion;
     const long long steps = 1 + (long long)(duration * motion.norm / 0.6);
     motion.width = duration / (double)steps;

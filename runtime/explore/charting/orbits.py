@@ -98,7 +98,7 @@ class OrbitChart:
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
         kernels, own = self.kernels, self.own
-        solving = kernels if own is None or own.derived is None else own.derived
+        solving = kernels if own is None else own.derived
         return {
             "kind": "orbit",
             "orbit": "/".join(filter(None, (kernels.system.table["name"], kernels.orbit))),

@@ -22,9 +22,8 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, grown
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.admissible import Admissibility
-from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives, followed
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit_function import followed
 from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical
 from nonsmooth.runtime.simulation.simulate import simulate_one

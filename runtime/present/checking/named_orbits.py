@@ -13,8 +13,7 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, is_save
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.orbits.table_solve import whole_names
+from nonsmooth.runtime.orbits.table_solve import whole_names, with_routes
 from nonsmooth.runtime.proof.contact_statement import kernels_with
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape

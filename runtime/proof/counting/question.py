@@ -13,8 +13,7 @@ from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.routes import with_routes
-from nonsmooth.runtime.orbits.table_solve import unknowns_of
+from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
 from nonsmooth.runtime.proof.counting.dwell_box import Side, sides_of
 from nonsmooth.runtime.proof.counting.problems import (
     Question,
