@@ -262,10 +262,10 @@ def solve_declared(
     if guess is None and period is None and values != reference["parameters"]:
         defaults = dict(reference["parameters"])
         if defaults.keys() == values.keys():
-            start = _start(piecewise(kernels.system, defaults), phases, dwell, known, symmetry)
+            start = _start(kernels.system, defaults, phases, dwell, known, symmetry)
             orbit = _followed(kernels.system, defaults, values, (phases, dwell, start), symmetry)
     if orbit is None:
-        start = _start(piecewise(kernels.system, values), phases, dwell, known, symmetry)
+        start = _start(kernels.system, values, phases, dwell, known, symmetry)
         orbit = solve_itinerary(
             kernels.system, values, phases, dwell, start, period=period, symmetry=symmetry
         )
@@ -321,7 +321,8 @@ def _named(
 
 
 def _start(
-    point: PiecewiseLinear,
+    system: SystemKernels,
+    values: Mapping[str, object],
     phases: Sequence[tuple[str, str]],
     dwell: Sequence[float],
     known: Sequence[float | None],
@@ -333,7 +334,7 @@ def _start(
         return given
     if not given or symmetry:
         return None
-    start = fitted_start(point, phases, dwell)
+    start = fitted_start(piecewise(system, values), phases, dwell)
     return [fitted if value is None else value for fitted, value in zip(start, known, strict=True)]
 
 

@@ -54,6 +54,7 @@ __all__ = [
     "dependent_variational",
     "finite_at",
     "flow_at",
+    "flows_along",
     "flows_over",
     "guesses",
     "itinerary_shape",
@@ -305,11 +306,15 @@ def shoot(cycle: ItineraryShape, numbers: Numbers, dwell: Any, start: Any, lib: 
     arithmetic with `sin`, `cos` and `exp` of arrays. The n = N + 1 unknowns of the result are the
     start and the 1 that multiplies constants.
     """
-    flows = (
+    return shoot_along(cycle, numbers, flows_along(cycle, numbers, dwell, lib), start)
+
+
+def flows_along(cycle: ItineraryShape, numbers: Numbers, dwell: Any, lib: Any) -> list[Any]:
+    """Flows (..., N, N + 1) of the phases of a cycle over their dwell times (..., p)."""
+    return [
         flow_at(cycle.structure, numbers, configuration, dwell[..., place], lib)
         for place, configuration in enumerate(cycle.configurations)
-    )
-    return shoot_along(cycle, numbers, flows, start)
+    ]
 
 
 def shoot_along(

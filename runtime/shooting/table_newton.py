@@ -36,7 +36,14 @@ from nonsmooth.runtime.shooting.newton import (
     judged,
     sure_digits,
 )
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    flows_along,
+    numbers_in,
+    shoot,
+    shoot_along,
+)
 from nonsmooth.runtime.shooting.translations import up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
 
@@ -219,28 +226,29 @@ def fitting_start(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) ->
     size = len(cycle.structure.states)
     numbers = numbers_in(cycle.structure, flat)
     # differences of affine functions are their coefficients
+    flows = flows_along(cycle, numbers, dwell, np)
     passages = [
-        shoot(cycle, numbers, dwell, np.broadcast_to(start, (len(flat), size)), np)
+        shoot_along(cycle, numbers, flows, np.broadcast_to(start, (len(flat), size)))
         for start in (np.zeros(size), *np.eye(size))
     ]
-    missed = [
+    missed, *others = (
         np.concatenate([np.moveaxis(p.residual, 0, -1), p.starts[0] - p.starts[-1]], axis=-1)
         for p in passages
-    ]
-    matrix = np.stack([m - missed[0] for m in missed[1:]], axis=-1)
+    )
+    matrix = np.stack([other - missed for other in others], axis=-1)
     forcing = cycle.structure.forcing
     if forcing:
         rates = np.stack([np.moveaxis(p.speeds, 0, -1) for p in passages], axis=-1)
         rates[..., 1:] -= rates[..., :1]
         turns = np.abs(numbers.fields[:, 0][:, [s for _, s in forcing], [c for c, _ in forcing]])
-        return _fitting_forced(matrix, -missed[0], rates, forcing, turns)
+        return _fitting_forced(matrix, -missed, rates, forcing, turns)
     # in no units: equations in those of their largest term, unknowns of their coefficients
     unit = np.concatenate([np.zeros((len(cycle), size)), np.eye(size)])
     rows = (np.abs(matrix - unit) + unit).max(axis=-1, keepdims=True)
     matrix = matrix / np.where(rows > 0, rows, 1)
     columns = np.abs(matrix).max(axis=-2)
     columns = np.where(columns > 0, columns, 1)
-    right = -missed[0] / np.where(rows > 0, rows, 1)[..., 0]
+    right = -missed / np.where(rows > 0, rows, 1)[..., 0]
     start, _ = _least_squares(matrix / columns[..., None, :], right)
     return start / columns
 
@@ -256,39 +264,39 @@ def _fitting_forced(
     count, _, size = matrix.shape
     known = [state for pair in forcing for state in pair]
     free = [k for k in range(size) if k not in known]
-    best, least = np.full((count, size), np.nan), np.full(count, np.inf)
-    for part in np.arange(_ANGLES) / _ANGLES:
-        start = np.zeros((count, size))
-        for place, (cosine, sine) in enumerate(forcing):
-            angle = 2 * np.pi * part * turns[:, place] / turns.min(axis=1)
-            start[:, cosine], start[:, sine] = np.cos(angle), np.sin(angle)
-        rest = right - np.einsum("nij,nj->ni", matrix, start)
-        scale = np.abs(matrix[..., free]).max(axis=(-2, -1), keepdims=True)
-        found, _ = _least_squares(matrix[..., free] / scale, rest / scale[..., 0])
-        start[:, free] = found
-        missed = np.einsum("nij,nj->ni", matrix, start) - right
-        reached = np.einsum("npj,nj->np", rates[..., 1:], start) + rates[..., 0]
-        error = np.abs(missed).max(axis=-1) * np.where((reached > 0).all(axis=-1), 1, 1e3)
-        better = error < least
-        best[better], least[better] = start[better], error[better]
+    part = np.arange(_ANGLES)[:, None] / _ANGLES
+    start = np.zeros((_ANGLES, count, size))
+    for place, (cosine, sine) in enumerate(forcing):
+        angle = 2 * np.pi * part * turns[:, place] / turns.min(axis=1)
+        start[..., cosine], start[..., sine] = np.cos(angle), np.sin(angle)
+    rest = right - np.einsum("nij,anj->ani", matrix, start)
+    scale = np.abs(matrix[..., free]).max(axis=(-2, -1), keepdims=True)
+    start[..., free], _ = _least_squares(matrix[..., free] / scale, rest / scale[..., 0])
+    missed = np.einsum("nij,anj->ani", matrix, start) - right
+    reached = np.einsum("npj,anj->anp", rates[..., 1:], start) + rates[..., 0]
+    error = np.abs(missed).max(axis=-1) * np.where((reached > 0).all(axis=-1), 1, 1e3)
+    error = np.where(np.isfinite(error), error, np.inf)
+    best: np.ndarray = start[error.argmin(axis=0), np.arange(count)]
+    best[np.isinf(error.min(axis=0))] = np.nan
     return best
 
 
 def _least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Shortest least-squares solutions (n, k), and the smallest singular values (n,).
+    """Shortest least-squares solutions (..., n, k), and the smallest singular values (n,).
 
-    Matrices are (n, m, k), right-hand sides (n, m). Singular values are relative to the largest.
-    Both are NaN where something is not finite.
+    Matrices are (n, m, k), right-hand sides (..., n, m). Singular values are relative to the
+    largest. Both are NaN where something is not finite.
     """
     count, _, size = matrix.shape
-    solution, least = np.full((count, size), np.nan), np.full(count, np.nan)
-    sound = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
+    solution, least = np.full((*right.shape[:-1], size), np.nan), np.full(count, np.nan)
+    sound = np.isfinite(right).all(axis=-1).reshape(-1, count).all(axis=0)
+    sound &= np.isfinite(matrix).all(axis=(-2, -1))
     if sound.any():
         left, values, rest = np.linalg.svd(matrix[sound], full_matrices=False)
         kept = values > LEAST * values[:, :1]
         inverse = np.where(kept, 1 / np.where(kept, values, 1), 0)
-        parts = inverse * np.einsum("nij,ni->nj", left, right[sound])
-        solution[sound] = np.einsum("nji,nj->ni", rest, parts)
+        parts = inverse * np.einsum("nij,...ni->...nj", left, right[..., sound, :])
+        solution[..., sound, :] = np.einsum("nji,...nj->...ni", rest, parts)
         least[sound] = np.nan_to_num(values[:, -1] / values[:, 0])
     return solution, least
 

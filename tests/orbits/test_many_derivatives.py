@@ -11,7 +11,7 @@ import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import compiled_engine, uncompiled
@@ -22,6 +22,7 @@ from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from tests.places import GALLERY
+from tests.shifting_systems import CAPSULE, GEARED, SHAKEN, TURNED, settled_orbit
 
 KERNELS = [
     "rigid-stop/one-impact",
@@ -29,27 +30,6 @@ KERNELS = [
     "dry-friction/symmetric",
     "dry-friction/global-stick",
 ]
-
-
-_A, _C, _G, _K, _R, _U, _W = sp.symbols("A c g k r u w")
-# a box on rough ground, moved by a mass in it that strikes its wall: it closes up to a shift
-CAPSULE = oscillator(
-    "shifting-capsule", ["x", "y"], mass=[[2, 0], [0, 1]], stiffness=[[_K, -_K], [-_K, _K]],
-    damping=[[_C, -_C], [-_C, _C]], forcing=[Harmonic(_W, cosine=[-_A, _A])],
-    elements=[
-        Friction("x", kinetic=_U, static=_U, velocity=0, name="ground"),
-        RigidStop({"y": 1, "x": -1}, at=_G, restitution=_R, name="wall"),
-    ],
-)  # fmt: skip
-SHAKEN = {"A": 1.0, "w": 1.0, "u": 0.3, "k": 0.5, "g": 0.5, "r": 0.5, "c": 0.1}
-# two wheels with a spring and a stop between their teeth: how they turn together depends on i
-_I = sp.Symbol("i")
-GEARED = oscillator(
-    "geared-wheels", ["x", "y"], mass=sp.diag(1, 2), damping=_C * sp.eye(2),
-    stiffness=_K * sp.Matrix([[1, -_I], [-_I, _I**2]]), forcing=[Harmonic(_W, cosine=[_A, 0])],
-    elements=[RigidStop({"x": 1, "y": -_I}, at=_G, restitution=_R, name="tooth")],
-)  # fmt: skip
-TURNED = {"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5, "k": 0.6, "A": 1.0, "w": 1.1}
 
 
 def chain() -> tuple[ns.derive.System, dict[str, float]]:
@@ -96,13 +76,7 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
         given = {"period": float(tables.period)} if tables.evaluation.family else None
         found.append((name.split("/")[0], values, tables, given))
     freely = ((CAPSULE, SHAKEN), (GEARED, TURNED))
-    return [*found, *((system, data, settled(system, data), None) for system, data in freely)]
-
-
-def settled(system: ns.derive.System, data: dict[str, float]) -> ns.Orbit:
-    """The orbit of a forced system of two coordinates on which a motion from rest settles."""
-    motion = ns.simulate(system, data, [0, 0, 0, 0, 1, 0], transitions=800)
-    return ns.solve(system, data, itinerary=ns.itinerary_of(motion))
+    return [*found, *((system, data, settled_orbit(system, data), None) for system, data in freely)]
 
 
 @pytest.mark.slow
@@ -136,7 +110,7 @@ def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None
 @pytest.mark.compiled  # its orbit is found by simulation
 def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
     """Wheels with teeth turn freely along (i, 1), where i is the ratio of their gear."""
-    orbit = settled(GEARED, TURNED)
+    orbit = settled_orbit(GEARED, TURNED)
     data, guess = {"i": TURNED["i"]}, [*orbit.dwell_times, *orbit.states[0]]
 
     def solved(i: float) -> ns.Orbit:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -15,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
 from nonsmooth import InputError, simulate
-from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
+from nonsmooth.derive import Friction, Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.result_files import checksum_of
@@ -28,58 +27,35 @@ from nonsmooth.runtime.proof.exact_closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
 from tests.places import GALLERY
+from tests.shifting_systems import CAPSULE, GEARED, GROUND, SHAKEN, TURNED, box, settled_orbit
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
 GEAR = str(GALLERY / "backlash_gear.py")
-u, e, V, k, g, r, A, w, i, c = sp.symbols("u e V k g r A w i c")
+u, e, V, g, r, c = sp.symbols("u e V g r c")
 
-# a sled on rough ground, pulled by a spring whose end moves at V in the end
-SLED = oscillator(
-    "sled",
-    ["x", "y"],
-    mass=[[1, 0], [0, 1]],
-    stiffness=[[1, -1], [0, 0]],
-    damping=[[0, 0], [0, 1]],
-    load=[0, V],
-    elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
-)
+
+def pulled(name: str, damping: Any) -> Any:
+    """A sled on rough ground, pulled by a spring whose end moves at V in the end."""
+    ground = Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")
+    return oscillator(
+        name, ["x", "y"], mass=[[1, 0], [0, 1]], stiffness=[[1, -1], [0, 0]], damping=damping,
+        load=[0, V], elements=[ground],
+    )  # fmt: skip
+
+
+SLED = pulled("sled", [[0, 0], [0, 1]])
 PULLED = {"u": "1", "e": "0.3", "V": "0.5"}
-# a box on rough ground, moved by a mass in it that strikes its wall
-CAPSULE = oscillator(
-    "capsule",
-    ["x", "y"],
-    mass=[[2, 0], [0, 1]],
-    stiffness=[[k, -k], [-k, k]],
-    damping=[[c, -c], [-c, c]],
-    forcing=[Harmonic(w, cosine=[-A, A])],
-    elements=[
-        Friction("x", kinetic=u, static=u, velocity=0, name="ground"),
-        RigidStop({"y": 1, "x": -1}, at=g, restitution=r, name="wall"),
-    ],
-)
-SHAKEN = {"A": 1, "w": 1, "u": "0.3", "k": "0.5", "g": "0.5", "r": "0.5", "c": "0.1"}
-# two wheels that turn in the ratio i, with a backlash between their teeth
-GEARED = oscillator(
-    "geared",
-    ["x", "y"],
-    mass=[[1, 0], [0, 2]],
-    stiffness=[[0, 0], [0, 0]],
-    damping=[[c, 0], [0, c]],
-    elements=[RigidStop({"x": 1, "y": -i}, at=g, restitution=r, name="tooth")],
-)
 
 
 @cache
 def sled() -> Any:
-    motion = ns.simulate(SLED, PULLED, [0, 1, 0, 0.4], transitions=40)
-    return ns.solve(SLED, PULLED, itinerary=ns.itinerary_of(motion))
+    return settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
 
 
 @cache
 def capsule() -> Any:
-    motion = ns.simulate(CAPSULE, SHAKEN, [0, 0, 0, 0, 1, 0], transitions=800)
-    return ns.solve(CAPSULE, SHAKEN, itinerary=ns.itinerary_of(motion))
+    return settled_orbit(CAPSULE, SHAKEN)
 
 
 @cache
@@ -100,9 +76,9 @@ def test_a_system_on_springs_moves_in_no_direction(name):
 @pytest.mark.parametrize("ratio", ["2", "1/3", "0.7"])
 def test_the_direction_is_the_same_in_every_arithmetic(ratio):
     kernels = load_system(GEARED)
-    point = {"c": "0.1", "g": "0.2", "r": "0.5", "i": ratio}
+    point = TURNED | {"i": ratio}
     (floats,) = translations_of(piecewise(kernels, point))
-    wanted = [1, 1 / float(sp.Rational(ratio)), 0, 0]
+    wanted = [1, 1 / float(sp.Rational(ratio)), 0, 0, 0, 0]
     np.testing.assert_allclose(floats, wanted, rtol=1e-15)
     lib = Mpmath(40)
     with lib.working(40):
@@ -111,7 +87,7 @@ def test_the_direction_is_the_same_in_every_arithmetic(ratio):
     values = tuple(piecewise(kernels, point).parameters.values())
     tables = exact_tables(kernels, values, 128)
     (exact,) = exact_translations(tables, structure_of(kernels), [floats.tolist()])
-    assert [str(x) for x in exact] == ["1", str(1 / sp.Rational(ratio)), "0", "0"]
+    assert [str(x) for x in exact] == ["1", str(1 / sp.Rational(ratio)), *"0000"]
 
 
 def test_a_projection_moves_along_the_directions_alone():
@@ -246,17 +222,7 @@ def test_orbits_are_found_up_to_their_shift():
 
 @pytest.mark.parametrize(("damper", "outcome"), [("0", Outcome.FAMILY), ("0.3", Outcome.DRIFTING)])
 def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outcome):
-    dragged = replace(SLED, name="dragged")
-    if damper != "0":
-        dragged = oscillator(
-            "dragged",
-            ["x", "y"],
-            mass=[[1, 0], [0, 1]],
-            stiffness=[[1, -1], [0, 0]],
-            damping=[[c, -c], [0, 1]],
-            load=[0, V],
-            elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
-        )
+    dragged = pulled("dragged", [[0, 0], [0, 1]] if damper == "0" else [[c, -c], [0, 1]])
     data = PULLED if damper == "0" else {**PULLED, "c": damper}
     box = {"v": (-2.6, 2.6), "v_y": (-2.6, 2.6)}
     found = ns.find_orbits(dragged, data, 30, transitions=100, box=box, seed=0)
@@ -343,15 +309,7 @@ def test_the_report_tells_the_shift():
 
 
 def test_a_symmetry_closes_half_of_a_motion_on_open_ground():
-    shaken = oscillator(
-        "shaken",
-        ["x", "y"],
-        mass=[[2, 0], [0, 1]],
-        stiffness=[[k, -k], [-k, k]],
-        damping=[[c, -c], [-c, c]],
-        forcing=[Harmonic(w, cosine=[-A, A])],
-        elements=[Friction("x", kinetic=u, static=u, velocity=0, name="ground")],
-    )
+    shaken = box("shaken", GROUND)
     data = {name: SHAKEN[name] for name in ("A", "w", "u", "k", "c")}
     motion = ns.simulate(shaken, data, [0, 0, 0, 0, 1, 0], transitions=400)
     phases, dwell, start = ns.itinerary_of(motion)
