@@ -147,8 +147,7 @@ _JUDGED = {
     "enclosures": _BALLS,
 }
 
-CERTIFICATE = {
-    **_FILE,
+_POINT = {
     **_STATEMENT,
     **_JUDGED,
     "closing": Either(
@@ -173,6 +172,7 @@ CERTIFICATE = {
     "directions": Maybe(Named(Named(NUMBER))),
     "no_derivatives": Maybe(Named(str)),
 }
+CERTIFICATE = {**_FILE, **_POINT}
 _BESIDE = re.compile("proved|unstable|not admissible")
 _SIDE = re.compile("proved|unstable|not admissible|beyond a fold")
 MAP = {
@@ -207,7 +207,7 @@ MAP = {
                         "instant": str,
                         "window": [NUMBER],
                         "also": [(str, int, str, str)],
-                        "across": str,
+                        "axis": int,
                         "centre": [float],
                         "radius": float,
                         "below": _SIDE,
@@ -410,7 +410,7 @@ CENSUS = {
     "decided": bool,
     "statement": str,
     "orbits": [
-        {"unique": _BOUNDS, "certificate": Either((type(None), CERTIFICATE)), "reason": str},
+        {"unique": _BOUNDS, "certificate": Either((type(None), _POINT)), "reason": str},
     ],
     "undecided": [{"bounds": _BOUNDS, "reason": str}],
     "bits": int,

@@ -26,7 +26,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import path_of, read_file, write_file
-from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.core.json_codec import decode, encode, json_schema
 
 __all__ = [
     "DAMAGED",
@@ -68,6 +68,27 @@ class FileFormat(Generic[Entries]):
     most: int = _MOST  # bytes; a larger file is not read
     # raises InputError for entries that do not belong together
     together: Callable[[Entries], None] = lambda entries: None
+
+    @property
+    def schema(self) -> dict[str, Any]:
+        """JSON Schema (2020-12) of a file of this kind."""
+        own = json_schema(self.entries)
+        text = {"type": "string"}
+        head = {
+            "format": {"const": self.name},
+            "version": {"const": self.version},
+            "package": text,
+            "request": {"type": "object"},  # what a command was asked
+            "sha256": text,
+        }
+        return {
+            "$schema": "https://json-schema.org/draft/2020-12/schema",
+            "title": f"{self.name}, version {self.version}",
+            "description": self.what,
+            **own,
+            "properties": {**head, **own["properties"]},
+            "required": [*(name for name in head if name != "request"), *own["required"]],
+        }
 
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.

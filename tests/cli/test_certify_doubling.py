@@ -38,7 +38,7 @@ def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
     file = tmp_path / "short.json"
     found = run(*ASKED, "--seconds", "1e-6", "--save", str(file))
     assert found.code == 1
-    assert "ended because the work was stopped" in found.out
+    assert "ended: unfinished" in found.out
     assert "1e-06 s that were given are over" in found.out
     assert run("certify", "--check", str(file)).code == 0
 
