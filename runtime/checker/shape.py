@@ -340,18 +340,16 @@ CHAOS = {
     "itineraries": Named([(str, str, str)]),
     "growth": re.compile(r"\d{1,4000}(/[1-9]\d{0,3999})?", re.ASCII),
     "entropy": NUMBER,
-    "cones": Maybe(
-        Either(
-            (
-                type(None),
-                {
-                    "forms": Named([NUMBER]),
-                    "strips": [(str, str, [(NUMBER, NUMBER)])],
-                    "expansion": NUMBER,
-                    "contraction": NUMBER,
-                    "exponent": NUMBER,
-                },
-            )
+    "cones": Either(
+        (
+            type(None),
+            {
+                "forms": Named([NUMBER]),
+                "strips": [(str, str, [(NUMBER, NUMBER)])],
+                "expansion": NUMBER,
+                "contraction": NUMBER,
+                "exponent": NUMBER,
+            },
         )
     ),
     "parts": int,

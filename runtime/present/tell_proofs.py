@@ -27,6 +27,7 @@ __all__ = ["PROOFS"]
 
 _SETS = 12  # components that are listed
 _DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
+_WHOLE = "the branch consists of exactly these intervals and events"
 _PERIODS = 6  # numbers of iterates for which points that come back are counted
 _UNPROVED = ("claim", "claims", "precision")  # rows that are not told of a file
 _UNNAMED = "an orbit of the declaration in the file"
@@ -181,10 +182,12 @@ def _place(event: BranchEvent | EventCertificate) -> str:
 def _certified_branch(proof: CertifiedBranch) -> Told:
     low, high = (f"{float(end):.6g}" for end in proof.interval)
     over = f"{proof.parameter} = {low} ... {high}"
+    ends = zip(("begins", "ends"), proof.ends, strict=True)
     return f"certified branch of {shown_name(proof.orbit)} over {over}", [
         ("claims", _claims(proof.claims, {})),
         ("intervals", Listing(("", proof.parameter, "", "tiles"), _intervals(proof))),
-        ("ends", list(dict.fromkeys(end for end in proof.ends if end))),
+        ("complete", [_WHOLE] if proof.complete else []),
+        *((word, [end or "not followed further"]) for word, end in ends),
         *_of_orbit(proof),
     ]
 

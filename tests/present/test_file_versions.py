@@ -27,7 +27,7 @@ KNOWN = {
     "nonsmooth certificate": (6, "b6867ccc646d"),
     "nonsmooth certified branch": (6, "3d0a27190011"),
     "nonsmooth certified doubling": (3, "cd5e8bad0d36"),
-    "nonsmooth chaos certificate": (6, "c163675f8507"),
+    "nonsmooth chaos certificate": (6, "5a710bd176cd"),
     "nonsmooth design": (2, "fdd029d0e2a2"),
     "nonsmooth event certificate": (6, "89c3683b9584"),
     "nonsmooth fit": (3, "06c6752de145"),

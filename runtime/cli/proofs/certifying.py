@@ -313,8 +313,6 @@ def _check(
         show_result(found)
         every = "" if isinstance(found.certificate, Census) else "every claim holds; "
         print(f"{path}: {every}what is shown was proved again from the file")
-        if found.note:
-            print(found.note)
     if found.difference is not None:
         say(f"{path}: {found.difference}")
         return UNANSWERED

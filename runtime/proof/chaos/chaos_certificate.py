@@ -93,7 +93,7 @@ class ChaosCertificate(Certified):
     itineraries: Mapping[str, tuple[tuple[str, str, str], ...]]
     growth: Exact
     entropy: Exact
-    cones: ConeCondition | None = None
+    cones: ConeCondition | None
     images: Annotated[Mapping[str, Any], UNSTATED] = field(default_factory=dict, repr=False)
     parts: int = field(repr=False)
     tried: tuple[str, ...] = field(repr=False)
