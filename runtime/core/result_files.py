@@ -33,7 +33,6 @@ __all__ = [
     "WRONG_SHAPE",
     "FileFormat",
     "array_in",
-    "check_follows",
     "check_same_question",
     "checksum_of",
     "content_of",
@@ -53,7 +52,6 @@ WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, Arit
 _HEAD = ("format", "version", "package", "request", "sha256")
 _REQUEST: ContextVar[Mapping[str, Any] | None] = ContextVar("what is asked", default=None)
 Entries = TypeVar("Entries")
-Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,29 +122,6 @@ class FileFormat(Generic[Entries]):
         with naming(path) as file:
             return self.read(file)
 
-    def writer(
-        self, entries: Callable[[Any], Entries]
-    ) -> Callable[[Any, str | os.PathLike[str]], None]:
-        """The function that writes a result to a path.
-
-        `entries` gives what a file states of a result.
-        """
-        return lambda found, path: self.write(path, entries(found))
-
-    def reader(
-        self, result: Callable[[Entries], Result]
-    ) -> Callable[[str | os.PathLike[str]], Result]:
-        """The function that reads a result from a path; its errors name the file.
-
-        `result` gives the result that entries describe.
-        """
-
-        def read(path: str | os.PathLike[str]) -> Result:
-            with naming(path) as file:
-                return result(self.read(file))
-
-        return read
-
     def check(self, content: Any) -> Entries:
         """The entries of what a JSON parser gave.
 
@@ -197,17 +172,6 @@ def _told(content: Any) -> str:
     named = content.get("format") if isinstance(content, dict) else None
     known = isinstance(named, str) and re.fullmatch(r"nonsmooth [a-z ]{1,40}", named)
     return f": it is a {named}" if known else ""
-
-
-def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
-    """Raise `InputError` if entries of a file do not follow from its others.
-
-    `given` holds the entries that follow, by name, as the result that was made from the
-    others gives them.
-    """
-    for name, entry in given.items():
-        if getattr(entries, name) != entry:
-            raise InputError(f"{name!r} is not what the other entries give")
 
 
 def check_same_question(what: str, asked: Mapping[str, Any], known: Mapping[str, Any]) -> None:

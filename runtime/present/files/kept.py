@@ -28,7 +28,7 @@ if TYPE_CHECKING:
         EventCertificates,
     )
 
-__all__ = ["KINDS", "KeptKind", "format_named", "format_of_result", "load_events", "save_result"]
+__all__ = ["KINDS", "KeptKind", "format_named", "load_events", "save_result"]
 
 _PROOF = 4 + SAVED_VERSION  # version of the files of proofs
 _PLANE = 2  # parameters of a box with curves
@@ -208,14 +208,6 @@ def format_named(name: str) -> FileFormat[Any]:
     )
 
 
-def format_of_result(result: Any) -> FileFormat[Any]:
-    """The format that keeps a result, by the name of its class."""
-    own = type(result).__name__
-    return format_named(
-        next(name for name, kind in KINDS.items() if kind.record.partition(":")[2] == own)
-    )
-
-
 def save_result(result: Any, path: str | os.PathLike[str]) -> None:
     """Write a result to a file, which is replaced only when the new one is complete.
 
@@ -227,7 +219,9 @@ def save_result(result: Any, path: str | os.PathLike[str]) -> None:
         from nonsmooth.runtime.proof.events.event_certificate import EventCertificates
 
         result = EventCertificates(events=tuple(result))
-    format_of_result(result).write(path, result)
+    own = type(result).__name__
+    named = next(name for name, kind in KINDS.items() if kind.record.partition(":")[2] == own)
+    format_named(named).write(path, result)
 
 
 def load_events(path: str | os.PathLike[str]) -> tuple[EventCertificate, ...]:
