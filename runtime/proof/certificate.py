@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import ceil
 from typing import TYPE_CHECKING, Annotated, Any
 
 from nonsmooth.runtime.checker.exact import exact
@@ -43,15 +42,15 @@ __all__ = [
     "Stability",
     "Stated",
     "Unknown",
+    "ball_of",
     "file_json",
+    "precise",
 ]
 
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")
 
-
-_DIGITS = 5  # of a middle beyond those that are shown
 
 Verdict = Annotated[str, one_of(("proved", "refuted", "undecided"))]
 Decided = Annotated[str, one_of(("proved", "undecided"))]
@@ -110,17 +109,6 @@ class Stated(Enclosure):
         """Return a stated ball, a bit wider than a given one, whose radius has `digits` digits."""
         return Stated.of(*decimals(ball, bits, digits), bits)
 
-    @staticmethod
-    def read(ball: Ball) -> Stated:
-        """Return the ball of a file, as precise as the texts show.
-
-        A radius of several digits is that of a wide ball, of which all digits are certain to count.
-        """
-        middle, radius = ball.mid, ball.rad
-        digits = sum(letter.isdigit() for letter in middle.partition("e")[0])
-        shown = digits if "." in radius else digits - _DIGITS
-        return Stated.of(middle, radius, ceil(max(shown, _DIGITS) / 0.302))
-
     def _decimals(self) -> tuple[str, str]:
         return self.texts
 
@@ -133,7 +121,28 @@ class Ball:
     rad: Exact
 
 
-KeptBall = Annotated[Stated, by(Ball, lambda own: Ball(mid=own.mid, rad=own.rad), Stated.read)]
+def ball_of(bits: int) -> Codec:
+    """The way to write and read balls, as precise as so many bits; of 0 as their record says."""
+    return by(
+        Ball,
+        lambda own: Ball(mid=own.mid, rad=own.rad),
+        lambda found: Stated.of(found.mid, found.rad, bits),
+    )
+
+
+def precise(found: Any, bits: int) -> Any:
+    """Balls of a file, in tuples and by names, as precise as `bits` where they are not yet."""
+    match found:
+        case Stated(bits=0):
+            return Stated.of(*found.texts, bits)
+        case Mapping():
+            return {name: precise(each, bits) for name, each in found.items()}
+        case tuple():
+            return tuple(precise(each, bits) for each in found)
+    return found
+
+
+KeptBall = Annotated[Stated, ball_of(0)]
 Enclosures = Mapping[str, KeptBall]
 
 
@@ -237,6 +246,10 @@ class Certificate(Certified):
     derivatives: Mapping[str, Enclosures] = field(default_factory=dict)
     directions: Mapping[str, Mapping[str, Fraction]] = field(default_factory=dict)
     no_derivatives: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("enclosures", "multipliers", "derivatives"):
+            object.__setattr__(self, name, precise(getattr(self, name), self.bits))
 
     @property
     def start_names(self) -> tuple[str, ...]:

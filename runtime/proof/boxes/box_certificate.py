@@ -30,14 +30,15 @@ from nonsmooth.runtime.proof.certificate import (
     NO_ORBIT,
     Claims,
     Declaration,
-    Enclosures,
     Stability,
     Stated,
+    ball_of,
 )
 
 __all__ = ["BITS", "DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
 
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
+KeptBall = Annotated[Stated, ball_of(BITS)]
 
 _PLANE = 2  # parameters of a box that has regions and curves
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
@@ -72,7 +73,7 @@ class Tile:
     place: Annotated[Place, by(tuple[tuple[int, int], ...], lambda place: place.steps, Place)]
     claims: Claims
     reasons: Mapping[str, str]
-    enclosures: Enclosures
+    enclosures: Mapping[str, KeptBall]
     guess: tuple[float, ...] = field(repr=False)
     looked_at: bool
     event: TileEvent | None
@@ -228,7 +229,7 @@ class BoxCertificate(Certified):
         return found
 
     @Follows
-    def enclosures(self) -> Enclosures:
+    def enclosures(self) -> Mapping[str, KeptBall]:
         """Trace, period, dwell times and start over all tiles on which the orbit is proved.
 
         Without a trace that is unbounded on some tile.

@@ -12,7 +12,7 @@ from nonsmooth.runtime.core.registry import Certified, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.boxes.tile_event import Events, Instant, Side
-from nonsmooth.runtime.proof.certificate import Decided, Declaration, Enclosures, Stability
+from nonsmooth.runtime.proof.certificate import Decided, Declaration, Stability, Stated, ball_of
 
 __all__ = [
     "FINISHED",
@@ -25,6 +25,7 @@ __all__ = [
     "BranchTile",
     "CertifiedBranch",
     "DrawnOverParameter",
+    "KeptBall",
     "OrbitBeyond",
 ]
 
@@ -32,6 +33,7 @@ STATED = 112  # bits of the numbers at an event
 NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"  # beside what stability is called
 FINISHED = "end of the interval"
 VANISHED = "a phase vanishes"
+KeptBall = Annotated[Stated, ball_of(STATED)]
 _STABILITY = ("stable", "neutral", "unstable")
 Verdict = Annotated[str, one_of((*_STABILITY, NOT_ADMISSIBLE, UNDECIDED))]
 
@@ -114,7 +116,7 @@ class BranchEvent:
     upper: Fraction
     window: tuple[Fraction, ...]
     also: Events
-    enclosures: Enclosures
+    enclosures: Mapping[str, KeptBall]
     beyond: tuple[OrbitBeyond, ...] = field(default=(), repr=False)
 
 

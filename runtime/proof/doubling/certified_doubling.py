@@ -17,8 +17,9 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
     BranchEvent,
     CertifiedBranch,
     DrawnOverParameter,
+    KeptBall,
 )
-from nonsmooth.runtime.proof.certificate import Decided, KeptBall
+from nonsmooth.runtime.proof.certificate import Decided
 
 __all__ = ["CertifiedDoubling", "DoubledOrbits", "Ended"]
 

@@ -11,7 +11,14 @@ from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.boxes.tile_event import Instant
-from nonsmooth.runtime.proof.certificate import Decided, Declaration, Enclosures, Stated, Unknown
+from nonsmooth.runtime.proof.certificate import (
+    Decided,
+    Declaration,
+    Enclosures,
+    Stated,
+    Unknown,
+    precise,
+)
 
 __all__ = ["EventCertificate", "EventCertificates", "events_claim"]
 
@@ -70,6 +77,9 @@ class EventCertificate(Certified):
     bits: int
     declaration: Declaration = field(repr=False)
     closing: Declaration = field(repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "enclosures", precise(self.enclosures, self.bits))
 
     @property
     def proved(self) -> bool:
