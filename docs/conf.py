@@ -43,6 +43,7 @@ extensions = [
     "benchmark_tables",
     "docstring_references",
     "failing_commands",
+    "file_schemas",
     "mathjax_files",
     "notebook_download",
     "typer_commands",

@@ -6,10 +6,11 @@ import json
 import math
 import re
 from collections.abc import Callable
+from dataclasses import fields
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import sympy as sp
 
@@ -28,10 +29,11 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "accepted", "certified_over", "edited", "forced", "kicked", "loop",
+__all__ = ["FORCED", "accepted", "certified_over", "claimed", "edited", "forced", "kicked", "loop",
            "prove_basin", "prove_branch", "prove_doubling", "prove_graph", "rooted", "signed",
            "struck", "struck_together", "unhashed"]  # fmt: skip
 
@@ -210,6 +212,13 @@ def edited(path: Path, change: Callable[[dict[str, Any]], object]) -> dict[str, 
     content = json.loads(path.read_text())
     change(content)
     return signed(content)
+
+
+def claimed(kind: type, content: dict[str, Any]) -> Any:
+    """The record that entries describe, whatever they say of what follows from them."""
+    hints = get_type_hints(kind, include_extras=True)
+    own = [field.name for field in fields(kind) if field.name in content]
+    return kind(**{name: by(hints[name], lambda value: value).read(content[name]) for name in own})
 
 
 def unhashed(told: object) -> str:

@@ -21,7 +21,7 @@ from nonsmooth.runtime.checker.exact import (
     exact,
 )
 from nonsmooth.runtime.checker.parameters import number_in
-from nonsmooth.runtime.checker.points import check
+from nonsmooth.runtime.checker.points import check_stated
 from nonsmooth.runtime.checker.shape import CENSUS, check_bits, check_shape
 
 __all__ = ["check_census", "check_listed"]
@@ -43,7 +43,7 @@ def check_census(content: dict[str, Any]) -> None:
     for number, orbit in enumerate(content["orbits"], 1):
         if orbit["certificate"] is not None:
             with _of_orbit(number):
-                check(orbit["certificate"])
+                check_stated(orbit["certificate"])
 
 
 def check_listed(content: dict[str, Any]) -> None:

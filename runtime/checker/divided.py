@@ -57,8 +57,8 @@ class Band(NamedTuple):
 
         `place` has the tile's step and level along each axis.
         """
-        demand(len(names) == len(_WHOLE) and event["across"] in names, "a curve in no plane")
-        band = Band(names.index(event["across"]), tuple(event["centre"]), event["radius"])
+        demand(len(names) == len(_WHOLE) and event["axis"] in (1, 2), "a curve in no plane")
+        band = Band(event["axis"] - 1, tuple(event["centre"]), event["radius"])
         return band._checked(place)
 
     @staticmethod

@@ -253,7 +253,6 @@ class FoldedTile:
 def beyond_folds(
     tiles: Sequence[dict[str, Any]],
     verdicts: Sequence[str],
-    names: Sequence[str],
     beside: Sequence[Sequence[int]],
 ) -> list[bool]:
     """Return which undecided tiles border on nothing but each other and what is beyond folds.
@@ -275,7 +274,7 @@ def beyond_folds(
             both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
             if other in parts:
                 parts[k].append(other)
-            elif _is_beyond(tiles[other], names, where[other], both):
+            elif _is_beyond(tiles[other], where[other], both):
                 behind[k] = True
             else:
                 left[k] = True
@@ -296,9 +295,7 @@ def beyond_folds(
     return found
 
 
-def _is_beyond(
-    tile: dict[str, Any], names: Sequence[str], place: Sequence[Any], edge: Sequence[Any]
-) -> bool:
+def _is_beyond(tile: dict[str, Any], place: Sequence[Any], edge: Sequence[Any]) -> bool:
     """Return whether an edge lies on the side beyond a tile's fold, where there are no orbits.
 
     Nothing is assumed about what is beside the edge. Along the curve's parameter, the
@@ -308,7 +305,7 @@ def _is_beyond(
     event = tile["event"]
     if event is None or event["kind"] != "fold":
         return False
-    axis = names.index(event["across"])
+    axis = event["axis"] - 1
     centre, radius = [fraction(c) for c in event["centre"]], fraction(event["radius"])
     sign = 1 if event["above"] == BEYOND else -1
     sides = [

@@ -154,6 +154,11 @@ def check(content: dict[str, Any]) -> None:
     """
     check_shape(content, CERTIFICATE)
     check_sum(content)
+    check_stated(content)
+
+
+def check_stated(content: dict[str, Any]) -> None:
+    """Judge an orbit again of which a file, in its shape, states a certificate."""
     bits = check_bits(content)
     exists, admissible, stable = agreed_claims(content["claims"], content["reasons"])
     if exists != "proved":

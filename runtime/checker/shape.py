@@ -147,8 +147,7 @@ _JUDGED = {
     "enclosures": _BALLS,
 }
 
-CERTIFICATE = {
-    **_FILE,
+_POINT = {
     **_STATEMENT,
     **_JUDGED,
     "closing": Either(
@@ -173,6 +172,7 @@ CERTIFICATE = {
     "directions": Maybe(Named(Named(NUMBER))),
     "no_derivatives": Maybe(Named(str)),
 }
+CERTIFICATE = {**_FILE, **_POINT}
 _BESIDE = re.compile("proved|unstable|not admissible")
 _SIDE = re.compile("proved|unstable|not admissible|beyond a fold")
 MAP = {
@@ -207,7 +207,7 @@ MAP = {
                         "instant": str,
                         "window": [NUMBER],
                         "also": [(str, int, str, str)],
-                        "across": str,
+                        "axis": int,
                         "centre": [float],
                         "radius": float,
                         "below": _SIDE,
@@ -340,18 +340,16 @@ CHAOS = {
     "itineraries": Named([(str, str, str)]),
     "growth": re.compile(r"\d{1,4000}(/[1-9]\d{0,3999})?", re.ASCII),
     "entropy": NUMBER,
-    "cones": Maybe(
-        Either(
-            (
-                type(None),
-                {
-                    "forms": Named([NUMBER]),
-                    "strips": [(str, str, [(NUMBER, NUMBER)])],
-                    "expansion": NUMBER,
-                    "contraction": NUMBER,
-                    "exponent": NUMBER,
-                },
-            )
+    "cones": Either(
+        (
+            type(None),
+            {
+                "forms": Named([NUMBER]),
+                "strips": [(str, str, [(NUMBER, NUMBER)])],
+                "expansion": NUMBER,
+                "contraction": NUMBER,
+                "exponent": NUMBER,
+            },
         )
     ),
     "parts": int,
@@ -410,7 +408,7 @@ CENSUS = {
     "decided": bool,
     "statement": str,
     "orbits": [
-        {"unique": _BOUNDS, "certificate": Either((type(None), CERTIFICATE)), "reason": str},
+        {"unique": _BOUNDS, "certificate": Either((type(None), _POINT)), "reason": str},
     ],
     "undecided": [{"bounds": _BOUNDS, "reason": str}],
     "bits": int,

@@ -476,7 +476,7 @@ def _total(content: dict[str, Any]) -> None:
     verdicts = [_verdict(tile) for tile in tiles]
     beyond = [False] * len(tiles)
     if len(content["box"]) == _PLANE:
-        beyond = beyond_folds(tiles, verdicts, [*content["box"]], _neighbours(tiles))
+        beyond = beyond_folds(tiles, verdicts, _neighbours(tiles))
     for tile, verdict, behind in zip(tiles, verdicts, beyond, strict=True):
         shares[BEYOND if behind else verdict] += fmpq(
             1, 2 ** sum(level for _, level in tile["place"])

@@ -124,14 +124,14 @@ def follow(
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.answers import branch_json
-    from nonsmooth.runtime.present.files.kept import BRANCH
+    from nonsmooth.runtime.present.files.kept import format_named
 
     check_drawing(plot)
     _check_picture(plot, quantity, frequency, over, follow_event)
     if resume is not None and (switch or follow_event is not None):
         raise InputError("--resume is for a branch, and not for what --switch and --follow lead to")
     check_new(save, overwrite, resume, resumes=not switch and follow_event is None)
-    known = None if resume is None else BRANCH.load(resume)
+    known = None if resume is None else format_named("nonsmooth branch").load(resume)
     if follow_event is not None and beyond:
         raise InputError("--beyond is of a branch: leave it out with --follow")
     wanted = 1 if follow_event is None else 2

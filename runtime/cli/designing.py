@@ -116,11 +116,11 @@ def design(
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.design.design import design as find_design
-    from nonsmooth.runtime.present.files.kept import DESIGN
+    from nonsmooth.runtime.present.files.kept import format_named
 
     check_drawing(plot)
     check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else DESIGN.load(resume)
+    known = None if resume is None else format_named("nonsmooth design").load(resume)
     texts = parameters or []
     over = {
         n: (a, b) for n, (a, b, _) in ranges("parameter", [t for t in texts if ":" in t]).items()

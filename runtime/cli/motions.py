@@ -381,11 +381,11 @@ def sweep(
     from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.answers import sweep_json
-    from nonsmooth.runtime.present.files.kept import SWEEP
+    from nonsmooth.runtime.present.files.kept import format_named
 
     check_drawing(plot)
     check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else SWEEP.load(resume)
+    known = None if resume is None else format_named("nonsmooth sweep").load(resume)
     asked, options = _question(
         system, parameters or [], quantity, at, phase, start, transient, samples, not restart
     )

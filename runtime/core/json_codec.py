@@ -26,17 +26,25 @@ a record                       an object with exactly its fields; one that has a
 ``Any``                        whatever is there
 ``Annotated[X, Codec(...)]``   what its two functions say
 ``Annotated[X, Several(...)]`` the entries of a record, which stand beside those of other fields
+``Annotated[X, IN_FILES]``     as ``X``, and not in answers; `IN_ANSWERS`: not in files
+``Annotated[X, UNSTATED]``     in neither; the default where a file is read
 =============================  ==================================================================
+
+What follows from the fields stands beside them: a `Follows` property in files and answers, and a
+reader refuses another value; a `Told` property in answers alone. `json_schema` says all of this
+of a record in JSON Schema.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import MISSING, dataclass, fields, is_dataclass
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextvars import ContextVar
+from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass, replace
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
+from itertools import chain
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
@@ -52,12 +60,16 @@ from nonsmooth.runtime.core.values import (
 )
 
 __all__ = [
+    "IN_ANSWERS",
+    "IN_FILES",
+    "UNSTATED",
     "AnyComplex",
     "AnyComplexTable",
     "AnyDigits",
     "AnyRow",
     "AnyTable",
     "BlankDigits",
+    "BlankExact",
     "BlankText",
     "BlankValue",
     "Codec",
@@ -65,20 +77,34 @@ __all__ = [
     "Digits",
     "Exact",
     "Flags",
+    "Follows",
     "FromOne",
+    "Inconsistent",
     "Integers",
+    "Ordinal",
     "Row",
     "Several",
     "Table",
+    "Told",
+    "answer",
+    "by",
     "decode",
     "encode",
     "given_value",
+    "json_schema",
+    "named_as",
     "nan_as_null",
     "one_of",
+    "stated",
 ]
 
 Record = TypeVar("Record")
+Entry = TypeVar("Entry")
 _WRONG_TYPE = " is of the wrong type"
+# notes on fields that are not stated everywhere
+IN_FILES, IN_ANSWERS, UNSTATED = "in files", "in answers", "unstated"
+_FOR = ContextVar("what entries are for", default=IN_FILES)
+_PROOF = "a proof"
 
 
 @dataclass(frozen=True)
@@ -88,15 +114,30 @@ class Codec:
     write: Callable[..., Any]  # gives the JSON entry of a value
     # gives the value of an entry; InputError or ValueError for another entry
     read: Callable[[Any], Any]
+    # JSON Schema of the entry; a record is a reference to `RECORDS`
+    schema: Mapping[str, Any] = field(default_factory=dict, hash=False, compare=False)
 
 
 @dataclass(frozen=True)
 class Several:
-    """How one field stands as several entries: those of a record that is made of its value."""
+    """How fields stand as several entries: those of a record that is made of their values."""
 
     entries: type  # the record
-    write: Callable[[Any], Any]  # gives the record of a value
-    read: Callable[[Any], Any]  # gives the value of a record; InputError for another record
+    write: Callable[..., Any]  # gives the record of the values
+    read: Callable[[Any], Any]  # gives the values of a record; InputError for another record
+    fields: tuple[str, ...] = ()  # whose values these are; empty for the noted field alone
+
+
+class Told(cached_property[Entry]):
+    """A property that answers state beside a record's fields."""
+
+
+class Follows(Told[Entry]):
+    """A property that files state too: a reader refuses what does not follow from the fields."""
+
+
+def _same(entry: Any) -> Any:
+    return entry
 
 
 class _Refused(InputError):
@@ -108,7 +149,29 @@ class _Refused(InputError):
 
     def below(self, step: object) -> _Refused:
         """The same refusal with one more step in front of its path."""
-        return _Refused(self.problem, (step, *self.path))
+        return type(self)(self.problem, (step, *self.path))
+
+
+class Inconsistent(_Refused):
+    """Entries that are refused together: each of them alone is in order."""
+
+
+def answer(record: Any) -> dict[str, Any]:
+    """The JSON object of a record in answers: all that it tells, and nothing that files need."""
+    return _encoded(record, IN_ANSWERS)
+
+
+def stated(record: Any) -> dict[str, Any]:
+    """The JSON object of a record as its file has it, where names are those of this process."""
+    return _encoded(record, _PROOF)
+
+
+def _encoded(record: Any, what_for: str) -> dict[str, Any]:
+    token = _FOR.set(what_for)
+    try:
+        return encode(record)
+    finally:
+        _FOR.reset(token)
 
 
 def encode(record: Any, without: Collection[str] = ()) -> dict[str, Any]:
@@ -144,6 +207,28 @@ def given_value(name: str, text: str) -> Value:
         raise InputError(f"{name}: {problem}") from None
 
 
+def json_schema(kind: type) -> dict[str, Any]:
+    """JSON Schema (2020-12) of a record: its own, and by name those of the records in it."""
+    found: dict[str, Any] = {}
+    left = [_codec(kind).schema["$ref"]]
+    while left:
+        name = left.pop().rpartition("/")[2]
+        if name not in found:
+            found[name] = _parts(_RECORDS[name]).schema
+            left += _references(found[name])
+    return {**found.pop(kind.__name__), "$defs": dict(sorted(found.items()))}
+
+
+def _references(schema: Any) -> Iterator[str]:
+    """The references in a schema."""
+    if isinstance(schema, Mapping):
+        if isinstance(schema.get("$ref"), str):
+            yield schema["$ref"]
+        yield from chain.from_iterable(map(_references, schema.values()))
+    elif isinstance(schema, list):
+        yield from chain.from_iterable(map(_references, schema))
+
+
 @cache
 def _codec(kind: Any) -> Codec:
     """The `Codec` for values of an annotation."""
@@ -171,8 +256,28 @@ def _codec(kind: Any) -> Codec:
     raise TypeError(f"{kind} has no JSON form")
 
 
-def _same(entry: Any) -> Any:
-    return entry
+def by(kind: Any, write: Callable[[Any], Any], read: Callable[[Any], Any] = _same) -> Codec:
+    """A `Codec` for values that are written as others, of an annotation.
+
+    `write` gives the other value, `read` the value of another one; InputError if there is none.
+    """
+    way = _codec(kind)
+    return Codec(
+        lambda value: way.write(write(value)), lambda entry: read(way.read(entry)), way.schema
+    )
+
+
+def named_as(names: tuple[str, ...], kind: Any) -> Codec:
+    """A `Codec` for mappings with exactly these names, whose values have one annotation."""
+    part = _codec(kind)
+    ways = dict.fromkeys(names, part)
+
+    def read(entry: Any) -> dict[str, Any]:
+        _check_names(entry, ways, ways)
+        return _named(entry, ways)
+
+    schema = _object_schema(dict.fromkeys(names, part.schema), names)
+    return Codec(lambda entry: {name: part.write(entry[name]) for name in names}, read, schema)
 
 
 def _of_type(kind: type) -> Callable[[Any], Any]:
@@ -206,8 +311,8 @@ def _value(entry: Any) -> Value:
     return as_value(Fraction(text))
 
 
-def _matching(pattern: str) -> Callable[[Any], str]:
-    """A reader that refuses texts that do not match a pattern."""
+def _matching(pattern: str) -> Codec:
+    """A `Codec` for texts that match a pattern."""
     form = re.compile(pattern)
 
     def read(entry: Any) -> str:
@@ -216,10 +321,10 @@ def _matching(pattern: str) -> Callable[[Any], str]:
             raise _Refused(f" is {text!r}, not a number")
         return text
 
-    return read
+    return Codec(_same, read, {"type": "string", "pattern": f"^({pattern})$"})
 
 
-_fraction = _matching(r"-?\d+(/\d+)?")
+_FRACTION = _matching(r"-?\d+(/\d+)?")
 
 
 def _digits(entry: Any) -> float:
@@ -278,6 +383,7 @@ def _list(part: Codec) -> Codec:
     return Codec(
         lambda parts: [part.write(each) for each in parts],
         lambda entry: tuple(_place_in(entry, part.read)),
+        {"type": "array", "items": part.schema},
     )
 
 
@@ -288,7 +394,17 @@ def _row(parts: tuple[Codec, ...]) -> Codec:
         ways = iter(parts)
         return tuple(_place_in(entry, lambda part: next(ways).read(part)))
 
-    return Codec(lambda row: [p.write(each) for p, each in zip(parts, row, strict=True)], read)
+    size = len(parts)
+    return Codec(
+        lambda row: [p.write(each) for p, each in zip(parts, row, strict=True)],
+        read,
+        {
+            "type": "array",
+            "prefixItems": [p.schema for p in parts],
+            "minItems": size,
+            "maxItems": size,
+        },
+    )
 
 
 def _object(part: Codec) -> Codec:
@@ -297,7 +413,11 @@ def _object(part: Codec) -> Codec:
             raise _Refused(_WRONG_TYPE)
         return _named(entry, dict.fromkeys(entry, part))
 
-    return Codec(lambda entry: {name: part.write(each) for name, each in entry.items()}, read)
+    return Codec(
+        lambda entry: {name: part.write(each) for name, each in entry.items()},
+        read,
+        {"type": "object", "additionalProperties": part.schema},
+    )
 
 
 def _named(entry: Mapping[str, Any], ways: Mapping[str, Codec]) -> dict[str, Any]:
@@ -315,47 +435,159 @@ def _optional(part: Codec, nothing: Any = None) -> Codec:
     return Codec(
         lambda each: nothing if each is None else part.write(each),
         lambda entry: None if entry == nothing else part.read(entry),
+        {"anyOf": [{"const": nothing}, part.schema]},
     )
 
 
-def _record(kind: Any) -> Codec:
+@dataclass(frozen=True)
+class _Parts:
+    """How the fields of a record, and what follows from them, are written and read."""
+
+    ways: Mapping[str, Codec]  # of fields, by name, that have an entry of this name
+    spread: Mapping[str, Several]  # of fields that have several
+    together: Mapping[str, str]  # by the name of a field that another one spreads: which does
+    defaults: Mapping[str, Any]  # of fields: their entries are not there where they are these
+    notes: Mapping[str, str]  # of fields that are not stated everywhere
+    follows: Mapping[str, Codec]  # of properties in files and answers
+    told: Mapping[str, Codec]  # of properties in answers alone
+    beside: Mapping[str, str]  # by the name of an entry of several: the field
+
+    @property
+    def alone(self) -> dict[str, Codec]:
+        """Of the fields that have an entry of their own in files."""
+        return {
+            name: way
+            for name, way in self.ways.items()
+            if name not in self.together and self.notes.get(name, IN_FILES) == IN_FILES
+        }
+
+    @property
+    def schema(self) -> dict[str, Any]:
+        """JSON Schema of the record."""
+        every = {name: way.schema for name, way in {**self.alone, **self.follows}.items()}
+        needed = [name for name in every if name not in self.defaults]
+        for own in self.spread.values():
+            inner = _parts(own.entries).schema
+            every |= inner["properties"]
+            needed += inner["required"]
+        return _object_schema(every, needed)
+
+
+def _object_schema(entries: Mapping[str, Any], needed: Collection[str]) -> dict[str, Any]:
+    return {
+        "type": "object",
+        "properties": dict(entries),
+        "required": list(needed),
+        "additionalProperties": False,
+    }
+
+
+@cache
+def _parts(kind: Any) -> _Parts:
     hints = get_type_hints(kind, include_extras=True)
-    spread = {f.name: found for f in fields(kind) if (found := _several(hints[f.name]))}
-    ways = {f.name: _codec(hints[f.name]) for f in fields(kind) if f.name not in spread}
-    left_out = {f.name: f.default for f in fields(kind) if f.default is not MISSING}
-    beside = {part.name: name for name, own in spread.items() for part in fields(own.entries)}
+    spread = {f.name: found for f in fields(kind) if (found := _note(hints[f.name], Several))}
+    told = {
+        name: (type(own), _codec(get_type_hints(own.func, include_extras=True)["return"]))
+        for each in reversed(kind.__mro__)
+        for name, own in vars(each).items()
+        if isinstance(own, Told)
+    }
+    return _Parts(
+        {f.name: _codec(hints[f.name]) for f in fields(kind)
+         if f.name not in spread or spread[f.name].fields},
+        spread,
+        {name: first for first, own in spread.items() for name in own.fields},
+        {f.name: _default(f) for f in fields(kind) if _default(f) is not MISSING},
+        {f.name: note for f in fields(kind) if (note := _note(hints[f.name], str))},
+        {name: way for name, (own, way) in told.items() if own is Follows},
+        {name: way for name, (own, way) in told.items() if own is Told},
+        {part: name for name, own in spread.items() for part in _entries_of(own.entries)},
+    )  # fmt: skip
+
+
+def _default(own: Field[Any]) -> Any:
+    return own.default if own.default_factory is MISSING else own.default_factory()
+
+
+def _entries_of(kind: Any) -> tuple[str, ...]:
+    return tuple(own.name for own in fields(kind))
+
+
+_RECORDS: dict[str, Any] = {}  # records that a schema refers to, by name
+
+
+def _record(kind: Any) -> Codec:
+    """The `Codec` of a record, which may hold others of its kind."""
 
     def write(record: Any, without: Collection[str] = ()) -> dict[str, Any]:
-        entries: dict[str, Any] = {}
-        for name in (field.name for field in fields(kind) if field.name not in without):
+        parts, entries, what_for = _parts(kind), dict[str, Any](), _FOR.get()
+        place = IN_ANSWERS if what_for == IN_ANSWERS else IN_FILES
+        for name in (own.name for own in fields(kind) if own.name not in without):
             value = getattr(record, name)
-            if name in spread:
-                entries |= encode(spread[name].write(value))
-            elif name not in left_out or value != left_out[name]:
-                entries[name] = ways[name].write(value)
-        return entries
+            if parts.notes.get(name, place) != place:
+                continue
+            if name in parts.spread and (what_for == IN_FILES or name not in parts.ways):
+                own = parts.spread[name]
+                values = [getattr(record, each) for each in own.fields or (name,)]
+                several = own.write(*values)
+                entries |= encode(several)
+                if own.fields and parts.follows:  # from names that the file gives
+                    known = vars(several).keys() & {*own.fields}
+                    record = replace(record, **{each: vars(several)[each] for each in known})
+            elif name in parts.together and what_for == IN_FILES:
+                continue
+            elif name not in parts.defaults or value != parts.defaults[name]:
+                entries[name] = parts.ways[name].write(value)
+        more = {**parts.follows, **(parts.told if what_for == IN_ANSWERS else {})}
+        known = (name for name in more if name not in without)
+        return {**entries, **{name: more[name].write(getattr(record, name)) for name in known}}
 
     def read(entry: Any) -> Any:
-        if type(entry) is not dict:
-            raise _Refused(_WRONG_TYPE)
-        for name in ways:
-            if name not in entry and name not in left_out:
-                raise _Refused(" is missing", (name,))
-        for name in entry:
-            if name not in ways and name not in beside:
-                raise _Refused(" is unknown", (name,))
-        found = _named(entry, {name: ways[name] for name in entry if name in ways})
-        for name, own in spread.items():
-            parts = {part: entry[part] for part in entry if beside.get(part) == name}
-            found[name] = own.read(decode(own.entries, parts))
-        return kind(**found)
+        parts = _parts(kind)
+        every = {**parts.alone, **parts.follows}
+        needed = [name for name in every if name not in parts.defaults]
+        _check_names(entry, needed, {**every, **parts.beside})
+        found = _named(entry, {name: every[name] for name in entry if name in every})
+        for name, own in parts.spread.items():
+            inner = {part: entry[part] for part in entry if parts.beside.get(part) == name}
+            several: Any = decode(own.entries, inner)
+            try:
+                values = own.read(several)
+            except InputError as problem:
+                raise Inconsistent(str(problem)) from None
+            found |= dict(
+                zip(own.fields or (name,), values if own.fields else (values,), strict=True)
+            )
+        record = kind(**{name: value for name, value in found.items() if name not in parts.follows})
+        for name, way in parts.follows.items():
+            try:
+                same = way.write(getattr(record, name)) == entry[name]
+            except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError):
+                same = False  # from entries that do not belong together
+            if not same:
+                raise Inconsistent(" is not what the other entries give", (name,))
+        return record
 
-    return Codec(write, read)
+    _RECORDS[kind.__name__] = kind
+    return Codec(write, read, {"$ref": f"#/$defs/{kind.__name__}"})
 
 
-def _several(hint: Any) -> Several | None:
+def _check_names(entry: Any, needed: Collection[str], known: Collection[str]) -> None:
+    """Refuse what is no object, lacks a needed name, or has one that is not known."""
+    if type(entry) is not dict:
+        raise _Refused(_WRONG_TYPE)
+    for name in needed:
+        if name not in entry:
+            raise _Refused(" is missing", (name,))
+    for name in entry:
+        if name not in known:
+            raise _Refused(" is unknown", (name,))
+
+
+def _note(hint: Any, kind: type) -> Any:
+    """The note of a kind on an annotation, None without one."""
     notes = get_args(hint)[1:] if get_origin(hint) is Annotated else ()
-    return next((note for note in notes if isinstance(note, Several)), None)
+    return next((note for note in notes if isinstance(note, kind)), None)
 
 
 def one_of(known: tuple[str, ...]) -> Codec:
@@ -366,7 +598,7 @@ def one_of(known: tuple[str, ...]) -> Codec:
             raise _Refused(f" is {entry!r}, none of {', '.join(known)}")
         return entry
 
-    return Codec(_same, read)
+    return Codec(_same, read, {"enum": list(known)})
 
 
 def _flat(part: Codec, kind: type) -> Codec:
@@ -374,6 +606,7 @@ def _flat(part: Codec, kind: type) -> Codec:
     return Codec(
         lambda array: [part.write(each) for each in np.ravel(array).tolist()],
         lambda entry: np.array(_place_in(entry, part.read), dtype=kind),
+        {"type": "array", "items": part.schema},
     )
 
 
@@ -386,37 +619,47 @@ def _rows(part: Codec, kind: type = float) -> Codec:
             raise _Refused(" has rows of different lengths")
         return np.array(rows, dtype=kind).reshape(len(rows), -1 if rows else 0)
 
-    return Codec(lambda array: [[part.write(each) for each in row] for row in array.tolist()], read)
+    return Codec(
+        lambda array: [[part.write(each) for each in row] for row in array.tolist()],
+        read,
+        {"type": "array", "items": {"type": "array", "items": part.schema}},
+    )
 
 
+_TEXT = {"type": "string"}
 _PLAIN: dict[Any, Codec] = {
-    str: Codec(_same, _text),
-    bool: Codec(bool, _of_type(bool)),
-    int: Codec(int, _of_type(int)),
-    float: Codec(float, _number),
-    Value: Codec(lambda value: value.text, _value),
-    Fraction: Codec(str, lambda entry: Fraction(_fraction(entry))),
+    str: Codec(_same, _text, _TEXT),
+    bool: Codec(bool, _of_type(bool), {"type": "boolean"}),
+    int: Codec(int, _of_type(int), {"type": "integer"}),
+    float: Codec(float, _number, {"type": "number"}),
+    Value: Codec(lambda value: value.text, _value, _TEXT),
+    Fraction: Codec(str, lambda entry: Fraction(_FRACTION.read(entry)), _FRACTION.schema),
 }
-_DIGITS, _ANY_DIGITS = Codec(_digits_of, _finite), Codec(_digits_of, _digits)
-_ANY_COMPLEX = Codec(_complex_text, _complex_of(_digits))
+_DECIMAL = r"-?(\d+(\.\d+)?(e[-+]\d+)?"
+_FINITE = {"type": "string", "pattern": f"^{_DECIMAL})$"}
+_DIGITS = Codec(_digits_of, _finite, _FINITE)
+_ANY = {"type": "string", "pattern": f"^{_DECIMAL}|nan|inf)$"}
+_ANY_DIGITS = Codec(_digits_of, _digits, _ANY)
+_ANY_COMPLEX = Codec(_complex_text, _complex_of(_digits), _TEXT)
 
-Exact = Annotated[str, Codec(_same, _matching(r"-?\d+(\.\d+)?(e[-+]?\d+)?(/\d+)?"))]
+_EXACT = r"-?\d+(\.\d+)?(e[-+]?\d+)?(/\d+)?"
+Exact = Annotated[str, _matching(_EXACT)]
+BlankExact = Annotated[str, _matching(f"({_EXACT})?")]
 Digits = Annotated[float, _DIGITS]
 AnyDigits = Annotated[float, _ANY_DIGITS]
 Row = Annotated[np.ndarray, _flat(_DIGITS, float)]
 AnyRow = Annotated[np.ndarray, _flat(_ANY_DIGITS, float)]
 Table = Annotated[np.ndarray, _rows(_DIGITS)]
 AnyTable = Annotated[np.ndarray, _rows(_ANY_DIGITS)]
-Complex = Annotated[np.ndarray, _flat(Codec(_complex_text, _complex_of(_finite)), complex)]
+Complex = Annotated[np.ndarray, _flat(Codec(_complex_text, _complex_of(_finite), _TEXT), complex)]
 AnyComplex = Annotated[np.ndarray, _flat(_ANY_COMPLEX, complex)]
 AnyComplexTable = Annotated[np.ndarray, _rows(_ANY_COMPLEX, complex)]
 Integers = Annotated[np.ndarray, _flat(_PLAIN[int], int)]
 Flags = Annotated[np.ndarray, _flat(_PLAIN[bool], bool)]
 # what is counted from 0 inside and from 1 where a person or a file sees it
-FromOne = Annotated[
-    int | None,
-    _optional(Codec(lambda place: place + 1, lambda entry: _PLAIN[int].read(entry) - 1)),
-]
+_ORDINAL = by(int, lambda place: place + 1, lambda entry: entry - 1)
+Ordinal = Annotated[int, _ORDINAL]
+FromOne = Annotated[int | None, _optional(_ORDINAL)]
 # None is written as an empty text
 BlankText = Annotated[str | None, _optional(_PLAIN[str], "")]
 BlankDigits = Annotated[float | None, _optional(_DIGITS, "")]

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, ClassVar
 
-__all__ = ["Kept", "Shown", "register", "registered"]
+__all__ = ["Certified", "Kept", "Shown", "register", "registered"]
 
 _PLACES: dict[str, str] = {}
 
@@ -48,3 +48,19 @@ class Kept(Shown):
         An `InputError` says that the file cannot be written.
         """
         registered(self._kept_by)(self, path)
+
+
+class Certified(Kept):
+    """A proof that a file keeps, and that answers state."""
+
+    def to_json(self) -> dict[str, Any]:
+        """Give what is proved as JSON: numbers as decimal strings or fractions.
+
+        Returns
+        -------
+        dict
+            Ready for `json.dumps`.
+        """
+        from nonsmooth.runtime.core.json_codec import answer  # NumPy, which `--help` does without
+
+        return answer(self)

@@ -26,14 +26,13 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import path_of, read_file, write_file
-from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.core.json_codec import decode, encode, json_schema
 
 __all__ = [
     "DAMAGED",
     "WRONG_SHAPE",
     "FileFormat",
     "array_in",
-    "check_follows",
     "check_same_question",
     "checksum_of",
     "content_of",
@@ -53,7 +52,6 @@ WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, Arit
 _HEAD = ("format", "version", "package", "request", "sha256")
 _REQUEST: ContextVar[Mapping[str, Any] | None] = ContextVar("what is asked", default=None)
 Entries = TypeVar("Entries")
-Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,6 +66,27 @@ class FileFormat(Generic[Entries]):
     most: int = _MOST  # bytes; a larger file is not read
     # raises InputError for entries that do not belong together
     together: Callable[[Entries], None] = lambda entries: None
+
+    @property
+    def schema(self) -> dict[str, Any]:
+        """JSON Schema (2020-12) of a file of this kind."""
+        own = json_schema(self.entries)
+        text = {"type": "string"}
+        head = {
+            "format": {"const": self.name},
+            "version": {"const": self.version},
+            "package": text,
+            "request": {"type": "object"},  # what a command was asked
+            "sha256": text,
+        }
+        return {
+            "$schema": "https://json-schema.org/draft/2020-12/schema",
+            "title": f"{self.name}, version {self.version}",
+            "description": self.what,
+            **own,
+            "properties": {**head, **own["properties"]},
+            "required": [*(name for name in head if name != "request"), *own["required"]],
+        }
 
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
@@ -102,29 +121,6 @@ class FileFormat(Generic[Entries]):
         """What `read` gives; its errors name the file."""
         with naming(path) as file:
             return self.read(file)
-
-    def writer(
-        self, entries: Callable[[Any], Entries]
-    ) -> Callable[[Any, str | os.PathLike[str]], None]:
-        """The function that writes a result to a path.
-
-        `entries` gives what a file states of a result.
-        """
-        return lambda found, path: self.write(path, entries(found))
-
-    def reader(
-        self, result: Callable[[Entries], Result]
-    ) -> Callable[[str | os.PathLike[str]], Result]:
-        """The function that reads a result from a path; its errors name the file.
-
-        `result` gives the result that entries describe.
-        """
-
-        def read(path: str | os.PathLike[str]) -> Result:
-            with naming(path) as file:
-                return result(self.read(file))
-
-        return read
 
     def check(self, content: Any) -> Entries:
         """The entries of what a JSON parser gave.
@@ -176,17 +172,6 @@ def _told(content: Any) -> str:
     named = content.get("format") if isinstance(content, dict) else None
     known = isinstance(named, str) and re.fullmatch(r"nonsmooth [a-z ]{1,40}", named)
     return f": it is a {named}" if known else ""
-
-
-def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
-    """Raise `InputError` if entries of a file do not follow from its others.
-
-    `given` holds the entries that follow, by name, as the result that was made from the
-    others gives them.
-    """
-    for name, entry in given.items():
-        if getattr(entries, name) != entry:
-            raise InputError(f"{name!r} is not what the other entries give")
 
 
 def check_same_question(what: str, asked: Mapping[str, Any], known: Mapping[str, Any]) -> None:

@@ -33,6 +33,7 @@ from nonsmooth.runtime.model.loading.load import remember
 
 __all__ = [
     "SAVED_VERSION",
+    "KeptOrbitName",
     "KeptSystem",
     "KeptSystemName",
     "SavedSystem",
@@ -282,6 +283,35 @@ KeptSystemName = Annotated[
         lambda name: _system_entries(known_system(name)),
         lambda found: system_in(found.system, found.tables).name,
     ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class OrbitNameEntries:
+    """An orbit and its system in a file, by the names that the file gives to both."""
+
+    orbit: str
+    system: str
+    tables: SavedSystem | None
+
+
+def _orbit_name_entries(orbit: str, system: str) -> OrbitNameEntries:
+    """The entries for an orbit, whose system is as it was loaded for this orbit.
+
+    A declared system may be derived with the orbit's symmetry, unlike the system alone.
+    """
+    label = orbit.removeprefix(f"{system}:")
+    name, called, saved = named(known_system(system, None if label == orbit else label), orbit)
+    return OrbitNameEntries(orbit=called, system=name, tables=saved)
+
+
+def _orbit_name(found: OrbitNameEntries) -> tuple[str, str]:
+    return found.orbit, system_in(found.system, found.tables).name
+
+
+# a field of records that files hold: the name of an orbit, beside a field `system`
+KeptOrbitName = Annotated[
+    str, Several(OrbitNameEntries, _orbit_name_entries, _orbit_name, ("orbit", "system"))
 ]
 
 

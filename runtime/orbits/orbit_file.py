@@ -168,7 +168,7 @@ def orbit_in(content: Any) -> Orbit:
 
 
 # a field of a record: an orbit, whose entry is the whole content of its own file
-KeptOrbit = Annotated[Orbit, Codec(orbit_content, orbit_in)]
+KeptOrbit = Annotated[Orbit, Codec(orbit_content, orbit_in, {"type": "object"})]
 
 
 def _entries(orbit: Orbit) -> OrbitEntries:

@@ -11,6 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.naming import itinerary_text, shown_name, symbol
+from nonsmooth.runtime.present.tell_proofs import PROOFS
 from nonsmooth.runtime.present.told import (
     Listing,
     Told,
@@ -36,17 +37,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit, Orbits
-    from nonsmooth.runtime.present.checking.check_file import Check
-    from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-    from nonsmooth.runtime.proof.certificate import Certificate
-    from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-    from nonsmooth.runtime.proof.counting.census import Census
-    from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-    from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-    from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
-    from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.engines import Trajectories
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
@@ -54,10 +44,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.returns import PoincareMap
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["orbit_latex", "result_html", "result_text", "tell"]
+__all__ = ["KINDS", "orbit_latex", "result_html", "result_text", "tell"]
 
 _MOST_DIGITS = 50  # of a number in a formula
-_SETS = 12  # components that are listed
 _TRANSITIONS = 40  # of a long motion: the first and the last half of them
 _EXTREMES = ("", "least", "at", "greatest", "at", "mean", "RMS")
 _FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
@@ -65,7 +54,7 @@ _FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
 
 def tell(result: Any) -> Told:
     """What a result is: a title, and rows of lines or tables by their names."""
-    return _KINDS[type(result).__name__](result)
+    return KINDS[type(result).__name__](result)
 
 
 def result_text(result: Any) -> str:
@@ -522,179 +511,15 @@ def _poincare_map(section: PoincareMap) -> Told:
     ]
 
 
-def _stated(enclosures: Mapping[str, Enclosure]) -> list[str]:
-    told = {name: ball.to_json() for name, ball in enclosures.items()}
-    return [f"{n} = {float(t['mid']):.12g} +- {float(t['rad']):.2g}" for n, t in told.items()]
-
-
-def _claims(claims: Mapping[str, str], reasons: Mapping[str, str]) -> list[str]:
-    return [
-        f"{name} {verdict}" + (f": {reasons[name]}" if reasons.get(name) else "")
-        for name, verdict in claims.items()
-    ]
-
-
-def _certificate(proof: Certificate) -> Told:
-    wanted = {n: proof.enclosures[n] for n in ("trace", "period") if n in proof.enclosures}
-    rest = {name: ball for name, ball in proof.enclosures.items() if name not in wanted}
-    return f"certificate of {shown_name(proof.orbit)}, {proof.stability}", [
-        ("claims", _claims(proof.claims, proof.reasons)),
-        ("enclosed", _stated(wanted)),
-        ("given", given(proof.parameters)),
-        ("orbit", _stated(rest)),
-        *(
-            (f"by {name}", _stated({of: rates[name] for of, rates in proof.derivatives.items()}))
-            for name in proof.directions
-        ),
-        *((f"by {name}", [reason]) for name, reason in proof.no_derivatives.items()),
-    ]
-
-
-def _box_certificate(proof: BoxCertificate) -> Told:
-    sides = [f"{n} in {float(a):.6g} ... {float(b):.6g}" for n, (a, b) in proof.box.items()]
-    shares = [f"{100 * float(share):.4g} % {verdict}" for verdict, share in proof.shares.items()]
-    return (
-        f"certificate of {shown_name(proof.orbit)} over a box, {many(len(proof.tiles), 'tile')}",
-        [
-            ("box", sides),
-            ("claims", _claims(proof.claims, proof.reasons)),
-            ("shares", shares),
-            ("map", [proof.statement] if proof.statement else []),
-            ("enclosed", _stated(proof.enclosures)),
-            ("given", given(proof.parameters)),
-        ],
-    )
-
-
-def _certified_branch(proof: CertifiedBranch) -> Told:
-    low, high = (f"{float(end):.6g}" for end in proof.interval)
-    parts = [f"{part.verdict} {part.begin:.6g} ... {part.end:.6g}" for part in proof.intervals]
-    events = [f"{event.kind} {event.enclosures[proof.parameter]}" for event in proof.events]
-    return (
-        f"certified branch of {shown_name(proof.orbit)} over {proof.parameter} = {low} ... {high}",
-        [
-            ("claims", _claims(proof.claims, {})),
-            ("intervals", parts),
-            ("events", events),
-            ("ends", list(dict.fromkeys(end for end in proof.ends if end))),
-            ("given", given(proof.parameters)),
-        ],
-    )
-
-
-def _certified_doubling(proof: CertifiedDoubling) -> Told:
-    flip, doubled = proof.flip, proof.doubled
-    value = "" if flip is None else f"{flip.enclosures[proof.parameter]} {proof.kind}".rstrip()
-    return (
-        f"certified doubling of {shown_name(proof.orbit)} along {proof.parameter}",
-        [
-            ("claims", _claims(proof.claims, {})),
-            ("flip", [value] if value else []),
-            ("doubled", [] if doubled is None else [f"{doubled.verdict} {doubled.side} the flip"]),
-            ("end", [proof.end] if proof.end else []),
-            ("given", given(proof.parameters)),
-        ],
-    )
-
-
-def _census(census: Census) -> Told:
-    number = f"{'exactly' if census.decided else 'at least'} {many(census.count, 'orbit')}"
-    return f"census of {shown_name(census.orbit)}: {number}", [
-        ("box", [*census.box, *census.conditions]),
-        ("admissible", [str(census.admissible)]),
-        ("statement", [census.statement]),
-    ]
-
-
-def _event_certificate(proof: EventCertificate) -> Told:
-    verdict = f"{proof.claim}: {proof.reason}" if proof.reason else proof.claim
-    value = {name: ball for name, ball in proof.enclosures.items() if name == proof.parameter}
-    return f"certificate of a {proof.kind} of {shown_name(proof.orbit)}", [
-        ("claim", [verdict]),
-        ("enclosed", _stated({**value, **proof.enclosures})),
-        ("event", [proof.text]),
-        ("given", given(proof.parameters)),
-    ]
-
-
-def _basin(found: BasinCertificate) -> Told:
-    verdict = f"{found.claim}: {found.reason}" if found.reason else found.claim
-    rows = [("claim", [verdict])]
-    if found.proved:
-        good = int((found.ranks >= 0).sum())
-        rows.append(("section", [f"{good} of {found.ranks.size} boxes", *found.coordinates]))
-        if found.tiles is not None:
-            tiles = f"{int(found.attracted.sum())} attracted of {int(found.looked.sum())} looked at"
-            rows.append(("tiles", [tiles, f"of {found.looked.size}"]))
-    rows.append(("given", given(found.parameters)))
-    return f"certificate of the basin of {shown_name(found.orbit)}", rows
-
-
-def _chaos(found: ChaosCertificate) -> Told:
-    verdict = f"{found.claim}: {found.reason}" if found.reason else found.claim
-    rows = [("claim", [verdict])]
-    if found.proved:
-        pairs = [f"{one} covers {other}" for one, other in found.coverings]
-        power = f"by {found.iterates} iterates of the map"
-        rows.append(("entropy", [f"at least {found.entropy}"]))
-        if found.cones is not None:
-            rows.append(("exponents", [f"at least {found.exponent}"]))
-        rows.append(("sets", [many(len(found.h_sets), "set"), power, *first(pairs)]))
-    rows += [("tried", first(found.tried)), ("given", given(found.parameters))]
-    return f"certificate of chaos of {shown_name(found.system)}", rows
-
-
-def _graph(found: GraphCertificate) -> Told:
-    told = [
-        many(sum(own.attracting for own in found.components), "attracting component"),
-        f"{len(found.trapping)} of {len(found.graph.grid)} boxes in the largest trapping region",
-    ]
-    return f"graph of boxes of {shown_name(found.system)}", [
-        ("proved", told),
-        ("components", [f"{len(own.boxes)} boxes" for own in found.components[:_SETS]]),
-        ("not known", [f"images of {len(found.unknown)} boxes"] if len(found.unknown) else []),
-        ("given", given(found.parameters)),
-    ]
-
-
-def _proof(proof: Proof) -> Told:
-    rows = [("times", first(_stated({"t": t})[0] for t in proof.times))]
-    if proof.reason:
-        rows.insert(0, ("until", [proof.reason]))
-    rows.append(("given", given(proof.parameters)))
-    return (
-        f"proved motion of {shown_name(proof.system)}, {many(proof.transitions, 'transition')}",
-        rows,
-    )
-
-
-def _check(check: Check) -> Told:
-    title = "every claim is proved again" if check.difference is None else "the file is wrong"
-    return title, [
-        ("claims", _claims(check.claims, {})),
-        ("difference", [check.difference] if check.difference else []),
-        ("note", [check.note] if check.note else []),
-    ]
-
-
-_KINDS: Mapping[str, Callable[[Any], Told]] = {
-    "BoxCertificate": _box_certificate,
+KINDS: dict[str, Callable[[Any], Told]] = {
+    **PROOFS,
     "Branch": _branch,
-    "Census": _census,
-    "Certificate": _certificate,
-    "CertifiedBranch": _certified_branch,
-    "CertifiedDoubling": _certified_doubling,
-    "Check": _check,
     "Design": _design,
-    "BasinCertificate": _basin,
-    "ChaosCertificate": _chaos,
     "DifferentiableFunction": _differentiable_function,
     "Event": _event,
-    "EventCertificate": _event_certificate,
     "Experiment": _experiment,
     "Fit": _fit,
     "Found": _found,
-    "GraphCertificate": _graph,
     "Locus": _locus,
     "Motion": _motion,
     "MotionDerivatives": _motion_derivatives,
@@ -702,7 +527,6 @@ _KINDS: Mapping[str, Callable[[Any], Told]] = {
     "Orbit": _orbit,
     "Orbits": _orbits,
     "PoincareMap": _poincare_map,
-    "Proof": _proof,
     "Recurrence": _recurrence,
     "Sweep": _sweep,
     "Trajectories": _trajectories,

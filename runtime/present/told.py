@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Listing", "Told", "counts", "first", "given", "html", "many", "span", "text"]
+__all__ = ["Listing", "Rows", "Told", "counts", "first", "given", "html", "many", "span", "text"]
 
 _ROWS, _WIDTH = 3, 96  # in a console
 _MOST = 12  # entries of a row
@@ -29,8 +29,8 @@ class Listing:
         return bool(self.rows)
 
 
-# the title, then what is told of it, the most important rows first
-Told = tuple[str, Iterable[tuple[str, Sequence[str] | Listing]]]
+Rows = Iterable[tuple[str, Sequence[str] | Listing]]  # the most important ones first
+Told = tuple[str, Rows]  # a title, and what is told below it
 
 
 def text(told: Told) -> str:

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.core.registry import Kept
-from nonsmooth.runtime.core.values import Value, flint_precision
-from nonsmooth.runtime.model.saved_system import SAVED_VERSION
+from nonsmooth.runtime.core.json_codec import (
+    IN_FILES,
+    BlankExact,
+    BlankValue,
+    Codec,
+    Exact,
+    Inconsistent,
+    by,
+    named_as,
+    one_of,
+    stated,
+)
+from nonsmooth.runtime.core.registry import Certified
+from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value, flint_precision
+from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals
 
@@ -21,22 +32,52 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CLAIMS",
-    "FORMAT",
     "GUARD",
-    "VERSION",
     "Certificate",
+    "Claims",
+    "Decided",
+    "Declaration",
+    "Enclosures",
+    "KeptBall",
+    "Stability",
     "Stated",
     "Unknown",
-    "balls_json",
+    "ball_of",
     "file_json",
-    "orbit_json",
+    "precise",
 ]
 
-FORMAT = "nonsmooth certificate"
-VERSION = 3 + SAVED_VERSION
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")
+
+
+Verdict = Annotated[str, one_of(("proved", "refuted", "undecided"))]
+Decided = Annotated[str, one_of(("proved", "undecided"))]
+Stability = Annotated[str, one_of(("stable", "neutral"))]
+Claims = Annotated[Mapping[str, str], named_as(CLAIMS, Verdict)]
+
+
+def _declaration(entry: Any) -> Any:
+    """A declaration as read; `InputError` for exponents that are too large to compute with."""
+    if type(entry) is not dict:
+        raise InputError("it is no object")
+    if not all(abs(number) <= LARGEST_EXPONENT for number in _integers(entry)):
+        raise Inconsistent(f" holds an exponent beyond {LARGEST_EXPONENT}")
+    return entry
+
+
+def _integers(entry: Any) -> Iterator[int]:
+    """Yield all integers of a declaration: exponents and places; other numbers are texts."""
+    parts = entry.values() if isinstance(entry, Mapping) else entry
+    for part in parts if isinstance(entry, Mapping | list) else ():
+        yield from _integers(part)
+    if isinstance(entry, int):
+        yield entry
+
+
+# the system as functions of its parameters, or how a cycle closes; the checker knows what is in it
+Declaration = Annotated[Mapping[str, Any], Codec(dict, _declaration, {"type": "object"}), IN_FILES]
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,8 +113,71 @@ class Stated(Enclosure):
         return self.texts
 
 
+@dataclass(frozen=True, kw_only=True)
+class Ball:
+    """An enclosure as decimal texts, which state it exactly."""
+
+    mid: Exact
+    rad: Exact
+
+
+def ball_of(bits: int) -> Codec:
+    """The way to write and read balls, as precise as so many bits; of 0 as their record says."""
+    return by(
+        Ball,
+        lambda own: Ball(mid=own.mid, rad=own.rad),
+        lambda found: Stated.of(found.mid, found.rad, bits),
+    )
+
+
+def precise(found: Any, bits: int) -> Any:
+    """Balls of a file, in tuples and by names, as precise as `bits` where they are not yet."""
+    match found:
+        case Stated(bits=0):
+            return Stated.of(*found.texts, bits)
+        case Mapping():
+            return {name: precise(each, bits) for name, each in found.items()}
+        case tuple():
+            return tuple(precise(each, bits) for each in found)
+    return found
+
+
+KeptBall = Annotated[Stated, ball_of(0)]
+Enclosures = Mapping[str, KeptBall]
+
+
+@dataclass(frozen=True, kw_only=True)
+class MultiplierBalls:
+    """Enclosures of the real and imaginary part of a multiplier."""
+
+    re: KeptBall
+    im: KeptBall
+
+
+@dataclass(frozen=True, kw_only=True)
+class MarginEntries:
+    """How clearly a boundary is respected, with phases counted from 1."""
+
+    phase: int
+    configuration: str
+    boundary: str
+    quantity: Annotated[str, one_of(("distance", "departure", "speed"))]
+    least: Exact
+
+
+Multiplier = Annotated[
+    tuple[Stated, Stated],
+    by(
+        MultiplierBalls,
+        lambda parts: MultiplierBalls(re=parts[0], im=parts[1]),
+        lambda found: (found.re, found.im),
+    ),
+]
+Margin = Annotated[Mapping[str, Any], by(MarginEntries, lambda told: MarginEntries(**told), vars)]
+
+
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Certificate(Kept):
+class Certificate(Certified):
     """What ball arithmetic proves of one orbit at one parameter point.
 
     Attributes
@@ -108,8 +212,6 @@ class Certificate(Kept):
     box : tuple of Unknown
         Where the orbit is unique.
     bits : int
-    start_names, dwell_names : tuple of str
-        Of the enclosures.
     given_period : Value or None
         What the dwell times sum up to, where a conservative orbit's was given.
     declaration, closing : dict
@@ -124,30 +226,40 @@ class Certificate(Kept):
         By which of those that were asked for there is no derivative, and why.
     """
 
-    _kept_by = "save_certificate"
-
-    orbit: str
+    orbit: KeptOrbitName
     system: str
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
     itinerary: tuple[tuple[str, str], ...]
-    claims: Mapping[str, str]
-    stability: str
+    claims: Claims
+    stability: Stability
     reasons: Mapping[str, str]
-    enclosures: Mapping[str, Stated]
-    multipliers: tuple[tuple[Stated, Stated], ...]
-    other_multipliers: str
-    margins: tuple[Mapping[str, Any], ...]
+    enclosures: Enclosures
+    multipliers: tuple[Multiplier, ...]
+    other_multipliers: BlankExact
+    margins: tuple[Margin, ...]
     box: tuple[Unknown, ...]
     bits: int
-    start_names: tuple[str, ...]
-    dwell_names: tuple[str, ...]
-    given_period: Value | None
-    declaration: Mapping[str, Any] = field(repr=False)
-    closing: Mapping[str, Any] = field(repr=False)
-    derivatives: Mapping[str, Mapping[str, Stated]] = field(default_factory=dict)
+    given_period: BlankValue
+    declaration: Declaration = field(repr=False)
+    closing: Declaration = field(repr=False)
+    derivatives: Mapping[str, Enclosures] = field(default_factory=dict)
     directions: Mapping[str, Mapping[str, Fraction]] = field(default_factory=dict)
     no_derivatives: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("enclosures", "multipliers", "derivatives"):
+            object.__setattr__(self, name, precise(getattr(self, name), self.bits))
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """Names of the physical states at the start; none where nothing is claimed."""
+        return tuple(self.declaration.get("start", ()))
+
+    @property
+    def dwell_names(self) -> tuple[str, ...]:
+        """Names of the dwell times; none where nothing is claimed."""
+        return tuple(phase["dwell_time"] for phase in self.declaration.get("phases", ()))
 
     @property
     def proved(self) -> bool:
@@ -174,65 +286,7 @@ class Certificate(Kept):
             raise InputError(f"{self.orbit} has no trace that is enclosed: {told}")
         return self.enclosures["trace"]
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the certificate as JSON: numbers as decimal strings or fractions.
-
-        Returns
-        -------
-        dict
-            The certificate, ready for `json.dumps`.
-        """
-        told: dict[str, Any] = {}
-        if self.derivatives:
-            of = self.derivatives
-            told["derivatives"] = {name: balls_json(rates) for name, rates in of.items()}
-            told["directions"] = {
-                name: {parameter: str(rate) for parameter, rate in direction.items()}
-                for name, direction in self.directions.items()
-            }
-        if self.no_derivatives:
-            told["no_derivatives"] = dict(self.no_derivatives)
-        return {
-            **orbit_json(self),
-            "chosen": list(self.chosen),
-            "given_period": "" if self.given_period is None else self.given_period.text,
-            "bits": self.bits,
-            "claims": dict(self.claims),
-            "stability": self.stability,
-            "reasons": dict(self.reasons),
-            "enclosures": balls_json(self.enclosures),
-            "multipliers": [
-                {"re": re.to_json(), "im": im.to_json()} for re, im in self.multipliers
-            ],
-            "other_multipliers": self.other_multipliers,
-            "margins": [dict(margin) for margin in self.margins],
-            "box": [asdict(x) for x in self.box],
-            **told,
-        }
-
 
 def file_json(found: Any) -> dict[str, Any]:
-    """Return a result's JSON with the declaration of its system and its closing.
-
-    `found` is a `Certificate`, `BoxCertificate`, `CertifiedBranch` or `EventCertificate`.
-    """
-    own = {"declaration": dict(found.declaration), "closing": dict(found.closing)}
-    return {**found.to_json(), "tables": None, **own}
-
-
-def orbit_json(found: Any) -> dict[str, Any]:
-    """Return the JSON that names an orbit: orbit, system, parameters as texts, and itinerary.
-
-    `found` is a `Certificate`, `BoxCertificate`, `Census` or `EventCertificate`.
-    """
-    return {
-        "orbit": found.orbit,
-        "system": found.system,
-        "parameters": {name: value.text for name, value in found.parameters.items()},
-        "itinerary": [list(phase) for phase in found.itinerary],
-    }
-
-
-def balls_json(enclosures: Mapping[str, Enclosure]) -> dict[str, dict[str, str]]:
-    """Return enclosures by name as decimal texts "mid" and "rad"."""
-    return {name: enclosure.to_json() for name, enclosure in enclosures.items()}
+    """Return a proof of orbits as its file has it, but for the system's data and name there."""
+    return {**stated(found), "tables": None}

@@ -238,8 +238,6 @@ def _undecided(orbit: Orbit, bits: int, by: Sequence[str]) -> Certificate:
         margins=(),
         box=(),
         bits=bits,
-        start_names=(),
-        dwell_names=(),
         given_period=None,
         declaration={},
         closing={},
@@ -254,8 +252,6 @@ def _about(undecided: Certificate, subject: Subject) -> Certificate:
         parameters=subject.values,
         chosen=subject.chosen,
         itinerary=subject.cycle.itinerary,
-        start_names=subject.start_names,
-        dwell_names=subject.dwell_names,
     )
 
 

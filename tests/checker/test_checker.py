@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import copy
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -732,7 +733,7 @@ def test_the_checker_says_what_is_wrong_in_one_line(
     [
         (lambda text: text[:-20], "cut, or not JSON"),
         (lambda text: "[]", "not a (certificate|saved result)"),
-        (lambda text: text.replace('"version": 5', '"version": 9', 1), "version 9"),
+        (lambda text: re.sub(r'"version": \d+', '"version": 9', text, count=1), "version 9"),
         (lambda text: text.replace('"margins"', '"margin"', 1), "missing|unknown"),
         (
             lambda text: text.replace('"bits": 128', '"bits": "128"', 1),
@@ -752,15 +753,6 @@ def test_files_that_are_no_certificates(
     for work in (ns.load, ns.certify.check):
         with pytest.raises(InputError, match=told):
             work(path)
-
-
-def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
-    path = tmp_path / "certificate.json"
-    certificate("kicked").save(path)
-    path.write_text(path.read_text().replace('"proved"', '"refuted"', 1))
-    with pytest.raises(InputError, match="checksum"):
-        ns.load(path)
-    assert "checksum" in str(ns.certify.check(path).difference)
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -21,7 +21,6 @@ from flint import arb, arb_mat
 from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth import InputError
 from nonsmooth.derive import (
     Boundary,
     Condition,
@@ -41,7 +40,7 @@ from nonsmooth.runtime.checker.stability import (
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.present.files.event_certificates import load_event_certificates, save_events
+from nonsmooth.runtime.present.files.kept import save_result
 from tests.certified import LOOP, loop, signed, unhashed
 from tests.explore import test_continuation_forced as impacts
 
@@ -121,7 +120,7 @@ def proved(name: str) -> tuple[ns.EventCertificate, ...]:
 @cache
 def written(name: str, folder: Path) -> str:
     path = folder / f"{name}.json"
-    save_events(proved(name), path)
+    save_result(proved(name), path)
     return path.read_text()
 
 
@@ -179,10 +178,10 @@ def test_limits_of_the_gated_mass_are_where_they_are_reached(name: str) -> None:
 @pytest.mark.parametrize("name", ["impacts", "rigid", "wall"])
 def test_files_come_back(name: str, tmp_path: Path) -> None:
     path = tmp_path / "events.json"
-    save_events(proved(name), path)
+    save_result(proved(name), path)
     loaded = ns.load(path)
     assert [unhashed(c.to_json()) for c in loaded] == [unhashed(c.to_json()) for c in proved(name)]
-    save_events(loaded, tmp_path / "again.json")
+    save_result(loaded, tmp_path / "again.json")
     assert path.read_text() == (tmp_path / "again.json").read_text()
     loaded[-1].save(path)
     (alone,) = ns.load(path)
@@ -428,49 +427,6 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     event["parameters"][name] += "+1/1000"
     told = ns.certify.check(saved(content, path)).difference
     assert told is not None  # it is the parameter of the declaration
-
-
-@pytest.mark.parametrize(
-    ("change", "told"),
-    [
-        (lambda text: text[:-20], "cut, or not JSON"),
-        (lambda text: "[]", "not "),
-        (lambda text: text.replace('"version": 5', '"version": 9', 1), "version 9"),
-        (
-            lambda text: text.replace('"instant"', '"moment"', 1),
-            "'events/1/(instant|moment)' is",
-        ),
-        (
-            lambda text: text.replace('"bits": 128', '"bits": true', 1),
-            "'events/1/bits' is of the wrong type",
-        ),
-        (
-            lambda text: text.replace('"events": [', '"events": [[],', 1),
-            "'events/1' is of the wrong type",
-        ),
-    ],
-)
-def test_files_that_are_no_events(change: Callable[[str], str], told: str, tmp_path: Path) -> None:
-    path = tmp_path / "events.json"
-    save_events(proved("stick"), path)
-    text = change(path.read_text())
-    if told.startswith("'") or "entry" in told:
-        text = json.dumps({**json.loads(text), "sha256": checksum_of(json.loads(text))})
-    path.write_text(text)
-    for work in (ns.load, ns.certify.check):
-        with pytest.raises(InputError, match=told):
-            work(path)
-
-
-def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
-    path = tmp_path / "events.json"
-    save_events(proved("stick"), path)
-    path.write_text(path.read_text().replace('"proved"', '"undecided"', 1))
-    with pytest.raises(InputError, match="checksum"):
-        ns.load(path)
-    assert "checksum" in str(ns.certify.check(path).difference)
-    with pytest.raises(InputError, match="not a file of events"):
-        load_event_certificates(saved({"format": "nonsmooth branch"}, path))
 
 
 def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:

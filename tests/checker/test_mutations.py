@@ -24,7 +24,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.cli.proofs.display_checks import show_check
+from nonsmooth.runtime.cli.tables import show_result
 from tests.certified import (
     LOOP,
     forced,
@@ -51,9 +51,9 @@ def _events(*branches: ns.Branch) -> Any:
 
     class Several:
         def save(self, path: Path) -> None:
-            from nonsmooth.runtime.present.files.event_certificates import save_events
+            from nonsmooth.runtime.present.files.kept import save_result
 
-            save_events(found, path)
+            save_result(found, path)
 
     return Several()
 
@@ -273,7 +273,7 @@ def said(content: Any, path: Path) -> tuple[str, Mapping[str, str], str | None] 
         assert found.certificate is None
         return None
     with redirect_stdout(StringIO()) as out:
-        show_check(found)
+        show_result(found)
     return out.getvalue(), found.claims, found.note
 
 

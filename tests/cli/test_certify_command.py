@@ -36,7 +36,7 @@ def test_json_holds_claims_and_enclosures() -> None:
 def test_people_see_claims_reasons_and_margins() -> None:
     code, out, _ = certify("dry-friction/symmetric")
     assert code == 0
-    assert "not stable: a multiplier lies outside the unit circle" in out
+    assert "stability refuted: a multiplier lies outside the unit circle" in out
     assert "left open: chosen for this proof" in out
     assert "first-reaches-belt" in out
 
@@ -87,7 +87,7 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
     code, shown, _ = certify(STICK, *by)
     assert code == 0
     assert "derivative" in shown
-    assert "with e1 by 1 moves ur1 by 1" in shown
+    assert "with e1 by 1 moves: ur1 by 1" in shown
     code, again, _ = certify("--check", str(path))
     assert code == 0
     rows = [line.split() for line in shown.splitlines() if line.strip().startswith("tau1 ")]
@@ -100,7 +100,7 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
 def test_people_see_why_there_is_no_derivative() -> None:
     code, out, _ = certify("dry-friction/solution-ii", "--derivatives", "V")
     assert code == 1
-    assert "no derivatives by V: no orbit is proved to exist" in out
+    assert "no derivatives: by V: no orbit is proved to exist" in out
 
 
 def test_a_list_of_no_parameter_is_refused_by_the_name_of_its_option() -> None:

@@ -17,9 +17,9 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
     file, picture = tmp_path / "doubling.json", tmp_path / "doubling.svg"
     found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")
     assert found.code == 0
-    assert "dry-friction/symmetric, along V" in found.out
+    assert "certified doubling of dry-friction/symmetric along V" in found.out
     assert "subcritical" in found.out
-    assert "above the flip: unstable" in found.out
+    assert "unstable above the flip" in found.out
     assert picture.stat().st_size > 1000
     check = run("certify", "--check", str(file), "--require", "proved")
     assert check.code == 0
@@ -38,7 +38,7 @@ def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
     file = tmp_path / "short.json"
     found = run(*ASKED, "--seconds", "1e-6", "--save", str(file))
     assert found.code == 1
-    assert "ended because the work was stopped" in found.out
+    assert "ended: unfinished" in found.out
     assert "1e-06 s that were given are over" in found.out
     assert run("certify", "--check", str(file)).code == 0
 

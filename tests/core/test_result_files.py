@@ -231,6 +231,19 @@ def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
         yield changed(lambda parent: parent.__delitem__(last))
 
 
+def is_proof(kind: str) -> bool:
+    """Whether files of a kind are proved again."""
+    return "certif" in kind or "census" in kind
+
+
+def refused_by_check(path: Path) -> bool:
+    """Whether nothing of a file is proved again."""
+    try:
+        return ns.certify.check(path).difference is not None
+    except InputError:
+        return True
+
+
 @pytest.mark.parametrize("kind", FILES)
 def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Path) -> None:
     path, content = tmp_path / "file.json", json.loads(text_of(kind))
@@ -259,6 +272,7 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Pat
             pytest.fail(f"{where} is accepted")
         assert told.startswith(f"{path}: ")
         assert "\n" not in told
+        assert not is_proof(kind) or refused_by_check(path), where
 
 
 @pytest.mark.parametrize("kind", FILES)
@@ -277,6 +291,7 @@ def test_no_cut_or_changed_byte_is_read(kind: str, tmp_path: Path) -> None:
         if not same:
             with pytest.raises(InputError):
                 ns.load(path)
+            assert not is_proof(kind) or refused_by_check(path), changed
 
 
 @pytest.mark.parametrize("cell", ["[]", "{}", "[[]]", '{"a":0}', "[[[[[0]]]]]"])

@@ -2,84 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import fields, is_dataclass
+import json
 from hashlib import sha256
-from importlib import import_module
-from pkgutil import iter_modules
-from types import UnionType
-from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
+from typing import Any
 
 import pytest
 
-from nonsmooth.runtime.core.json_codec import Several
+from nonsmooth.runtime.core.json_codec import json_schema
 from nonsmooth.runtime.core.result_files import FileFormat
-from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.charting.problem import HeldOrbit
 from nonsmooth.runtime.explore.charting.store import FORMAT
-from nonsmooth.runtime.orbits import orbit_file
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit_file import ORBIT
+from nonsmooth.runtime.present.files.found import FOUND
+from nonsmooth.runtime.present.files.kept import KINDS, format_named
+from nonsmooth.runtime.present.files.motions import MOTION
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system
 KNOWN = {
-    "nonsmooth basin certificate": (5, "94d2816c0887"),
-    "nonsmooth box certificate": (7, "9a29ce8ea32e"),
-    "nonsmooth branch": (4, "66c3a2dfb4e2"),
-    "nonsmooth census": (5, "e7dc97ad2fd4"),
-    "nonsmooth certificate": (5, "e8f68e264464"),
-    "nonsmooth certified branch": (5, "e710bf3ffbf5"),
-    "nonsmooth certified doubling": (2, "14b7c3e7c0aa"),
-    "nonsmooth chaos certificate": (5, "da5ba7744476"),
-    "nonsmooth design": (2, "c8b1c1f8a88e"),
-    "nonsmooth event certificate": (5, "17039143ba04"),
-    "nonsmooth fit": (3, "f19d4d995297"),
-    "nonsmooth found orbits": (7, "85aeb5e23e88"),
-    "nonsmooth graph certificate": (5, "38c80f667b84"),
-    "nonsmooth locus": (3, "cfb5b0d98246"),
-    "nonsmooth orbit": (5, "70ec938e5df6"),
-    "nonsmooth sweep": (4, "054f7f1f285f"),
-    "nonsmooth trajectory": (5, "66b47a0db14b"),
+    "nonsmooth basin certificate": (6, "1c6132538e83"),
+    "nonsmooth box certificate": (8, "36d5e1ed82fe"),
+    "nonsmooth branch": (4, "b8aed0dfa463"),
+    "nonsmooth census": (6, "c24ab09afea5"),
+    "nonsmooth certificate": (6, "b6867ccc646d"),
+    "nonsmooth certified branch": (6, "3d0a27190011"),
+    "nonsmooth certified doubling": (3, "cd5e8bad0d36"),
+    "nonsmooth chaos certificate": (6, "5a710bd176cd"),
+    "nonsmooth design": (2, "fdd029d0e2a2"),
+    "nonsmooth event certificate": (6, "89c3683b9584"),
+    "nonsmooth fit": (3, "06c6752de145"),
+    "nonsmooth found orbits": (7, "5fd322d3dc16"),
+    "nonsmooth graph certificate": (6, "5999d5f4af94"),
+    "nonsmooth locus": (3, "0e044381135f"),
+    "nonsmooth orbit": (5, "1e25f945e98f"),
+    "nonsmooth sweep": (4, "61d447ca3040"),
+    "nonsmooth trajectory": (5, "88489b2dee45"),
 }
-CHART = ("nonsmooth chart 5", "2815ae59b2b9")
-
-
-def entries_of(kind: Any) -> str:
-    """Names and types of all entries of a record, of those in it too, as one text."""
-    if isinstance(kind, type) and is_dataclass(kind) and kind is not Value:
-        hints = get_type_hints(kind, localns={"Callable": Callable}, include_extras=True)
-        known = {field.name for field in fields(kind)}
-        return f"{{{', '.join(f'{n}: {entries_of(h)}' for n, h in hints.items() if n in known)}}}"
-    arguments = get_args(kind)
-    if get_origin(kind) is Annotated:
-        several = [note.entries for note in arguments[1:] if isinstance(note, Several)]
-        own_file = arguments[0] is Orbit  # of a version of its own
-        return name_of(Orbit) if own_file else entries_of((*several, arguments[0])[0])
-    if get_origin(kind) in (Union, UnionType):
-        return " | ".join(map(entries_of, arguments))
-    if arguments:
-        return f"{name_of(get_origin(kind))}[{', '.join(map(entries_of, arguments))}]"
-    return name_of(kind)
+CHART = ("nonsmooth chart 5", "553f0d81bd46")
 
 
 def digest(record: type) -> str:
-    return sha256(entries_of(record).encode()).hexdigest()[:12]
-
-
-def name_of(kind: Any) -> str:
-    return kind.__name__ if isinstance(kind, type) else str(kind).rpartition(".")[2]
+    """A hash of the names and types of all entries."""
+    return sha256(json.dumps(json_schema(record), sort_keys=True).encode()).hexdigest()[:12]
 
 
 def formats() -> dict[str, FileFormat[Any]]:
-    """Formats by their names, of all modules that write files."""
-    files = "nonsmooth.runtime.present.files"
-    names = [f"{files}.{module.name}" for module in iter_modules(import_module(files).__path__)]
-    found = [
-        entry
-        for name in [*names, orbit_file.__name__]
-        for entry in vars(import_module(name)).values()
-        if isinstance(entry, FileFormat)
-    ]
+    """Formats of all kinds of files, by their names."""
+    found = [*map(format_named, KINDS), ORBIT, FOUND, MOTION]
     return {entry.name: entry for entry in found}
 
 
@@ -90,8 +59,8 @@ def test_every_format_is_known() -> None:
 @pytest.mark.parametrize("name", KNOWN)
 def test_a_format_of_other_entries_has_another_version(name: str) -> None:
     found = formats()[name]
-    assert (found.version, digest(found.entries)) == KNOWN[name], entries_of(found.entries)
+    assert (found.version, digest(found.entries)) == KNOWN[name], json_schema(found.entries)
 
 
 def test_charts_hold_orbits_of_their_version() -> None:
-    assert (FORMAT, digest(HeldOrbit)) == CHART, entries_of(HeldOrbit)
+    assert (FORMAT, digest(HeldOrbit)) == CHART, json_schema(HeldOrbit)

@@ -20,11 +20,11 @@ from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.motion import Border, time_of_touch
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch import certify_branch as certifying
 from nonsmooth.runtime.proof.branch import tiles
-from nonsmooth.runtime.proof.branch.certified_branch import event_json
 from nonsmooth.runtime.proof.branch.march import _short_phase
 from nonsmooth.runtime.proof.branch.stating import checked_curve, stated_branch
 from nonsmooth.runtime.proof.branch.tiles import REFUSED, JudgedTile, judged_tile, proposed_tile
@@ -194,11 +194,11 @@ def test_two_zeros_of_one_number_are_not_one_event() -> None:
     assert event.kind == "flip"
     for kind in ("neimark-sacker", "fold"):
         with pytest.raises(Failure):
-            tile.checked.stating(event=as_read(event_json(replace(event, kind=kind)))).claims()
+            tile.checked.stating(event=as_read(encode(replace(event, kind=kind)))).claims()
     beside = tile_near("1.087", "1.085", "1.09")
     assert judged_tile(beside).stated.event is None
     with pytest.raises(Failure):
-        beside.checked.stating(event=as_read(event_json(event))).claims()
+        beside.checked.stating(event=as_read(encode(event))).claims()
 
 
 def test_a_tile_with_two_events_is_undecided() -> None:

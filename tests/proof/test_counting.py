@@ -21,7 +21,7 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.cli.proofs.display_certificates import show_census
+from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
@@ -423,7 +423,7 @@ def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[st
     bare = replace(census, orbits=(replace(orbit, certificate=None, reason="no reason"),))
     assert bare.count == 1
     assert "0 admissible, 0 not admissible, 1 undecided" in bare.statement
-    show_census(bare)
+    show_result(bare)
     assert "no certificate: no reason" in " ".join(capsys.readouterr().out.split())
 
 

@@ -83,9 +83,9 @@ def basin(
     `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import shared, steps
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_basin
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.orbits.solve import solve
-    from nonsmooth.runtime.present.files.basin_certificates import load_basin_certificate
+    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
 
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
@@ -99,7 +99,7 @@ def basin(
         overwrite=overwrite,
         as_json=as_json,
     )
-    known = proof.known(load_basin_certificate)
+    known = proof.known(format_named("nonsmooth basin certificate").load)
     limits = dict(map(_bounds, split(box)))
     with steps(f"solving {orbit}"):
         solved = solve(orbit, assignments("parameter", parameters or []), near)
@@ -118,9 +118,7 @@ def basin(
             )
         )
     done = f"{int(found.attracted.sum())} of {int(found.looked.sum())} tiles are attracted"
-    claims, code = proof.answer(
-        found, stopped, lambda found: {}, show_basin, enough=found.proved, done=done
-    )
+    claims, code = proof.answer(found, stopped, show_result, enough=found.proved, done=done)
     if code != INTERRUPTED and require is not None and claims["basin"] != "proved":
         say(f"required: proved; found: basin {claims['basin']}")
         return NOT_MET

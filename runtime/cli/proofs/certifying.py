@@ -272,7 +272,7 @@ def _certify(
     as_json: bool,
 ) -> int:
     from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_certificate
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.proof.certify_orbit import certify as prove
 
@@ -283,7 +283,7 @@ def _certify(
     written = Written()
     written.save(certificate.save, save)
     code = written.show_one(
-        certificate.to_json, lambda: show_certificate(certificate), save, as_json=as_json
+        certificate.to_json, lambda: show_result(certificate), save, as_json=as_json
     )
     return code or _judged(
         certificate.claims, require, ANSWERED if certificate.decided else UNANSWERED
@@ -294,7 +294,7 @@ def _check(
     path: Path, declared: str | None, require: Proven | None, workers: int, *, as_json: bool
 ) -> int:
     from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.cli.proofs.display_checks import show_check
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.present.checking.check_file import check_certificate
     from nonsmooth.runtime.proof.counting.census import Census
 
@@ -310,11 +310,9 @@ def _check(
         told = {"file": str(path), "same": same, "claims": dict(found.claims)}
         print_json({**told, "difference": found.difference, "note": found.note})
     elif found.difference is None:
-        show_check(found)
+        show_result(found)
         every = "" if isinstance(found.certificate, Census) else "every claim holds; "
         print(f"{path}: {every}what is shown was proved again from the file")
-        if found.note:
-            print(found.note)
     if found.difference is not None:
         say(f"{path}: {found.difference}")
         return UNANSWERED

@@ -78,7 +78,7 @@ def chaos(
     `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_chaos
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 
     if not start:
@@ -104,7 +104,7 @@ def chaos(
     written.save(found.save, save)
     if plot is not None and found.proved:
         written.draw(found.plot, plot)
-    code = written.show(found.to_json, lambda: show_chaos(found), as_json=as_json)
+    code = written.show(found.to_json, lambda: show_result(found), as_json=as_json)
     if plot is not None and not found.proved:
         say("no picture: nothing is proved")
     if stopped:

@@ -70,7 +70,7 @@ def count_orbits(
     be proved. InputErrors of `certify_all` pass through.
     """
     from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_census
+    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.proof.counting.certify_all import certify_all
 
     if guess:
@@ -81,7 +81,7 @@ def count_orbits(
         census, stopped = worked(lambda: certify_all(orbit, values, bounds, bits=bits, begin=begin))
     written = Written()
     written.save(census.save, save)
-    code = written.show_one(census.to_json, lambda: show_census(census), save, as_json=as_json)
+    code = written.show_one(census.to_json, lambda: show_result(census), save, as_json=as_json)
     if stopped:
         boxes = f"{census.looked} boxes are looked at, {census.count} orbits found"
         return kept_of(boxes, written.kept(save), resumes=False)

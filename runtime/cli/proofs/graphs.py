@@ -112,8 +112,8 @@ def graph(
     on it is enclosed. `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_graph
-    from nonsmooth.runtime.present.files.graph_certificates import load_graph_certificate
+    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
 
     if not start:
@@ -128,7 +128,7 @@ def graph(
         overwrite=overwrite,
         as_json=as_json,
     )
-    known = proof.known(load_graph_certificate)
+    known = proof.known(format_named("nonsmooth graph certificate").load)
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     limits = ranges("coordinate", split(region))
 
@@ -160,8 +160,7 @@ def graph(
     claims, code = proof.answer(
         found,
         stopped,
-        lambda found: {},
-        show_graph,
+        show_result,
         enough=True,
         done=f"{seen} images of {len(found.graph.grid)} boxes are known",
     )

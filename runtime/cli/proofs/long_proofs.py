@@ -46,7 +46,6 @@ class LongProof:
         self,
         found: Any,
         stopped: bool,
-        told: Callable[[Any], Mapping[str, Any]],
         show: Callable[[Any], None],
         *,
         enough: bool,
@@ -54,17 +53,14 @@ class LongProof:
     ) -> tuple[Mapping[str, str], int]:
         """Save, draw and show a result; gives its claims and the exit code.
 
-        `told` gives what JSON has beside `to_json`, `show` shows the result to people,
-        `stopped` says whether it was interrupted and `done` then how much is done. The exit
-        code is that of an answer if the result is `enough`.
+        `show` shows the result to people, `stopped` says whether it was interrupted and `done`
+        then how much is done. The exit code is that of an answer if the result is `enough`.
         """
         written = Written()
         written.save(found.save, self.save)
         if self.plot is not None:
             written.draw(found.plot, self.plot)
-        code = written.show(
-            lambda: {**found.to_json(), **told(found)}, lambda: show(found), as_json=self.as_json
-        )
+        code = written.show(found.to_json, lambda: show(found), as_json=self.as_json)
         if stopped:
             return found.claims, kept_of(done, written.kept(self.save))
         return found.claims, code or (ANSWERED if enough else UNANSWERED)

@@ -19,7 +19,6 @@ from nonsmooth.runtime.core.values import Value, as_value, parse
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.orbits.orbit import Orbit
-    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 
 __all__ = [
     "Range",
@@ -131,11 +130,11 @@ def certify_over(proof: LongProof, tiles: int) -> tuple[Mapping[str, str], int]:
     decided.
     """
     from nonsmooth.runtime.cli.display import shared, steps
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_box
-    from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
+    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.boxes.certify_box import certify_box
 
-    known = proof.known(load_box_certificate)
+    known = proof.known(format_named("nonsmooth box certificate").load)
     box, fixed = box_and_values(proof.parameters)
     with steps(f"solving {proof.name}"):
         orbit = solved_in(proof.name, fixed, box, proof.near)
@@ -147,17 +146,7 @@ def certify_over(proof: LongProof, tiles: int) -> tuple[Mapping[str, str], int]:
         )
 
     done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
-    return proof.answer(found, stopped, _told, show_box, enough=found.decided >= _ENOUGH, done=done)
-
-
-def _told(found: BoxCertificate) -> dict[str, Any]:
-    from nonsmooth.runtime.proof.boxes.regions import map_json
-
-    undecided = [
-        {name: [str(low), str(high)] for name, (low, high) in where.items()}
-        for where in found.undecided
-    ]
-    return {**map_json(found), "undecided": undecided}
+    return proof.answer(found, stopped, show_result, enough=found.decided >= _ENOUGH, done=done)
 
 
 def certify_whole_branch(
@@ -171,12 +160,11 @@ def certify_whole_branch(
     refuses anything but exactly one range.
     """
     from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_branch
-    from nonsmooth.runtime.present.files.certified_branches import load_certified_branch
-    from nonsmooth.runtime.proof.branch.certified_branch import told_json
+    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
 
-    known = proof.known(load_certified_branch)
+    known = proof.known(format_named("nonsmooth certified branch").load)
     branch, interval = followed_over(proof.name, proof.parameters, proof.near, "--branch V=0.6:1.3")
     with shared(f"proving {proof.name}") as progress:
         found, stopped = worked(
@@ -192,7 +180,7 @@ def certify_whole_branch(
             )
         )
     done = f"{len(found.tiles)} tiles, {len(found.events)} events are proved"
-    return proof.answer(found, stopped, told_json, show_branch, enough=found.complete, done=done)
+    return proof.answer(found, stopped, show_result, enough=found.complete, done=done)
 
 
 def certify_flip(
@@ -205,12 +193,11 @@ def certify_flip(
     InputError refuses anything but exactly one range.
     """
     from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_doubling
-    from nonsmooth.runtime.present.files.certified_doublings import load_certified_doubling
-    from nonsmooth.runtime.proof.doubling.certified_doubling import told_doubling_json
+    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling
 
-    known = proof.known(load_certified_doubling)
+    known = proof.known(format_named("nonsmooth certified doubling").load)
     example = "--doubling V=1:1.2"
     branch, interval = followed_over(proof.name, proof.parameters, proof.near, example)
     with shared(f"proving {proof.name}") as progress:
@@ -228,7 +215,7 @@ def certify_flip(
     branch_tiles = 0 if found.doubled is None else len(found.doubled.branch.tiles)
     done = f"{branch_tiles} tiles of the doubled branch are proved"
     whole = found.claims["doubling"] == "proved"
-    return proof.answer(found, stopped, told_doubling_json, show_doubling, enough=whole, done=done)
+    return proof.answer(found, stopped, show_result, enough=whole, done=done)
 
 
 def certify_events(
@@ -249,23 +236,19 @@ def certify_events(
     are taken over.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.proofs.display_certificates import show_events
-    from nonsmooth.runtime.model.naming import shown_name
-    from nonsmooth.runtime.present.files.event_certificates import (
-        load_event_certificates,
-        save_events,
-    )
+    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.present.files.kept import load_events, save_result
     from nonsmooth.runtime.proof.events.certify_event import certify_events as enclose
     from nonsmooth.runtime.proof.events.event_certificate import events_claim
 
-    known = () if resume is None else load_event_certificates(resume)
+    known = () if resume is None else load_events(resume)
     branch, (lower, upper) = followed_over(name, parameters, near, "--events V=0.6:1.3")
     with counted("enclosing events", len(branch.events)) as progress:
         found, stopped = worked(lambda: enclose(branch, bits, known, progress))
     if not found:
         hold(branch.orbit)
     written = Written()
-    written.save(lambda path: save_events(found, path), save)
+    written.save(lambda path: save_result(found, path), save)
 
     def told() -> dict[str, Any]:
         return {
@@ -276,12 +259,7 @@ def certify_events(
             "events": [certificate.to_json() for certificate in found],
         }
 
-    def show() -> None:
-        values = branch.parameter_values
-        span = f"{branch.parameter} = {values.min():.6g} ... {values.max():.6g}"
-        show_events(f"{shown_name(branch.name)}, {span}", found)
-
-    code = written.show_one(told, show, save, as_json=as_json)
+    code = written.show_one(told, lambda: show_result(found), save, as_json=as_json)
     claims = events_claim(found)
     if not stopped:
         decided = "undecided" not in claims.values()

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 from nonsmooth.runtime.checker import (
     Failure,
@@ -28,39 +29,15 @@ from nonsmooth.runtime.checker import (
 )
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import path_of, read_file
-from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.core.json_codec import Inconsistent, encode
 from nonsmooth.runtime.core.parallel import check_workers
 from nonsmooth.runtime.core.registry import Shown
-from nonsmooth.runtime.core.result_files import WRONG_SHAPE, FileFormat, parsed
+from nonsmooth.runtime.core.result_files import WRONG_SHAPE, parsed
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
-from nonsmooth.runtime.present.files.basin_certificates import BASIN, basin_entries, basin_of
-from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
-from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
-from nonsmooth.runtime.present.files.certificates import (
-    CERTIFICATE,
-    certificate_entries,
-    certificate_of,
-)
-from nonsmooth.runtime.present.files.certified_branches import (
-    BRANCH,
-    branch_file_entries,
-    certified_branch_of,
-)
-from nonsmooth.runtime.present.files.certified_doublings import (
-    DOUBLING,
-    certified_doubling_of,
-    doubling_entries,
-)
-from nonsmooth.runtime.present.files.chaos_certificates import CHAOS, chaos_entries, chaos_of
-from nonsmooth.runtime.present.files.event_certificates import (
-    EVENTS,
-    event_entries,
-    events_of,
-)
-from nonsmooth.runtime.present.files.graph_certificates import GRAPH, graph_entries, graph_of
+from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
@@ -68,7 +45,11 @@ from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
+from nonsmooth.runtime.proof.events.event_certificate import (
+    EventCertificate,
+    EventCertificates,
+    events_claim,
+)
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 __all__ = ["Check", "check_certificate"]
@@ -84,6 +65,7 @@ Proven = (
     | GraphCertificate
     | tuple[EventCertificate, ...]
 )
+_MOST = 500_000_000  # bytes of a file
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_TOLD = "why is not proved again"
@@ -124,42 +106,27 @@ class Check(Shown):
     compared: bool = False
 
 
-class _Kind(NamedTuple):
-    """How one kind of file is checked and read, and which claims its result makes."""
-
-    format: FileFormat[Any]  # of the file
-    check: Callable[..., None]  # proves the claims of the file's content again
-    of: Callable[[Any], Any]  # result that the entries describe
-    entries: Callable[[Any], Any]  # what a file of that result states
-    claims: Callable[[Any], Mapping[str, str]]  # verdicts of the result by name
-    divides: bool = False  # its check takes processes, and tells how far it is
-
-
-def _listed(census: Census) -> dict[str, str]:
-    """The claims of a census that are proved again: those of the orbits that it lists."""
-    every = all(orbit.certificate is not None for orbit in census.orbits)
-    return {"listed": "proved" if every else "undecided", "no others": "undecided"}
-
-
-def _own(found: Any) -> Mapping[str, str]:
-    claims: Mapping[str, str] = found.claims
-    return claims
-
-
-_KINDS = {
-    kind.format.name: kind
-    for kind in (
-        _Kind(CERTIFICATE, check, certificate_of, certificate_entries, _own),
-        _Kind(BOX, check_tiles, box_of, box_entries, _own),
-        _Kind(BRANCH, check_branch, certified_branch_of, branch_file_entries, _own),
-        _Kind(DOUBLING, check_doubling, certified_doubling_of, doubling_entries, _own),
-        _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
-        _Kind(CENSUS, check_census, census_of, census_entries, _listed),
-        _Kind(BASIN, check_basin, basin_of, basin_entries, _own, divides=True),
-        _Kind(GRAPH, check_graph, graph_of, graph_entries, _own),
-        _Kind(CHAOS, check_chaos, chaos_of, chaos_entries, lambda found: {"chaos": found.claim}),
-    )
+# by the format that a file names: what proves the claims of its content again
+_CHECKS: dict[str, Callable[..., None]] = {
+    "nonsmooth certificate": check,
+    "nonsmooth box certificate": check_tiles,
+    "nonsmooth certified branch": check_branch,
+    "nonsmooth certified doubling": check_doubling,
+    "nonsmooth event certificate": check_events,
+    "nonsmooth census": check_census,
+    "nonsmooth basin certificate": check_basin,
+    "nonsmooth graph certificate": check_graph,
+    "nonsmooth chaos certificate": check_chaos,
 }
+_DIVIDED = "nonsmooth basin certificate"  # whose check takes processes, and tells how far it is
+
+
+def _claims(found: Proven) -> Mapping[str, str]:
+    """The claims that are proved again: of a census those of the orbits that it lists."""
+    if isinstance(found, Census):
+        every = all(orbit.certificate is not None for orbit in found.orbits)
+        return {"listed": "proved" if every else "undecided", "no others": "undecided"}
+    return events_claim(found) if isinstance(found, tuple) else found.claims
 
 
 def check_certificate(
@@ -212,21 +179,24 @@ def check_certificate(
     check_workers(workers)
     place = path_of(path)
     try:
-        content = parsed(read_file(place, CERTIFICATE.most, CERTIFICATE.what))
-        kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
-        if kind is None:
+        content = parsed(read_file(place, _MOST, "certificate"))
+        named = str(content.get("format")) if isinstance(content, dict) else ""
+        if named not in _CHECKS:
             raise InputError("not a certificate, such as --save or save() writes")
-        entries = kind.format.check_entries(content)
+        with suppress(Inconsistent):  # which is a difference
+            format_named(named).check_entries(content)
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
         for told in _told(content):
             check_domains(told)  # before anything is proved of such values
         with flint_precision(64):  # the one precision of the process is kept
-            kind.check(content, *((workers, progress) if kind.divides else ()))
-        found = kind.of(entries)
-        if not _agrees(encode(kind.entries(found)), content):
+            _CHECKS[named](content, *((workers, progress) if named == _DIVIDED else ()))
+        found = format_named(named).check(content)
+        if any(content[name] != entry for name, entry in encode(found).items()):
             return Check("what follows from other entries is not what the file says")
+        if isinstance(found, EventCertificates):
+            found = found.events
         compared = compare(content)
         if declared is not None:
             _compare_declared(content, declared)
@@ -238,7 +208,7 @@ def check_certificate(
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
     note = _note(content, found, compared, held=declared is None)
     shown = _listed_alone(found) if isinstance(found, Census) else found
-    return Check(None, note, _without_reasons(shown), kind.claims(found), compared)
+    return Check(None, note, _without_reasons(shown), _claims(found), compared)
 
 
 def _listed_alone(census: Census) -> Census:
@@ -247,7 +217,7 @@ def _listed_alone(census: Census) -> Census:
     return replace(
         census,
         conditions=(),
-        orbits=tuple(Counted({}, each) for each in certified if each is not None),
+        orbits=tuple(Counted({}, each, "") for each in certified if each is not None),
         undecided=(Open({}, _NOT_TOLD),),
     )
 
@@ -269,17 +239,6 @@ def _without_reasons(found: Any) -> Any:
         elif (new := _without_reasons(own)) is not own:
             changed[name] = new
     return replace(found, **changed) if changed else found
-
-
-def _agrees(told: Any, content: Any) -> bool:
-    """Whether `content` has all entries of `told`, with the same values."""
-    if told == content:
-        return True
-    if isinstance(told, Mapping):
-        return all(name in content and _agrees(told[name], content[name]) for name in told)
-    if isinstance(told, list):
-        return len(told) == len(content) and all(map(_agrees, told, content))
-    return False
 
 
 def _compare_declared(content: Mapping[str, Any], declared: str) -> None:

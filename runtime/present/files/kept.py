@@ -1,25 +1,37 @@
-"""What was explored, in files: branches, curves of events, designs, sweeps and fits.
+"""Kinds of results in files: what was explored, and what was proved.
 
 A record's annotations say what its file holds; an orbit in it is the whole content of its own
-file, and is checked as a saved orbit is.
+file, and is checked as a saved orbit is. A new kind of result is one more of `KINDS`.
 """
 
 from __future__ import annotations
 
 import os
-from typing import Any
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import FileFormat
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_event import Locus
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
-from nonsmooth.runtime.explore.design.optimum import Design
-from nonsmooth.runtime.explore.finding.sweep import Sweep
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
-__all__ = ["BRANCH", "DESIGN", "FIT", "LOCUS", "SWEEP", "save_result"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.continuation.branch import Branch
+    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+    from nonsmooth.runtime.explore.design.optimum import Design
+    from nonsmooth.runtime.explore.finding.sweep import Sweep
+    from nonsmooth.runtime.explore.fitting.fit_record import Fit
+    from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+    from nonsmooth.runtime.proof.events.event_certificate import (
+        EventCertificate,
+        EventCertificates,
+    )
+
+__all__ = ["KINDS", "KeptKind", "format_named", "load_events", "save_result"]
+
+_PROOF = 4 + SAVED_VERSION  # version of the files of proofs
+_PLANE = 2  # parameters of a box with curves
 
 
 def _check_branch(branch: Branch) -> None:
@@ -32,6 +44,8 @@ def _check_branch(branch: Branch) -> None:
         raise InputError("its points do not belong together")
     if branch.parameter not in orbit.given:
         raise InputError(f"its orbit has no parameter {branch.parameter!r}")
+    from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
+
     if names != tuple(OrbitFamily(orbit, branch.parameter).names):
         raise InputError("its unknowns are not those of its orbit")
     _check_unknowns(branch)
@@ -106,38 +120,111 @@ def _check_fit(fit: Fit) -> None:
         raise InputError("its names, numbers and series do not belong together")
 
 
-BRANCH = FileFormat(
-    name="nonsmooth branch", what="saved branch", entries=Branch, version=4, together=_check_branch
-)
-LOCUS = FileFormat(
-    name="nonsmooth locus",
-    what="saved curve of events",
-    entries=Locus,
-    version=3,
-    together=_check_locus,
-)
-DESIGN = FileFormat(
-    name="nonsmooth design", what="saved design", entries=Design, version=2, together=_check_design
-)
-SWEEP = FileFormat(
-    name="nonsmooth sweep",
-    what="saved sweep",
-    entries=Sweep,
-    version=2 + SAVED_VERSION,
-    together=_check_sweep,
-)
-FIT = FileFormat(
-    name="nonsmooth fit",
-    what="saved fit",
-    entries=Fit,
-    version=1 + SAVED_VERSION,
-    together=_check_fit,
-)
-_FORMATS: dict[type, FileFormat[Any]] = {
-    each.entries: each for each in (BRANCH, LOCUS, DESIGN, SWEEP, FIT)
+def _check_basin(found: BasinCertificate) -> None:
+    from nonsmooth.runtime.proof.sets.runs import check_size
+
+    for grid, each in ((found.grid, found.ranks), (found.tiles, found.looked)):
+        check_size(each, 0 if grid is None else len(grid))
+    if tuple(found.box) != (() if found.tiles is None else found.states):
+        raise InputError("'box' has other states than the tiles")
+
+
+def _check_box(found: BoxCertificate) -> None:
+    if sum(tile.place.share for tile in found.tiles) != 1:
+        raise InputError("its tiles do not fill the box")
+    if len(found.box) != _PLANE and any(tile.event is not None for tile in found.tiles):
+        raise InputError("a curve crosses no parameter of the box")
+
+
+class KeptKind(NamedTuple):
+    """A kind of result file, whose record is imported when there is one to read or write."""
+
+    what: str  # what the file holds, in words
+    record: str  # module, as it is imported from `nonsmooth.runtime`, and class
+    version: int
+    together: Callable[[Any], None] = lambda record: None  # raises InputError for entries that
+    # do not belong together
+
+
+# by the format that a file names
+KINDS: dict[str, KeptKind] = {
+    "nonsmooth branch": KeptKind(
+        "saved branch", ".explore.continuation.branch:Branch", 4, _check_branch
+    ),
+    "nonsmooth locus": KeptKind(
+        "saved curve of events", ".explore.continuation.continue_event:Locus", 3, _check_locus
+    ),
+    "nonsmooth design": KeptKind(
+        "saved design", ".explore.design.optimum:Design", 2, _check_design
+    ),
+    "nonsmooth sweep": KeptKind(
+        "saved sweep", ".explore.finding.sweep:Sweep", 2 + SAVED_VERSION, _check_sweep
+    ),
+    "nonsmooth fit": KeptKind(
+        "saved fit", ".explore.fitting.fit_record:Fit", 1 + SAVED_VERSION, _check_fit
+    ),
+    "nonsmooth certificate": KeptKind("certificate", ".proof.certificate:Certificate", _PROOF),
+    "nonsmooth box certificate": KeptKind(
+        "proven map", ".proof.boxes.box_certificate:BoxCertificate", _PROOF + 2, _check_box
+    ),
+    "nonsmooth event certificate": KeptKind(
+        "file of certificates of events",
+        ".proof.events.event_certificate:EventCertificates",
+        _PROOF,
+    ),
+    "nonsmooth certified branch": KeptKind(
+        "certified branch", ".proof.branch.certified_branch:CertifiedBranch", _PROOF
+    ),
+    "nonsmooth certified doubling": KeptKind(
+        "certified doubling",
+        ".proof.doubling.certified_doubling:CertifiedDoubling",
+        1 + SAVED_VERSION,
+    ),
+    "nonsmooth census": KeptKind("census", ".proof.counting.census:Census", _PROOF),
+    "nonsmooth basin certificate": KeptKind(
+        "certificate of a basin",
+        ".proof.basin.basin_certificate:BasinCertificate",
+        _PROOF,
+        _check_basin,
+    ),
+    "nonsmooth chaos certificate": KeptKind(
+        "certificate of chaos", ".proof.chaos.chaos_certificate:ChaosCertificate", _PROOF
+    ),
+    "nonsmooth graph certificate": KeptKind(
+        "certificate of a graph of boxes",
+        ".proof.graphs.graph_certificate:GraphCertificate",
+        _PROOF,
+    ),
 }
 
 
+def format_named(name: str) -> FileFormat[Any]:
+    """The format of a name among `KINDS`."""
+    kind = KINDS[name]
+    module, _, record = kind.record.partition(":")
+    entries = getattr(import_module(module, "nonsmooth.runtime"), record)
+    return FileFormat(
+        name=name, what=kind.what, entries=entries, version=kind.version, together=kind.together
+    )
+
+
 def save_result(result: Any, path: str | os.PathLike[str]) -> None:
-    """Write a result to a file, which is replaced only when the new one is complete."""
-    _FORMATS[type(result)].write(path, result)
+    """Write a result to a file, which is replaced only when the new one is complete.
+
+    An event's certificate is kept as the only one of its file, several in their order.
+    """
+    if type(result).__name__ == "EventCertificate":
+        result = [result]
+    if isinstance(result, Sequence):
+        from nonsmooth.runtime.proof.events.event_certificate import EventCertificates
+
+        result = EventCertificates(events=tuple(result))
+    own = type(result).__name__
+    named = next(name for name, kind in KINDS.items() if kind.record.partition(":")[2] == own)
+    format_named(named).write(path, result)
+
+
+def load_events(path: str | os.PathLike[str]) -> tuple[EventCertificate, ...]:
+    """The certificates of events in a file, in its order."""
+    found: EventCertificates = format_named("nonsmooth event certificate").load(path)
+    return found.events

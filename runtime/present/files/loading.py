@@ -5,38 +5,24 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from importlib import import_module
-from operator import attrgetter
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import path_of, read_file
-from nonsmooth.runtime.core.result_files import format_in, naming, parsed
+from nonsmooth.runtime.core.result_files import FileFormat, format_in, naming, parsed
+from nonsmooth.runtime.present.files.kept import KINDS, format_named
 from nonsmooth.runtime.present.files.motions import ENDINGS, load_trajectory
 
-__all__ = ["READERS", "format_of", "load"]
+__all__ = ["file_schemas", "format_of", "load"]
 
-_OWN = "present.files"
-# by the format that a file names: what reads it, imported when there is one to read
-READERS: Mapping[str, str] = MappingProxyType(
+# by the format that a file names: what reads other kinds, imported when there is one to read
+_READERS: Mapping[str, str] = MappingProxyType(
     {
         "nonsmooth orbit": "orbits.orbit_file:load_orbit_file",
-        "nonsmooth found orbits": f"{_OWN}.found:load_found",
-        "nonsmooth branch": f"{_OWN}.kept:BRANCH.load",
-        "nonsmooth locus": f"{_OWN}.kept:LOCUS.load",
-        "nonsmooth design": f"{_OWN}.kept:DESIGN.load",
-        "nonsmooth sweep": f"{_OWN}.kept:SWEEP.load",
-        "nonsmooth fit": f"{_OWN}.kept:FIT.load",
-        "nonsmooth certificate": f"{_OWN}.certificates:load_certificate",
-        "nonsmooth box certificate": f"{_OWN}.box_certificates:load_box_certificate",
-        "nonsmooth event certificate": f"{_OWN}.event_certificates:load_event_certificates",
-        "nonsmooth certified branch": f"{_OWN}.certified_branches:load_certified_branch",
-        "nonsmooth certified doubling": f"{_OWN}.certified_doublings:load_certified_doubling",
-        "nonsmooth census": f"{_OWN}.censuses:load_census",
-        "nonsmooth basin certificate": f"{_OWN}.basin_certificates:load_basin_certificate",
-        "nonsmooth chaos certificate": f"{_OWN}.chaos_certificates:load_chaos_certificate",
-        "nonsmooth graph certificate": f"{_OWN}.graph_certificates:load_graph_certificate",
+        "nonsmooth found orbits": "present.files.found:load_found",
+        "nonsmooth event certificate": "present.files.kept:load_events",
     }
 )
 _MOST = 500_000_000  # bytes
@@ -90,18 +76,37 @@ Trajectory, tuple of EventCertificate or xarray.Dataset
         return load_chart(place)
     if place.suffix.lower() in ENDINGS:
         return load_trajectory(place)
-    module, _, name = READERS[format_of(place)].partition(":")
-    return attrgetter(name)(import_module(f"nonsmooth.runtime.{module}"))(path)
+    named = format_of(place)
+    if named not in _READERS:
+        return format_named(named).load(path)
+    module, _, name = _READERS[named].partition(":")
+    return getattr(import_module(f"nonsmooth.runtime.{module}"), name)(path)
+
+
+def file_schemas() -> dict[str, dict[str, Any]]:
+    """JSON Schema (2020-12) of each kind of JSON file that `load` reads, by its format.
+
+    Examples
+    --------
+    >>> schema = file_schemas()["nonsmooth certificate"]
+    >>> schema["properties"]["claims"]["properties"]["existence"]
+    {'enum': ['proved', 'refuted', 'undecided']}
+    """
+    from nonsmooth.runtime.orbits.orbit_file import ORBIT
+    from nonsmooth.runtime.present.files.found import FOUND
+
+    formats: list[FileFormat[Any]] = [ORBIT, FOUND, *map(format_named, KINDS)]
+    return {each.name: each.schema for each in formats}
 
 
 def format_of(path: Path) -> str:
-    """The format of a result's JSON file: one of `READERS`.
+    """The format of a result's JSON file.
 
     `InputError` is raised if the file cannot be read, is no JSON, or names an unknown
     format.
     """
     named = format_in(path)
-    if named is not None and named in READERS:
+    if named is not None and (named in KINDS or named in _READERS):
         return named
     with naming(path):
         if named is None:

@@ -4,23 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.core.registry import Kept, registered
+from nonsmooth.runtime.core.json_codec import IN_FILES, Exact, Several, Told
+from nonsmooth.runtime.core.registry import Certified, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.saved_system import KeptOrbitName
+from nonsmooth.runtime.proof.certificate import Decided, Declaration
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.sets.runs import Flags, Numbers
 
 __all__ = ["BasinCertificate"]
 
 
+@dataclass(frozen=True, kw_only=True)
+class VerdictEntries:
+    """Entries for what is known of tiles: 1 of those that were looked at, 2 of attracted ones."""
+
+    verdicts: Numbers
+
+
+def _verdicts(looked: NDArray[np.bool_], attracted: NDArray[np.bool_]) -> VerdictEntries:
+    return VerdictEntries(verdicts=looked.astype(int) + attracted)
+
+
+def _flags(found: VerdictEntries) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    return found.verdicts > 0, found.verdicts > 1
+
+
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BasinCertificate(Kept):
+class BasinCertificate(Certified):
     """Starts from which every motion tends to one periodic orbit, the one through the core.
 
     P is the map from a section to itself. It contracts the core, so that there is one orbit
@@ -75,15 +93,13 @@ class BasinCertificate(Kept):
         The system, as functions of its parameters, as in the file.
     """
 
-    _kept_by = "save_basin"
-
     system: str
-    orbit: str
+    orbit: KeptOrbitName
     parameters: Mapping[str, Value]
-    claim: str
+    claim: Decided
     reason: str
     configuration: str
-    phase: tuple[str, ...]
+    phase: tuple[Exact, ...]
     source: str
     boundary: str
     coordinates: tuple[str, ...]
@@ -91,29 +107,31 @@ class BasinCertificate(Kept):
     iterates: int
     itinerary: tuple[tuple[str, str, str], ...]
     contraction: Exact
-    grid: BoxGrid | None
-    ranks: NDArray[np.int_] = field(repr=False)
-    tiles: BoxGrid | None
-    states: tuple[str, ...]
-    box: Mapping[str, tuple[float, float]]
-    looked: NDArray[np.bool_] = field(repr=False)
-    attracted: NDArray[np.bool_] = field(repr=False)
+    grid: Annotated[BoxGrid | None, IN_FILES]
+    ranks: Annotated[Numbers, IN_FILES] = field(repr=False)
+    tiles: Annotated[BoxGrid | None, IN_FILES]
+    states: Annotated[tuple[str, ...], IN_FILES]
+    box: Annotated[Mapping[str, tuple[float, float]], IN_FILES]
+    looked: Annotated[
+        Flags, IN_FILES, Several(VerdictEntries, _verdicts, _flags, ("looked", "attracted"))
+    ] = field(repr=False)
+    attracted: Annotated[Flags, IN_FILES] = field(repr=False)
     widest: float
     most: int
     bits: int
-    declaration: Mapping[str, Any] = field(repr=False)
+    declaration: Declaration = field(repr=False)
 
     @property
     def proved(self) -> bool:
         """Whether the orbit is proved to attract all of a set around it."""
         return self.claim == "proved"
 
-    @property
+    @Told
     def claims(self) -> dict[str, str]:
         """Verdict on "basin"."""
         return {"basin": self.claim}
 
-    @property
+    @Told
     def share(self) -> float:
         """Which part of the box of starts is proved to be attracted, by its volume."""
         if self.tiles is None or self.attracted.all():
@@ -135,7 +153,7 @@ class BasinCertificate(Kept):
         """Which part of the boxes of the section is proved to be attracted."""
         return float((self.ranks >= 0).mean()) if self.ranks.size else 0.0
 
-    @property
+    @Told
     def statement(self) -> str:
         """What is proved, in words."""
         if not self.proved or self.grid is None:
@@ -151,35 +169,19 @@ class BasinCertificate(Kept):
         return f"{told}; so does every motion from {part} that starts on no boundary"
 
     def to_json(self) -> dict[str, Any]:
-        """What the command prints with --json.
+        """Give what is proved as JSON, with bounds in place of boxes and tiles.
 
         Returns
         -------
         dict
+            Ready for `json.dumps`.
         """
         return {
-            "system": self.system,
-            "orbit": self.orbit,
-            "parameters": {name: str(value) for name, value in self.parameters.items()},
-            "claims": self.claims,
-            "reason": self.reason,
-            "statement": self.statement,
+            **super().to_json(),
             "section": {
-                "configuration": self.configuration,
-                "phase": list(self.phase),
-                "source": self.source,
-                "boundary": self.boundary,
-                "coordinates": list(self.coordinates),
                 "share": self.section_share,
                 "bounds": _bounds(self.grid, self.ranks >= 0, self.coordinates),
             },
-            "core": None
-            if self.core is None
-            else {"centre": list(self.core.centre), "sides": [*map(list, self.core.sides)]},
-            "iterates": self.iterates,
-            "itinerary": [*map(list, self.itinerary)],
-            "contraction": str(self.contraction),
-            "share": self.share,
             "tiles": {
                 "count": int(self.attracted.size),
                 "looked": int(self.looked.sum()),

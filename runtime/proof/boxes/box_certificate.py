@@ -6,13 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Annotated, Any
 
 from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.checker.folded import BEYOND, beyond_folds
-from nonsmooth.runtime.core.registry import Kept, registered
+from nonsmooth.runtime.core.json_codec import Follows, Told, by, encode
+from nonsmooth.runtime.core.registry import Certified, registered
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
+from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.boxes.regions import (
     EventCurve,
     OpenBox,
@@ -21,21 +23,30 @@ from nonsmooth.runtime.proof.boxes.regions import (
     open_boxes_of,
     regions_of,
 )
-from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     NO_ORBIT,
+    Claims,
+    Declaration,
+    Stability,
     Stated,
-    balls_json,
-    orbit_json,
+    ball_of,
 )
 
-__all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile", "tile_json"]
+__all__ = ["BITS", "DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
+
+BITS = 64  # working precision on tiles: their size is what makes the balls wide
+KeptBall = Annotated[Stated, ball_of(BITS)]
 
 _PLANE = 2  # parameters of a box that has regions and curves
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
 VERDICTS = ("proved", "unstable", "not admissible", "divided", BEYOND, "undecided")
+
+
+def _floats(shares: Mapping[str, Fraction]) -> dict[str, float]:
+    return {name: float(share) for name, share in shares.items()}
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -59,10 +70,10 @@ class Tile:
         A curve of an event that divides it, and the verdicts on both sides.
     """
 
-    place: Place
-    claims: Mapping[str, str]
+    place: Annotated[Place, by(tuple[tuple[int, int], ...], lambda place: place.steps, Place)]
+    claims: Claims
     reasons: Mapping[str, str]
-    enclosures: Mapping[str, Stated]
+    enclosures: Mapping[str, KeptBall]
     guess: tuple[float, ...] = field(repr=False)
     looked_at: bool
     event: TileEvent | None
@@ -81,7 +92,7 @@ class Tile:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BoxCertificate(Kept):
+class BoxCertificate(Certified):
     """What ball arithmetic proves of an orbit for all parameters of a box.
 
     The box is the union of its tiles. On each the claims hold for every parameter: there is
@@ -108,21 +119,19 @@ class BoxCertificate(Kept):
         As in a `Certificate`, over the box's parameters and those that were given.
     """
 
-    _kept_by = "save_box"
-
-    orbit: str
+    orbit: KeptOrbitName
     system: str
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
     itinerary: tuple[tuple[str, str], ...]
     box: Mapping[str, Interval]
-    stability: str
+    stability: Stability
     tiles: tuple[Tile, ...] = field(repr=False)
-    declaration: Mapping[str, Any] = field(repr=False)
-    closing: Mapping[str, Any] = field(repr=False)
+    declaration: Declaration = field(repr=False)
+    closing: Declaration = field(repr=False)
 
-    @property
-    def claims(self) -> dict[str, str]:
+    @Follows
+    def claims(self) -> Claims:
         """For the whole box: proved where all tiles are, refuted where a tile is."""
         found = {}
         for name in CLAIMS:
@@ -142,13 +151,13 @@ class BoxCertificate(Kept):
         told = [tile.verdict for tile in self.tiles]
         if len(self.box) == _PLANE:
             beside = neighbours([tile.place.steps for tile in self.tiles])
-            entries = [tile_json(tile, tuple(self.box)) for tile in self.tiles]
-            beyond = beyond_folds(entries, told, tuple(self.box), beside)
+            entries = [encode(tile) for tile in self.tiles]
+            beyond = beyond_folds(entries, told, beside)
             told = [BEYOND if own else one for own, one in zip(beyond, told, strict=True)]
         return tuple(told)
 
-    @property
-    def shares(self) -> dict[str, Fraction]:
+    @Follows
+    def shares(self) -> Annotated[dict[str, Fraction], by(Mapping[str, float], _floats)]:
         """How much of the box has which of `VERDICTS`, exactly."""
         found = dict.fromkeys(VERDICTS, Fraction(0))
         for tile, verdict in zip(self.tiles, self.verdicts, strict=True):
@@ -160,28 +169,28 @@ class BoxCertificate(Kept):
         """How much of the box is not undecided."""
         return 1 - self.shares["undecided"]
 
-    @property
+    @Told
     def undecided(self) -> tuple[dict[str, Interval], ...]:
         """The boxes of parameters that are not decided."""
         told = zip(self.tiles, self.verdicts, strict=True)
         return tuple(self.where(tile) for tile, verdict in told if verdict == "undecided")
 
-    @cached_property
+    @Told
     def regions(self) -> tuple[ProvedRegion, ...]:
         """Connected parts with one verdict, the largest first; of two parameters."""
         return regions_of(self) if len(self.box) == _PLANE else ()
 
-    @cached_property
+    @Told
     def curves(self) -> tuple[EventCurve, ...]:
         """Curves of events, as chains of tiles; of two parameters."""
         return curves_of(self) if len(self.box) == _PLANE else ()
 
-    @cached_property
+    @Told
     def open(self) -> tuple[OpenBox, ...]:
         """Where nothing is decided, as boxes around tiles that touch each other."""
         return open_boxes_of(self)
 
-    @property
+    @Told
     def statement(self) -> str:
         """What is proved of a box of two parameters, in one sentence; else empty."""
         if len(self.box) != _PLANE:
@@ -206,7 +215,7 @@ class BoxCertificate(Kept):
         met = sorted(self.stability if v == "proved" else v for v in (*own, curve.event.fold.other))
         return f"fold: two orbits meet, {' and '.join(met)}, and there is none beyond"
 
-    @property
+    @Follows
     def reasons(self) -> dict[str, str]:
         """Why a claim is not proved, from the largest tile on which it is not."""
         found = {}
@@ -219,8 +228,8 @@ class BoxCertificate(Kept):
                 found[name] = f"on {share:.3g} % of the box: {told}"
         return found
 
-    @property
-    def enclosures(self) -> dict[str, Stated]:
+    @Follows
+    def enclosures(self) -> Mapping[str, KeptBall]:
         """Trace, period, dwell times and start over all tiles on which the orbit is proved.
 
         Without a trace that is unbounded on some tile.
@@ -269,26 +278,6 @@ class BoxCertificate(Kept):
                 return tile
         raise KeyError(f"{dict(point)} is not in the box")
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the map as JSON: numbers as decimal strings or fractions.
-
-        Returns
-        -------
-        dict
-            The map, ready for `json.dumps`.
-        """
-        return {
-            **orbit_json(self),
-            "chosen": list(self.chosen),
-            "box": {name: [str(end) for end in ends] for name, ends in self.box.items()},
-            "claims": self.claims,
-            "stability": self.stability,
-            "reasons": self.reasons,
-            "shares": {name: float(share) for name, share in self.shares.items()},
-            "enclosures": balls_json(self.enclosures),
-            "tiles": [tile_json(tile, tuple(self.box)) for tile in self.tiles],
-        }
-
     def plot(self, axes: Any = None) -> Any:
         """Draw the proven map of one or two parameters.
 
@@ -322,41 +311,6 @@ def _hull(found: Sequence[Stated]) -> Stated:
 
     ends = [(exact(x.texts[0]), exact(x.texts[1])) for x in found]
     low, high = min(mid - rad for mid, rad in ends), max(mid + rad for mid, rad in ends)
-    with flint_precision(2 * found[0].bits):
+    with flint_precision(2 * BITS):
         middle, radius = (arb(x) for x in ((low + high) / 2, (high - low) / 2))
-        return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
-
-
-def tile_json(tile: Tile, axes: Sequence[str]) -> dict[str, Any]:
-    """A tile as a dict ready for `json.dumps`; `axes` names the parameters of its box."""
-    return {
-        "place": [list(step) for step in tile.place.steps],
-        "claims": dict(tile.claims),
-        "reasons": dict(tile.reasons),
-        "enclosures": balls_json(tile.enclosures),
-        "guess": list(tile.guess),
-        "looked_at": tile.looked_at,
-        "event": None if tile.event is None else _event_json(tile.event, axes),
-    }
-
-
-def _fold_json(fold: Fold) -> dict[str, Any]:
-    return {**vars(fold), "centre": list(fold.centre)}
-
-
-def _event_json(event: TileEvent, axes: Sequence[str]) -> dict[str, Any]:
-    return {
-        "kind": event.kind,
-        "phase": None if event.phase is None else event.phase + 1,
-        "configuration": event.configuration,
-        "boundary": event.boundary,
-        "instant": event.instant,
-        "window": [str(time) for time in event.window],
-        "also": [[kind, phase + 1, *rest] for kind, phase, *rest in event.also],
-        "across": axes[event.band.axis],
-        "centre": list(event.band.centre),
-        "radius": event.band.radius,
-        "below": event.below,
-        "above": event.above,
-        "fold": None if event.fold is None else _fold_json(event.fold),
-    }
+        return Stated.around(middle + arb(0, radius), BITS, DIGITS)

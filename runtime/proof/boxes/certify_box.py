@@ -19,9 +19,8 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.box_certificate import DIGITS, BoxCertificate, Tile
+from nonsmooth.runtime.proof.boxes.box_certificate import BITS, DIGITS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import (
-    BITS,
     Region,
     checked_box,
     given_of,

@@ -46,9 +46,8 @@ from nonsmooth.runtime.shooting.variational import Phase
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BITS", "Region", "checked_box", "given_of", "region_at", "region_of", "with_open_ones"]
+__all__ = ["Region", "checked_box", "given_of", "region_at", "region_of", "with_open_ones"]
 
-BITS = 64  # working precision on tiles: their size is what makes the balls wide
 _LONG = 6  # phases of a cycle beyond which rounding errors grow too much for that
 
 

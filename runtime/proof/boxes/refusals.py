@@ -10,7 +10,8 @@ from nonsmooth.runtime.checker.divided import DividingCurve, Division
 from nonsmooth.runtime.checker.folded import Sheets
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.tiles import CheckedBox, MapTile, check_whole
-from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile, tile_json
+from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, file_json
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
@@ -92,7 +93,7 @@ class BoxRefusals:
 
     def _proved(self, tile: Tile) -> MapTile:
         if not self.has_proved(tile):
-            told = as_read(tile_json(tile, tuple(self.box.names)))
+            told = as_read(encode(tile))
             found = self.box.proved(told)
             self.box.check_divisors()
             self._checked[tile.place] = tile, found

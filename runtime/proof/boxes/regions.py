@@ -8,22 +8,22 @@ both; a curve is made of tiles which one event divides, and whose common edge it
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from itertools import pairwise, product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from nonsmooth.runtime.checker.divided import Band
 from nonsmooth.runtime.checker.edges import neighbours
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, TileEvent
+from nonsmooth.runtime.core.json_codec import FromOne, Several, by
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 
-__all__ = ["EventCurve", "OpenBox", "ProvedRegion", "curves_of", "map_json", "open_boxes_of",
-           "regions_of"]  # fmt: skip
+__all__ = ["EventCurve", "OpenBox", "ProvedRegion", "curves_of", "open_boxes_of", "regions_of"]
 
 _PARTS = 64  # of a tile, for the area of a side
 _DRAWN = 16  # points of a curve in each tile
@@ -42,16 +42,33 @@ class ProvedRegion:
 
 
 @dataclass(frozen=True, kw_only=True)
+class CurveEntries:
+    """Entries that say what happens along a curve."""
+
+    kind: str
+    phase: FromOne
+    configuration: str
+    boundary: str
+    instant: str
+
+
+def _curve_entries(event: TileEvent) -> CurveEntries:
+    return CurveEntries(**{own.name: getattr(event, own.name) for own in fields(CurveEntries)})
+
+
+@dataclass(frozen=True, kw_only=True)
 class EventCurve:
     """A curve of one event, as a chain of tiles."""
 
-    event: TileEvent  # of its first tile
+    event: Annotated[TileEvent, Several(CurveEntries, _curve_entries, vars)]  # of its first tile
     tiles: tuple[int, ...]  # their numbers, in the order of the curve
     width: float  # of its widest band, as a share of the box
     # "border" of the box, "open" at undecided tiles or "corner"; none if closed
     ends: tuple[str, ...]
     # approximate values of the parameters along it
     points: tuple[tuple[float, float], ...] = field(repr=False)
+    # of a fold the verdicts on the map's "own" orbit and on the "other" one, where both exist
+    sheets: Mapping[str, str] | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +76,7 @@ class OpenBox:
     """Undecided tiles that touch each other."""
 
     where: dict[str, Interval]  # the least box that holds them
-    share: Fraction  # of the box's area
+    share: Annotated[Fraction, by(float, float)]  # of the box's area
     tiles: int  # their number
     events: tuple[str, ...]  # names of the events whose curves touch these tiles
     reason: str  # why its largest tile is undecided
@@ -170,56 +187,6 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
             )
         )
     return tuple(sorted(told, key=lambda box: -box.share))
-
-
-def map_json(found: BoxCertificate) -> dict[str, Any]:
-    """Statement, regions, curves and open boxes of a map as a dict ready for `json.dumps`.
-
-    Phases are counted from 1.
-    """
-    return {
-        "statement": found.statement,
-        "regions": [
-            {"verdict": r.verdict, "share": r.share, "cells": [list(cell) for cell in r.cells]}
-            for r in found.regions
-        ],
-        "curves": [
-            {
-                "kind": c.event.kind,
-                "phase": None if c.event.phase is None else c.event.phase + 1,
-                "configuration": c.event.configuration,
-                "boundary": c.event.boundary,
-                "instant": c.event.instant,
-                "tiles": list(c.tiles),
-                "width": c.width,
-                "ends": list(c.ends),
-                "points": [list(point) for point in c.points],
-                "sheets": None if c.event.fold is None else sheets_json(found, c.event),
-            }
-            for c in found.curves
-        ],
-        "open": [
-            {
-                "where": {n: [str(low), str(high)] for n, (low, high) in box.where.items()},
-                "share": float(box.share),
-                "tiles": box.tiles,
-                "events": list(box.events),
-                "reason": box.reason,
-            }
-            for box in found.open
-        ],
-    }
-
-
-def sheets_json(found: BoxCertificate, event: TileEvent) -> dict[str, str]:
-    """The verdicts on the map's own orbit and on the other orbit that meets it in a fold.
-
-    Both hold on the side of the fold where the orbits exist.
-    """
-    assert event.fold is not None
-    own = event.below if event.above == BEYOND else event.above
-    told = {"own": own, "other": event.fold.other}
-    return {name: found.stability if v == "proved" else v for name, v in told.items()}
 
 
 def _joined_edges(found: BoxCertificate) -> Iterator[Edge]:
@@ -342,7 +309,15 @@ def _curve(found: BoxCertificate, chain: list[int], beside: dict[int, list[int]]
         width=max(_width(found.tiles[k]) for k in chain),
         ends=() if closed or not shares else tuple(_end(found, shares[k]) for k in (0, -1)),
         points=tuple((a + x * (b - a), c + y * (d - c)) for x, y in shares),
+        sheets=None if first.fold is None else _sheets(found, first, first.fold),
     )
+
+
+def _sheets(found: BoxCertificate, event: TileEvent, fold: Fold) -> dict[str, str]:
+    """The verdicts on the map's own orbit and on the other orbit that meets it in a fold."""
+    own = event.below if event.above == BEYOND else event.above
+    told = {"own": own, "other": fold.other}
+    return {name: found.stability if v == "proved" else v for name, v in told.items()}
 
 
 def _distance(one: tuple[float, float], other: tuple[float, float]) -> float:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from nonsmooth.runtime.checker.tiles import MapTile
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
+from nonsmooth.runtime.proof.boxes.box_certificate import BITS
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, event_on
 from nonsmooth.runtime.proof.boxes.tile_places import Place

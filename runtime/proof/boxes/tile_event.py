@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from flint import arb
@@ -19,6 +19,8 @@ from nonsmooth.runtime.checker.folded import BEYOND
 from nonsmooth.runtime.checker.motion import Border, time_of_touch
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.stability import MULTIPLIERS, characteristic, passing
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import FromOne, Ordinal, Several, one_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, middle_of, range_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
@@ -26,12 +28,38 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.checker.tiles import MapTile
     from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 
-__all__ = ["BEYOND", "Fold", "TileEvent", "event_on"]
+__all__ = ["BEYOND", "Events", "Fold", "Instant", "Side", "TileEvent", "event_on"]
 
+_PLANE = 2  # parameters of a box with curves, and the fewest coefficients of one
 _FARTHEST = 3.0  # of a curve from the middle of its tile; half of the tile is 1
 _STEPS = 12
 _TIMES = 128  # of a phase, at which a function is looked at
 _SHARE = 0.5  # of the time from a maximum to where the function is not concave
+
+
+_OTHERS = ("proved", "unstable", "not admissible")
+Side = Annotated[str, one_of(("below", "above"))]
+Instant = Annotated[str, one_of(("", "start", "inside", "end"))]
+# kinds, phases, boundaries and instants of events
+Events = tuple[tuple[str, Ordinal, str, Instant], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BandEntries:
+    """Entries for a band about a curve: the parameter across by its number, from 1."""
+
+    axis: Ordinal
+    centre: tuple[float, ...]
+    radius: float
+
+
+def _band(found: BandEntries) -> Band:
+    if found.axis not in (0, 1) or len(found.centre) < _PLANE:
+        raise InputError("a curve crosses no parameter of the box")
+    return Band(found.axis, found.centre, found.radius)
+
+
+KeptBand = Annotated[Band, Several(BandEntries, lambda band: BandEntries(**band._asdict()), _band)]
 
 
 @dataclass(frozen=True)
@@ -46,8 +74,8 @@ class Fold:
     # coefficients of the polynomial: where the orbits meet, approximately
     centre: tuple[float, ...]
     half: float  # half of the tube's width in that unknown
-    sheet: str  # "below" or "above": the map's own sheet, by that unknown
-    other: str  # verdict on the other sheet: "proved", "unstable" or "not admissible"
+    sheet: Side  # the map's own sheet, by that unknown
+    other: Annotated[str, one_of(_OTHERS)]  # verdict on the other sheet
 
 
 @dataclass(frozen=True)
@@ -61,20 +89,20 @@ class TileEvent:
     # "flip", "neimark-sacker", "fold", or a border: "grazing", "tangent", "entry", "simultaneous",
     # "vanishing-phase"
     kind: str
-    phase: int | None  # counted from 0, in files from 1
+    phase: FromOne
     configuration: str
     boundary: str
-    instant: str  # "", "start", "inside" or "end"
+    instant: Instant
     # times in the phase of a grazing (perhaps in `also`) between which the boundary function is
     # concave
     window: tuple[Fraction, ...]
     # kind, phase, boundary and instant of further events in the same band
-    also: tuple[tuple[str, int, str, str], ...]
-    band: Band
-    below: str  # verdict below the band
-    above: str  # verdict above the band
+    also: Events
+    band: KeptBand
+    below: Annotated[str, one_of((*_OTHERS, BEYOND))]  # verdict below the band
+    above: Annotated[str, one_of((*_OTHERS, BEYOND))]  # verdict above the band
     # the orbits that meet; on the side beyond the fold none is in their tube
-    fold: Fold | None = None
+    fold: Fold | None
 
     @property
     def name(self) -> tuple[str, int | None, str, str]:
@@ -107,6 +135,7 @@ def event_on(judge: BoxRefusals, tile: MapTile, orbit: CheckedOrbit) -> TileEven
         band=found.band,
         below=found.beside[0],
         above=found.beside[1],
+        fold=None,
     )
 
 

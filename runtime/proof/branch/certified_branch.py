@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
-from nonsmooth.runtime.core.registry import Kept, registered
+from nonsmooth.runtime.core.json_codec import Follows, FromOne, Told, named_as, one_of
+from nonsmooth.runtime.core.registry import Certified, registered
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
+from nonsmooth.runtime.model.saved_system import KeptOrbitName
+from nonsmooth.runtime.proof.boxes.tile_event import Events, Instant, Side
+from nonsmooth.runtime.proof.certificate import Decided, Declaration, Stability, Stated, ball_of
 
 __all__ = [
     "FINISHED",
@@ -23,16 +25,17 @@ __all__ = [
     "BranchTile",
     "CertifiedBranch",
     "DrawnOverParameter",
+    "KeptBall",
     "OrbitBeyond",
-    "event_json",
-    "tile_json",
-    "told_json",
 ]
 
 STATED = 112  # bits of the numbers at an event
 NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"  # beside what stability is called
 FINISHED = "end of the interval"
 VANISHED = "a phase vanishes"
+KeptBall = Annotated[Stated, ball_of(STATED)]
+_STABILITY = ("stable", "neutral", "unstable")
+Verdict = Annotated[str, one_of((*_STABILITY, NOT_ADMISSIBLE, UNDECIDED))]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -54,12 +57,12 @@ class OrbitBeyond:
         One tile of the other itinerary, with the event at which it begins.
     """
 
-    side: str
-    own: str
-    verdict: str
+    side: Side
+    own: Side
+    verdict: Annotated[str, one_of(_STABILITY)]
     branch: CertifiedBranch
 
-    @property
+    @Told
     def scenario(self) -> str:
         """Whether one itinerary follows the other, "persistence", or it is a "nonsmooth fold"."""
         return "nonsmooth fold" if self.side == self.own else "persistence"
@@ -69,7 +72,7 @@ class OrbitBeyond:
         """Configurations and boundaries of the other orbits."""
         return self.branch.itinerary
 
-    @property
+    @Told
     def reach(self) -> float:
         """The parameter up to which they are proved, about."""
         tile = self.branch.tiles[0]
@@ -105,15 +108,15 @@ class BranchEvent:
     """
 
     kind: str
-    phase: int | None
+    phase: FromOne
     configuration: str
     boundary: str
-    instant: str
+    instant: Instant
     lower: Fraction
     upper: Fraction
     window: tuple[Fraction, ...]
-    also: tuple[tuple[str, int, str, str], ...]
-    enclosures: Mapping[str, Stated]
+    also: Events
+    enclosures: Mapping[str, KeptBall]
     beyond: tuple[OrbitBeyond, ...] = field(default=(), repr=False)
 
 
@@ -149,13 +152,13 @@ class BranchTile:
     lower: Fraction
     upper: Fraction
     forwards: bool
-    before: str
-    after: str
+    before: Verdict
+    after: Verdict
     reason: str
     centre: tuple[tuple[float, ...], ...] = field(repr=False)
     radii: tuple[float, ...] = field(repr=False)
     event: BranchEvent | None
-    divided: int | None = None
+    divided: FromOne
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -179,13 +182,13 @@ class BranchInterval:
     tiles: int
     reason: str = ""
 
-    @property
+    @Told
     def width(self) -> float:
         """How far the parameter changes."""
         return abs(self.end - self.begin)
 
 
-class DrawnOverParameter(Kept):
+class DrawnOverParameter(Certified):
     """A result that is drawn over a parameter; `_drawn_by` names the function that draws it."""
 
     _drawn_by: ClassVar[str]
@@ -251,29 +254,29 @@ class CertifiedBranch(DrawnOverParameter):
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
 
-    _kept_by, _drawn_by = "save_certified_branch", "draw_certified_branch"
+    _drawn_by = "draw_certified_branch"
 
-    orbit: str
+    orbit: KeptOrbitName
     system: str
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
     itinerary: tuple[tuple[str, str], ...]
     parameter: str
     interval: tuple[Fraction, Fraction]
-    stability: str
+    stability: Stability
     unknown_names: tuple[str, ...]
     tiles: tuple[BranchTile, ...] = field(repr=False)
     start: int
     ends: tuple[str, str]
-    declaration: Mapping[str, Any] = field(repr=False)
-    closing: Mapping[str, Any] = field(repr=False)
+    declaration: Declaration = field(repr=False)
+    closing: Declaration = field(repr=False)
 
-    @property
+    @Told
     def events(self) -> tuple[BranchEvent, ...]:
         """What happens, in the order of the branch."""
         return tuple(tile.event for tile in self.tiles if tile.event is not None)
 
-    @cached_property
+    @Told
     def intervals(self) -> tuple[BranchInterval, ...]:
         """Parts with one verdict: an event is between any two that are decided."""
         runs: list[list[Any]] = []  # verdict, begin, end, tiles, reason
@@ -333,12 +336,12 @@ class CertifiedBranch(DrawnOverParameter):
         there = all(end in (FINISHED, VANISHED) for end in self.ends)
         return bool(self.tiles) and there and not self.undecided
 
-    @property
-    def claims(self) -> dict[str, str]:
+    @Follows
+    def claims(self) -> Annotated[dict[str, str], named_as(("branch",), Decided)]:
         """What is claimed of all of it: "proved" where it is complete."""
         return {"branch": "proved" if self.complete else UNDECIDED}
 
-    @property
+    @Told
     def statement(self) -> str:
         """What is proved, in one sentence."""
         low, high = self.interval
@@ -358,27 +361,6 @@ class CertifiedBranch(DrawnOverParameter):
             return f"{over} the branch consists of exactly: {'; '.join(parts)}"
         return f"{over} it is not decided what the branch consists of; proved: {'; '.join(parts)}"
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the branch as JSON: numbers as decimal strings or fractions.
-
-        Returns
-        -------
-        dict
-            What is proved, ready for `json.dumps`.
-        """
-        return {
-            **orbit_json(self),
-            "chosen": list(self.chosen),
-            "parameter": self.parameter,
-            "interval": [str(end) for end in self.interval],
-            "stability": self.stability,
-            "unknown_names": list(self.unknown_names),
-            "claims": self.claims,
-            "start": self.start,
-            "ends": list(self.ends),
-            "tiles": [tile_json(tile) for tile in self.tiles],
-        }
-
 
 def _told_beyond(found: OrbitBeyond) -> str:
     """A phrase: which orbits begin at an event, on which side, and how far they are proved."""
@@ -388,57 +370,3 @@ def _told_beyond(found: OrbitBeyond) -> str:
         f"there {way} begins, {found.verdict}, {found.side} it up to {found.reach:.10g}"
         f" ({found.scenario})"
     )
-
-
-def event_json(event: BranchEvent) -> dict[str, Any]:
-    """An event as JSON; phases are counted from 1."""
-    return {
-        "kind": event.kind,
-        "phase": None if event.phase is None else event.phase + 1,
-        "configuration": event.configuration,
-        "boundary": event.boundary,
-        "instant": event.instant,
-        "lower": str(event.lower),
-        "upper": str(event.upper),
-        "window": [str(time) for time in event.window],
-        "also": [[kind, phase + 1, *rest] for kind, phase, *rest in event.also],
-        "enclosures": balls_json(event.enclosures),
-        **({"beyond": [_beyond_json(beyond) for beyond in event.beyond]} if event.beyond else {}),
-    }
-
-
-def _beyond_json(found: OrbitBeyond) -> dict[str, Any]:
-    return {
-        "side": found.side,
-        "own": found.own,
-        "verdict": found.verdict,
-        "scenario": found.scenario,
-        "reach": found.reach,
-        "branch": found.branch.to_json(),
-    }
-
-
-def told_json(found: CertifiedBranch) -> dict[str, Any]:
-    """Statement, intervals and events of a branch as a dict ready for `json.dumps`."""
-    return {
-        "statement": found.statement,
-        "intervals": [{**asdict(part), "width": part.width} for part in found.intervals],
-        "events": [event_json(event) for event in found.events],
-    }
-
-
-def tile_json(tile: BranchTile) -> dict[str, Any]:
-    """A tile as JSON; phases are counted from 1."""
-    return {
-        "coordinate": tile.coordinate,
-        "lower": str(tile.lower),
-        "upper": str(tile.upper),
-        "forwards": tile.forwards,
-        "before": tile.before,
-        "after": tile.after,
-        "reason": tile.reason,
-        "centre": [list(row) for row in tile.centre],
-        "radii": list(tile.radii),
-        "event": None if tile.event is None else event_json(tile.event),
-        "divided": None if tile.divided is None else tile.divided + 1,
-    }

@@ -9,10 +9,11 @@ from typing import Any
 from nonsmooth.runtime.checker.branch import curve_of
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch, tile_json
+from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.certificate import file_json
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of, unknown_names
 from nonsmooth.runtime.proof.refusals import as_read, refusal
@@ -63,4 +64,4 @@ def checked_curve(branch: CertifiedBranch) -> tuple[dict[str, Any], CheckedCurve
 
 def checked_tile(curve: CheckedCurve, tile: BranchTile) -> CheckedTile:
     """Return a tile that is stated as the checker knows it."""
-    return CheckedTile(curve, as_read(tile_json(tile)))
+    return CheckedTile(curve, as_read(encode(tile)))

@@ -20,6 +20,7 @@ from nonsmooth.runtime.checker.exact import Failure, Verdict, demand
 from nonsmooth.runtime.checker.motion import Border, admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.stability import demand_alone
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.taylor_models import TaylorModel, middle_of, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.branch.certified_branch import (
@@ -27,8 +28,6 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
     UNDECIDED,
     BranchEvent,
     BranchTile,
-    event_json,
-    tile_json,
 )
 from nonsmooth.runtime.proof.certificate import Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -102,7 +101,7 @@ def proposed_tile(
             event=None,
             divided=divided,
         )
-        checked = CheckedTile(curve, as_read(tile_json(stated)))
+        checked = CheckedTile(curve, as_read(encode(stated)))
         checked.deepest = _DEEPEST
         checked.locate()
     return JudgedTile(stated, checked)
@@ -157,7 +156,7 @@ def judged_tile(tile: JudgedTile) -> JudgedTile:
             reason = str(refused)
         try:
             event = _proposed_event(checked)
-            with_event = checked.stating(event=as_read(event_json(event)))
+            with_event = checked.stating(event=as_read(encode(event)))
             found = with_event.claims()
         except REFUSED as refused:
             return tile._replace(stated=replace(stated, reason=reason or str(refused)))
@@ -168,7 +167,7 @@ def _claimed(
     tile: JudgedTile, before: str, after: str, event: BranchEvent | None = None
 ) -> JudgedTile:
     stated = replace(tile.stated, before=before, after=after, reason="", event=event)
-    told = None if event is None else as_read(event_json(event))
+    told = None if event is None else as_read(encode(event))
     checked = tile.checked.stating(before=before, after=after, reason="", event=told)
     return JudgedTile(stated, checked)
 

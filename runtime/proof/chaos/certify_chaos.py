@@ -9,6 +9,7 @@ from typing import Any
 from nonsmooth.runtime.checker.chaos import StretchedSets, check_entropy
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
@@ -312,7 +313,6 @@ class _ChaosQuestion:
             growth="0",
             entropy="0",
             cones=None,
-            images={},
             parts=0,
             tried=tuple(self.tried),
             bits=self.system.bits,
@@ -324,7 +324,7 @@ def _entries(found: ChaosCertificate) -> dict[str, Any]:
     """What the checker takes of a certificate, as its file states it."""
     more = ("iterates", "coordinates", "itineraries", "coverings", "growth", "entropy")
     told = section_entries(found, *more)
-    return {**told, "h_sets": [own.entry for own in found.h_sets]}
+    return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 
 def _joined(system: EnclosedSystem, source: int, boundaries: Sequence[int]) -> str:

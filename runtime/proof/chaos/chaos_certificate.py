@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import Exact, encode
-from nonsmooth.runtime.core.registry import Shown, registered
+from nonsmooth.runtime.core.json_codec import UNSTATED, Exact
+from nonsmooth.runtime.core.registry import Certified, registered
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.saved_system import KeptSystemName
+from nonsmooth.runtime.proof.certificate import Decided, Declaration
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 
@@ -22,7 +23,7 @@ _MOST_STEPS = 512  # of a word
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class ChaosCertificate(Shown):
+class ChaosCertificate(Certified):
     """Symbolic dynamics of a system at one parameter point, proved by covering relations.
 
     P is the map from a section to itself: over one period of the forcing, or from one passage
@@ -77,12 +78,12 @@ class ChaosCertificate(Shown):
         claimed.
     """
 
-    system: str
+    system: KeptSystemName
     parameters: Mapping[str, Value]
-    claim: str
+    claim: Decided
     reason: str
     configuration: str
-    phase: tuple[str, ...]
+    phase: tuple[Exact, ...]
     source: str
     boundary: str
     coordinates: tuple[str, ...]
@@ -93,16 +94,21 @@ class ChaosCertificate(Shown):
     growth: Exact
     entropy: Exact
     cones: ConeCondition | None
-    images: Mapping[str, Any] = field(repr=False)
+    images: Annotated[Mapping[str, Any], UNSTATED] = field(default_factory=dict, repr=False)
     parts: int = field(repr=False)
     tried: tuple[str, ...] = field(repr=False)
     bits: int
-    declaration: Mapping[str, Any] = field(repr=False)
+    declaration: Declaration = field(repr=False)
 
     @property
     def proved(self) -> bool:
         """Whether there is chaos: the entropy is proved to be positive."""
         return self.claim == "proved"
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """Verdict on "chaos"."""
+        return {"chaos": self.claim}
 
     @property
     def exponent(self) -> str:
@@ -173,46 +179,6 @@ class ChaosCertificate(Shown):
         closed = [w for w in walks if (w[-1], w[0]) in self.coverings]
         return [w for w in closed if _first(w)]
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the certificate as JSON: numbers as decimal strings or fractions.
-
-        Returns
-        -------
-        dict
-            The certificate, ready for `json.dumps`.
-        """
-        return {
-            "system": self.system,
-            "parameters": {name: value.text for name, value in self.parameters.items()},
-            "claim": self.claim,
-            "reason": self.reason,
-            "configuration": self.configuration,
-            "phase": list(self.phase),
-            "source": self.source,
-            "boundary": self.boundary,
-            "coordinates": list(self.coordinates),
-            "iterates": self.iterates,
-            "h_sets": [
-                {
-                    "name": h_set.name,
-                    "centre": list(h_set.centre),
-                    "sides": [list(side) for side in h_set.sides],
-                }
-                for h_set in self.h_sets
-            ],
-            "coverings": [list(pair) for pair in self.coverings],
-            "itineraries": {
-                name: [list(passage) for passage in found]
-                for name, found in self.itineraries.items()
-            },
-            "growth": self.growth,
-            "entropy": self.entropy,
-            "cones": None if self.cones is None else encode(self.cones),
-            "parts": self.parts,
-            "tried": list(self.tried),
-            "bits": self.bits,
-        }
-
     def plot(self, axes: Any = None) -> Any:
         """Draw the h-sets, what contains their images, and the graph of the coverings.
 
@@ -234,21 +200,6 @@ class ChaosCertificate(Shown):
             Without matplotlib: ``pip install "nonsmooth[plot]"``.
         """
         return registered("draw_chaos")(self, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the certificate to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_chaos")(self, path)
 
 
 def _check_steps(steps: object) -> None:

@@ -11,9 +11,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from nonsmooth.runtime.core.json_codec import Exact
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.sets import StateSet
@@ -26,20 +28,15 @@ class HSet:
     """A parallelepiped on a section: decimal texts or fractions, exactly."""
 
     name: str
-    centre: tuple[str, ...]  # in the coordinates of the section
+    centre: tuple[Exact, ...]  # in the coordinates of the section
     # each in the coordinates of the section: the first one is stretched
-    sides: tuple[tuple[str, ...], ...]
+    sides: tuple[tuple[Exact, ...], ...]
 
     @cached_property
     def near(self) -> tuple[np.ndarray, np.ndarray]:
         """Approximate centre (d,) and sides as columns (d, d)."""
         sides = [[float(Fraction(x)) for x in side] for side in self.sides]
         return np.array([float(Fraction(x)) for x in self.centre]), np.array(sides).T
-
-    @property
-    def entry(self) -> dict[str, Any]:
-        """The set as a file states it."""
-        return {"name": self.name, "centre": list(self.centre), "sides": [*map(list, self.sides)]}
 
     @property
     def corners(self) -> np.ndarray:

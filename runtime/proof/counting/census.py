@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from nonsmooth.runtime.core.registry import Kept
+from nonsmooth.runtime.core.json_codec import IN_ANSWERS, Exact, Follows
+from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.proof.certificate import Certificate, orbit_json
+from nonsmooth.runtime.model.saved_system import KeptOrbitName
+from nonsmooth.runtime.proof.certificate import Certificate
 
 __all__ = ["Bounds", "Census", "Counted", "Open"]
 
-Bounds = Mapping[str, tuple[str, str]]  # of each unknown that was searched: decimal texts
+Bounds = Mapping[str, tuple[Exact, Exact]]  # of each unknown that was searched: decimal texts
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +34,7 @@ class Counted:
 
     unique: Bounds
     certificate: Certificate | None
-    reason: str = ""
+    reason: str
 
     @property
     def admissible(self) -> bool | None:
@@ -52,7 +54,7 @@ class Open:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Census(Kept):
+class Census(Certified):
     """All orbits of an itinerary in a box.
 
     An orbit here is a solution of the itinerary's switching and closure equations with dwell
@@ -80,9 +82,7 @@ class Census(Kept):
         Of the certificates.
     """
 
-    _kept_by = "save_census"
-
-    orbit: str
+    orbit: KeptOrbitName
     system: str
     parameters: Mapping[str, Value]
     itinerary: tuple[tuple[str, str], ...]
@@ -91,20 +91,20 @@ class Census(Kept):
     orbits: tuple[Counted, ...]
     undecided: tuple[Open, ...]
     bits: int
-    beyond: int | None = None
-    looked: int | None = None
+    beyond: Annotated[int | None, IN_ANSWERS] = None
+    looked: Annotated[int | None, IN_ANSWERS] = None
 
-    @property
+    @Follows
     def count(self) -> int:
         """How many orbits were proved; there are no others if the census is decided."""
         return len(self.orbits)
 
-    @property
+    @Follows
     def admissible(self) -> int:
         """How many of them were proved to be motions of the real system."""
         return sum(1 for orbit in self.orbits if orbit.admissible)
 
-    @property
+    @Follows
     def decided(self) -> bool:
         """Whether no box is undecided: the count is exact."""
         return not self.undecided
@@ -114,7 +114,7 @@ class Census(Kept):
         """Of the census as a whole: whether the count is exact."""
         return {"orbits": "proved" if self.decided else "undecided"}
 
-    @property
+    @Follows
     def statement(self) -> str:
         """What is proved, as a sentence."""
         data = ", ".join(f"{name} = {value}" for name, value in self.parameters.items())
@@ -133,39 +133,3 @@ class Census(Kept):
             boxes = "box is" if len(self.undecided) == 1 else "boxes are"
             text += f"; {len(self.undecided)} {boxes} undecided"
         return text
-
-    def to_json(self) -> dict[str, Any]:
-        """Give the census as JSON: numbers as decimal strings, counts as integers.
-
-        Returns
-        -------
-        dict
-            The census, ready for `json.dumps`.
-        """
-        searched = (("beyond", self.beyond), ("looked", self.looked))
-        return {
-            **orbit_json(self),
-            "box": list(self.box),
-            "conditions": list(self.conditions),
-            "count": self.count,
-            "admissible": self.admissible,
-            "decided": self.decided,
-            "statement": self.statement,
-            "orbits": [
-                {
-                    "unique": _json(orbit.unique),
-                    "certificate": orbit.certificate and orbit.certificate.to_json(),
-                    "reason": orbit.reason,
-                }
-                for orbit in self.orbits
-            ],
-            "undecided": [
-                {"bounds": _json(box.bounds), "reason": box.reason} for box in self.undecided
-            ],
-            "bits": self.bits,
-            **{name: number for name, number in searched if number is not None},
-        }
-
-
-def _json(bounds: Bounds) -> dict[str, list[str]]:
-    return {name: list(pair) for name, pair in bounds.items()}

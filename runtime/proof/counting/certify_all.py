@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.checker.census import check_listed
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.proof.certificate import Certificate, file_json
+from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
 from nonsmooth.runtime.proof.counting.branch_and_prune import (
     Problem,
@@ -200,7 +201,7 @@ def _judged(
                 certificate, reason = _certified(question, problem, root, bits)
                 if certificate is not None:
                     unique = _texts(question.unknowns(problem), root.unique)
-                    listed = [*counted, Counted(unique, certificate)]
+                    listed = [*counted, Counted(unique, certificate, "")]
                     reason = _OTHER
                     if _is_of(certificate, dwell, asked.sides):
                         reason = _refused(_census(asked, listed, undecided, beyond, looked, bits))
@@ -241,11 +242,7 @@ def _census(
 
 def _refused(census: Census) -> str:
     """Why the checker refuses the count of a census whose single orbits it proves; "" if not."""
-    told = as_read(census.to_json())
-    for entry, orbit in zip(told["orbits"], census.orbits, strict=True):
-        if orbit.certificate is not None:
-            entry["certificate"] = as_read(file_json(orbit.certificate))
-    return refusal(lambda: check_listed(told))
+    return refusal(lambda: check_listed(as_read(stated(census))))
 
 
 def _inside(

@@ -5,18 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
+from nonsmooth.runtime.core.json_codec import Follows, Ordinal, Several, Told, named_as, one_of
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.saved_system import named
+from nonsmooth.runtime.proof.boxes.tile_event import Side
 from nonsmooth.runtime.proof.branch.certified_branch import (
     UNDECIDED,
     BranchEvent,
     CertifiedBranch,
     DrawnOverParameter,
+    KeptBall,
 )
-from nonsmooth.runtime.proof.certificate import Stated
+from nonsmooth.runtime.proof.certificate import Decided
 
-__all__ = ["CertifiedDoubling", "DoubledOrbits", "Ended", "doubled_json", "told_doubling_json"]
+__all__ = ["CertifiedDoubling", "DoubledOrbits", "Ended"]
 
 Ended = Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
 
@@ -30,19 +35,37 @@ class DoubledOrbits:
     is the flip. The parameter changes in one direction all along it.
     """
 
-    tile: int  # number of the tile of the flip's branch that holds the flip, from 0
+    tile: Ordinal  # number of the tile of the flip's branch that holds the flip, from 0
     scaled: str  # the unknown whose entry of w is 1: its halves are 2 a apart
     amplitude: Fraction  # the largest a
-    side: str  # "above" or "below": of the flip's parameter, where the doubled orbits are
+    side: Side  # of the flip's parameter, where the doubled orbits are
     # "stable", "unstable" or "undecided": all doubled orbits in the tube whose amplitude is not
     # zero
-    verdict: str
+    verdict: Annotated[str, one_of(("stable", "unstable", UNDECIDED))]
     reason: str  # why it is undecided
-    rate: Stated  # derivative of the parameter by the square of a, at the flip
+    rate: KeptBall  # derivative of the parameter by the square of a, at the flip
     # coefficients by e = a / amplitude of m, of w without its entry 1, and of the parameter
     centre: tuple[tuple[float, ...], ...] = field(repr=False)
     radii: tuple[float, ...] = field(repr=False)
     branch: CertifiedBranch = field(repr=False)  # from inside the tube on
+
+
+@dataclass(frozen=True, kw_only=True)
+class DoublingEntries:
+    """Entries for the branch with the flip, and what its orbit is called."""
+
+    orbit: str
+    branch: CertifiedBranch
+
+
+def _entries(orbit: str, branch: CertifiedBranch) -> DoublingEntries:
+    """The entries, where the orbit's system is called as the file calls that of the branch."""
+    own = orbit.removeprefix(branch.system)
+    label = branch.orbit.removeprefix(f"{branch.system}:")
+    known = known_system(branch.system, None if label == branch.orbit else label)
+    return DoublingEntries(
+        orbit=orbit if own == orbit else named(known, branch.orbit)[0] + own, branch=branch
+    )
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -65,15 +88,20 @@ class CertifiedDoubling(DrawnOverParameter):
         Why it is not complete, in a sentence; empty where it is.
     """
 
-    _kept_by, _drawn_by = "save_doubling", "draw_doubling"
+    _drawn_by = "draw_doubling"
 
-    orbit: str
+    orbit: Annotated[
+        str,
+        Several(
+            DoublingEntries, _entries, lambda own: (own.orbit, own.branch), ("orbit", "branch")
+        ),
+    ]
     ended: Ended
     branch: CertifiedBranch = field(repr=False)
     doubled: DoubledOrbits | None
     end: str
 
-    @property
+    @Told
     def system(self) -> str:
         """Its system."""
         return self.branch.system
@@ -83,7 +111,7 @@ class CertifiedDoubling(DrawnOverParameter):
         """All that is given beside the branch's parameter."""
         return self.branch.parameters
 
-    @property
+    @Told
     def parameter(self) -> str:
         """The parameter along which the branches go."""
         return self.branch.parameter
@@ -93,13 +121,13 @@ class CertifiedDoubling(DrawnOverParameter):
         """The flip, where the doubled orbits beside it are proved."""
         return None if self.doubled is None else self.branch.tiles[self.doubled.tile].event
 
-    @property
-    def claims(self) -> dict[str, str]:
+    @Follows
+    def claims(self) -> Annotated[dict[str, str], named_as(("doubling",), Decided)]:
         """Of the doubling: "proved" where it is there, with a verdict."""
         decided = self.doubled is not None and self.doubled.verdict != UNDECIDED
         return {"doubling": "proved" if decided else UNDECIDED}
 
-    @property
+    @Told
     def kind(self) -> str:
         """Whether the flip is "supercritical" or "subcritical"; empty where neither is told.
 
@@ -114,7 +142,7 @@ class CertifiedDoubling(DrawnOverParameter):
         beside = (tile.before, tile.after)
         return "subcritical" if self.doubled.verdict == "unstable" and "stable" in beside else ""
 
-    @property
+    @Told
     def statement(self) -> str:
         """What is proved, in one sentence, and why it is not complete."""
         doubled, flip = self.doubled, self.flip
@@ -135,32 +163,15 @@ class CertifiedDoubling(DrawnOverParameter):
         return f"{told}; {self.end}" if self.end else told
 
     def to_json(self) -> dict[str, Any]:
-        """Give the doubling as JSON: numbers as decimal strings or fractions.
+        """Give the doubling as JSON, with the parameter at the flip.
 
         Returns
         -------
         dict
-            What is proved, ready for `json.dumps`.
+            Ready for `json.dumps`.
         """
-        doubled = self.doubled
-        return {
-            "orbit": self.orbit,
-            "system": self.system,
-            "parameter": self.parameter,
-            "claims": self.claims,
-            "ended": self.ended,
-            "end": self.end,
-            "branch": self.branch.to_json(),
-            "doubled": None
-            if doubled is None
-            else {**doubled_json(doubled), "branch": doubled.branch.to_json()},
-        }
-
-
-def told_doubling_json(found: CertifiedDoubling) -> dict[str, Any]:
-    """Return what follows from the doubling as JSON: statement, flip and its kind."""
-    value = None if found.flip is None else found.flip.enclosures[found.parameter].to_json()
-    return {"statement": found.statement, "flip": value, "kind": found.kind}
+        value = None if self.flip is None else self.flip.enclosures[self.parameter].to_json()
+        return {**super().to_json(), "flip": value}
 
 
 def _reach(branch: CertifiedBranch) -> tuple[float, float]:
@@ -173,18 +184,3 @@ def _reach(branch: CertifiedBranch) -> tuple[float, float]:
     if forwards:
         return branch.parameter_at(first)[0], branch.parameter_at(last)[1]
     return branch.parameter_at(last)[1], branch.parameter_at(first)[0]
-
-
-def doubled_json(doubled: DoubledOrbits) -> dict[str, Any]:
-    """Return doubled orbits as JSON, without their branch; their tile is counted from 1."""
-    return {
-        "tile": doubled.tile + 1,
-        "scaled": doubled.scaled,
-        "amplitude": str(doubled.amplitude),
-        "side": doubled.side,
-        "verdict": doubled.verdict,
-        "reason": doubled.reason,
-        "rate": doubled.rate.to_json(),
-        "centre": [list(row) for row in doubled.centre],
-        "radii": list(doubled.radii),
-    }

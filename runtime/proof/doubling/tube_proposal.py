@@ -13,7 +13,7 @@ from nonsmooth.runtime.checker.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.doubling import ORDER, DoubledEquations, JudgedDoubling
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
+from nonsmooth.runtime.proof.boxes.box_certificate import BITS
 from nonsmooth.runtime.proof.exact_tables import rational_of
 
 if TYPE_CHECKING:

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
-from typing import Any
+from dataclasses import dataclass, field
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import Shown, registered
+from nonsmooth.runtime.core.json_codec import FromOne
+from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.certificate import Stated, Unknown, balls_json, orbit_json
+from nonsmooth.runtime.model.saved_system import KeptOrbitName
+from nonsmooth.runtime.proof.boxes.tile_event import Instant
+from nonsmooth.runtime.proof.certificate import (
+    Decided,
+    Declaration,
+    Enclosures,
+    Stated,
+    Unknown,
+    precise,
+)
 
-__all__ = ["EventCertificate", "events_claim"]
+__all__ = ["EventCertificate", "EventCertificates", "events_claim"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class EventCertificate(Shown):
+class EventCertificate(Certified):
     """An event of a branch, enclosed by ball arithmetic.
 
     Attributes
@@ -50,7 +58,7 @@ class EventCertificate(Shown):
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
 
-    orbit: str
+    orbit: KeptOrbitName
     system: str
     parameters: Mapping[str, Value]
     chosen: tuple[str, ...]
@@ -58,17 +66,20 @@ class EventCertificate(Shown):
     kind: str
     text: str
     parameter: str
-    phase: int | None
+    phase: FromOne
     configuration: str
     boundary: str
-    instant: str
-    claim: str
+    instant: Instant
+    claim: Decided
     reason: str
-    enclosures: Mapping[str, Stated]
+    enclosures: Enclosures
     box: tuple[Unknown, ...]
     bits: int
-    declaration: Mapping[str, Any] = field(repr=False)
-    closing: Mapping[str, Any] = field(repr=False)
+    declaration: Declaration = field(repr=False)
+    closing: Declaration = field(repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "enclosures", precise(self.enclosures, self.bits))
 
     @property
     def proved(self) -> bool:
@@ -88,45 +99,12 @@ class EventCertificate(Shown):
             raise InputError(f"the {self.kind} is undecided and has no value: {self.reason}")
         return self.enclosures[self.parameter]
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the certificate as JSON: numbers as decimal strings.
 
-        Returns
-        -------
-        dict
-            The certificate, ready for `json.dumps`.
-        """
-        return {
-            **orbit_json(self),
-            "chosen": list(self.chosen),
-            "kind": self.kind,
-            "text": self.text,
-            "parameter": self.parameter,
-            "phase": None if self.phase is None else self.phase + 1,
-            "configuration": self.configuration,
-            "boundary": self.boundary,
-            "instant": self.instant,
-            "claim": self.claim,
-            "reason": self.reason,
-            "bits": self.bits,
-            "enclosures": balls_json(self.enclosures),
-            "box": [asdict(x) for x in self.box],
-        }
+@dataclass(frozen=True, kw_only=True)
+class EventCertificates:
+    """The certificates of one file, in its order."""
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the certificate to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_events")([self], path)
+    events: tuple[EventCertificate, ...]
 
 
 def events_claim(found: Sequence[EventCertificate]) -> dict[str, str]:

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.registry import Kept, registered
+from nonsmooth.runtime.core.json_codec import IN_FILES, Exact, Follows, Integers, Several, Told
+from nonsmooth.runtime.core.registry import Certified, registered
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.saved_system import KeptSystemName
+from nonsmooth.runtime.proof.certificate import Decided, Declaration
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.graphs.graph_entries import GraphEntries, entries_of, graph_of
 
 __all__ = ["Component", "GraphCertificate"]
 
@@ -22,7 +25,7 @@ __all__ = ["Component", "GraphCertificate"]
 class Component:
     """A strong component of the graph that has a cycle: a vertex of the Morse graph."""
 
-    boxes: NDArray[np.int_] = field(repr=False)  # numbers of its boxes
+    boxes: Integers = field(repr=False)  # numbers of its boxes
     low: tuple[float, ...]  # lower bounds of its coordinates
     high: tuple[float, ...]  # upper bounds of its coordinates
     attracting: bool  # a trapping region by itself: every image of its boxes lies in it
@@ -30,7 +33,7 @@ class Component:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class GraphCertificate(Kept):
+class GraphCertificate(Certified):
     """A rigorous outer approximation of a section's map on a region, at one parameter point.
 
     P is the map from a section to its next return: over periods of the forcing, or from one
@@ -64,23 +67,23 @@ class GraphCertificate(Kept):
         The system, as functions of its parameters, as in the file.
     """
 
-    _kept_by = "save_graph"
-
-    system: str
+    system: KeptSystemName
     parameters: Mapping[str, Value]
     configuration: str
-    phase: tuple[str, ...]
+    phase: tuple[Exact, ...]
     source: str
     boundary: str
     coordinates: tuple[str, ...]
-    graph: BoxGraph = field(repr=False)
+    graph: Annotated[BoxGraph, IN_FILES, Several(GraphEntries, entries_of, graph_of)] = field(
+        repr=False
+    )
     widest: tuple[float, ...]
     most: int
     longest: int
     bits: int
-    declaration: Mapping[str, Any] = field(repr=False)
+    declaration: Declaration = field(repr=False)
 
-    @cached_property
+    @Told
     def components(self) -> tuple[Component, ...]:
         """Where motions that stay in the region accumulate, the attracting ones first."""
         graph, found = self.graph, []
@@ -97,7 +100,7 @@ class GraphCertificate(Kept):
             )
         return tuple(found)
 
-    @cached_property
+    @Told
     def arrows(self) -> tuple[tuple[int, int], ...]:
         """The Morse graph: from which component motions may come to which.
 
@@ -105,12 +108,17 @@ class GraphCertificate(Kept):
         """
         return tuple(self.graph.arrows())
 
-    @property
+    @Follows
+    def claim(self) -> Decided:
+        """Whether there is an attracting component."""
+        return "proved" if self.proved else "undecided"
+
+    @Told
     def claims(self) -> dict[str, str]:
         """Verdict on "trapping": whether there is an attracting component."""
-        return {"trapping": "proved" if self.proved else "undecided"}
+        return {"trapping": self.claim}
 
-    @property
+    @Told
     def statement(self) -> str:
         """What is proved, in words."""
         graph = self.graph
@@ -128,7 +136,7 @@ class GraphCertificate(Kept):
         """Whether a trapping region with a cycle is proved: there is an attracting component."""
         return any(own.attracting for own in self.components)
 
-    @property
+    @Told
     def region(self) -> dict[str, tuple[float, float]]:
         """Bounds of the coordinates in the region, exactly."""
         grid = self.graph.grid.grid
@@ -136,13 +144,13 @@ class GraphCertificate(Kept):
         ends = zip(low[0].tolist(), high[1].tolist(), strict=True)
         return dict(zip(self.coordinates, ends, strict=True))
 
-    @property
-    def trapping(self) -> NDArray[np.int_]:
+    @Told
+    def trapping(self) -> Integers:
         """Boxes of the largest trapping region."""
         return np.flatnonzero(self.graph.trapping)
 
-    @property
-    def unknown(self) -> NDArray[np.int_]:
+    @Told
+    def unknown(self) -> Integers:
         """Boxes whose image is not known."""
         return np.flatnonzero(self.graph.unknown)
 
@@ -236,36 +244,13 @@ class GraphCertificate(Kept):
         """
         graph = self.graph
         return {
-            "system": self.system,
-            "parameters": {name: value.text for name, value in self.parameters.items()},
-            "configuration": self.configuration,
-            "phase": list(self.phase),
-            "source": self.source,
-            "boundary": self.boundary,
-            "coordinates": list(self.coordinates),
-            "region": {name: list(ends) for name, ends in self.region.items()},
-            "claims": self.claims,
-            "statement": self.statement,
+            **super().to_json(),
             "counts": list(graph.grid.grid.counts),
             "boxes": len(graph.grid),
             "levels": len(graph.grid.divided) - 1,
             "smallest": graph.grid.finest.tolist(),
             "edges": len(graph.sources),
             "outside": len(self.outside),
-            "unknown": self.unknown.tolist(),
-            "trapping": self.trapping.tolist(),
-            "components": [
-                {
-                    "boxes": own.boxes.tolist(),
-                    "low": list(own.low),
-                    "high": list(own.high),
-                    "attracting": own.attracting,
-                    "leaves": own.leaves,
-                }
-                for own in self.components
-            ],
-            "arrows": [list(pair) for pair in self.arrows],
-            "bits": self.bits,
         }
 
     def plot(self, axes: Any = None) -> Any:
