@@ -66,7 +66,7 @@ def keeps_volume(itinerary: Itinerary) -> bool:
         factor = cancel(passage.reset.det())
         if factor == 0:
             return False
-        state, jump = sp.Matrix([*passage.states, 1]), passage.jump
+        state, jump = sp.Matrix([*passage.states, 1]), passage.landing
         before = (passage.row * passage.field * state)[0]
         behind = (passage.row * jump.inv() * following.field * jump * state)[0]
         change = sp.expand(factor * behind - before)

@@ -230,7 +230,7 @@ def test_the_cycle_of_switched_damping() -> None:
         normal, before = numbers(passing.normal, {}), numbers(passing.before, values)
         phi, _ = flow(field, time)
         jacobian = (np.eye(2) - before @ normal / float(passing.rate.subs(values))) @ phi @ jacobian
-        monodromy = numbers(passing.saltation(system.states), values) @ phi @ monodromy
+        monodromy = numbers(passing.saltation, values) @ phi @ monodromy
     (multiplier,) = (inverse @ jacobian @ embedding).ravel()
     assert multiplier == pytest.approx(0.538924872, abs=5e-9)
     assert monodromy.trace() == pytest.approx(1 + multiplier, rel=1e-11)
