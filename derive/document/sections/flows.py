@@ -107,9 +107,7 @@ def _single(expression: sp.Expr) -> bool:
     return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
 
 
-def _closed(
-    naming: Naming, flows: Mapping[str, Flow]
-) -> tuple[list[Block], dict[int, list[str]]]:
+def _closed(naming: Naming, flows: Mapping[str, Flow]) -> tuple[list[Block], dict[int, list[str]]]:
     """Blocks on flows in closed form, and by number the configurations of each.
 
     Flows with equal matrices share a number and are shown once.
