@@ -123,8 +123,9 @@ class SimulationForm:
         for function in self.beside:
             row(function)
         table = {
-            "modes": self.modes
-            and {
+            "modes": None
+            if self.modes is None
+            else {
                 name: [{"length": m.length, "oscillates": m.oscillates} for m in found]
                 for name, found in self.modes.items()
             },

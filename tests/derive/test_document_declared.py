@@ -26,11 +26,11 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.document.blocks import Document, Line, Paragraph, Table
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming, letters_of
-from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.wording import Naming, letters_of
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import (

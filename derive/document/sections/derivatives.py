@@ -7,15 +7,15 @@ from dataclasses import replace
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.monodromy import saltations
 from nonsmooth.derive.document.sections.template import (
     by_entries,
     compose,
     relation,
     sentence,
 )
-from nonsmooth.derive.document.views.monodromy import saltations
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.equations.chain import Link
 from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
 

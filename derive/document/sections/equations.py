@@ -5,10 +5,10 @@ from __future__ import annotations
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import count
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.sections.template import compose, math, sentence
-from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import count
 from nonsmooth.derive.equations.energy import is_conservative
 from nonsmooth.derive.symbols import Symbol
 

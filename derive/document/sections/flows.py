@@ -9,15 +9,15 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel, factor
 from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Line, Paragraph
-from nonsmooth.derive.document.notation.printer import Notation, with_signs
-from nonsmooth.derive.document.notation.symbols import is_response
-from nonsmooth.derive.document.notation.wording import Naming, alike, enumeration, letters_of
+from nonsmooth.derive.document.printer import Notation, with_signs
 from nonsmooth.derive.document.sections.responses import response_flows
 from nonsmooth.derive.document.sections.template import (
     by_entries,
     compose,
     relation,
 )
+from nonsmooth.derive.document.symbols import is_response
+from nonsmooth.derive.document.wording import Naming, alike, enumeration, letters_of
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
 __all__ = ["flow_section"]

@@ -8,10 +8,10 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Phase, dwell_symbol
 from nonsmooth.derive.document.blocks import Block, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, number
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.sections.template import compose, math, transposed, zeros
-from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import Described, View
+from nonsmooth.derive.document.view import Described, View
+from nonsmooth.derive.document.wording import Naming, count, number
 
 __all__ = ["itinerary_section", "phase_section"]
 

@@ -7,11 +7,11 @@ from itertools import groupby
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, enumeration
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.sections.equations import cycle_end
 from nonsmooth.derive.document.sections.template import compose, sentence
-from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import Naming, count, enumeration
 from nonsmooth.derive.equations.elimination import entry
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
 from nonsmooth.derive.equations.program import Stage

@@ -8,10 +8,10 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.document.blocks import Block, Formula, Line
-from nonsmooth.derive.document.notation.printer import Notation, with_signs
-from nonsmooth.derive.document.notation.symbols import CONSTANT, Factors, Letters
-from nonsmooth.derive.document.notation.wording import Naming, alike, letters_of
+from nonsmooth.derive.document.printer import Notation, with_signs
 from nonsmooth.derive.document.sections.template import compose, relation, summed
+from nonsmooth.derive.document.symbols import CONSTANT, Factors, Letters
+from nonsmooth.derive.document.wording import Naming, alike, letters_of
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 from nonsmooth.derive.symbols import Symbol

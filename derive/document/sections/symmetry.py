@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import count, number
 from nonsmooth.derive.document.sections.template import compose, ended, math, relation, zeros
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import count, number
 from nonsmooth.derive.equations.symmetry import end_conditions, phase_starts, reversor_of
 
 __all__ = ["symmetry_section"]

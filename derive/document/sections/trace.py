@@ -9,10 +9,10 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import Naming, count, number
+from nonsmooth.derive.document.monodromy import monodromy_trace
 from nonsmooth.derive.document.sections.template import compose, zeros
-from nonsmooth.derive.document.views.monodromy import monodromy_trace
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import Naming, count, number
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
 from nonsmooth.derive.symbols import parts_of_derivative

@@ -5,10 +5,10 @@ from __future__ import annotations
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.declaration.transition import Condition
 from nonsmooth.derive.document.blocks import Block, Table
-from nonsmooth.derive.document.notation.wording import enumeration, number
+from nonsmooth.derive.document.cycle import Cycle, Passing
 from nonsmooth.derive.document.sections.derivatives import LOCAL_MAP, SALTATION
 from nonsmooth.derive.document.sections.template import by_entries, compose, math, sentence
-from nonsmooth.derive.document.views.cycle import Cycle, Passing
+from nonsmooth.derive.document.wording import enumeration, number
 from nonsmooth.derive.equations.energy import is_conservative
 
 __all__ = ["admissibility_section", "passing_section", "stability_section"]

@@ -11,8 +11,8 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.document.blocks import Formula, Line
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.wording import Naming, enumeration
 from nonsmooth.derive.equations.chain import PHASE, Link
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.section import Section, start_of

@@ -12,8 +12,8 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Line
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.symbols import Letters, free_letters, head
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.symbols import Letters, free_letters, head
 
 __all__ = ["Naming", "alike", "count", "enumeration", "letters_of", "number"]
 

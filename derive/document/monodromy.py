@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.document.notation.symbols import grouped_by
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.symbols import grouped_by
+from nonsmooth.derive.document.view import View
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.symbols import Symbol, meaning_of
 
