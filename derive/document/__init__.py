@@ -5,9 +5,8 @@
 `hypertext`       documents as Markdown and HTML
 `describe`        documents of systems, orbits and itineraries
 `sections`        their sections, each a template of sentences and formulas
-`view`            an orbit: its equations, how they are written, their numbers
+`view`            an orbit: its equations, how they are written, saltation matrices
 `cycle`           an itinerary: the section at its start, transitions once each
-`monodromy`       saltation matrices of an orbit, and the trace of their product
 `wording`         words and lines that all sections share
 `printer`         expressions as LaTeX, in the order that a person would choose
 `symbols`         how symbols of the derivation are written, letters that none has

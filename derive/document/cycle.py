@@ -10,9 +10,8 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.symmetry import translations
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.document.monodromy import where_zero
 from nonsmooth.derive.document.symbols import Letters
-from nonsmooth.derive.document.view import Described
+from nonsmooth.derive.document.view import Described, where_zero
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.equations.section import Passage, Section, passages_of, start_of
 

@@ -26,6 +26,7 @@ from nonsmooth.derive.document.sections.equations import (
     chain_section,
     cycle_equations,
     equation_section,
+    symmetry_section,
 )
 from nonsmooth.derive.document.sections.flows import flow_section
 from nonsmooth.derive.document.sections.itinerary import itinerary_section, phase_section
@@ -36,7 +37,6 @@ from nonsmooth.derive.document.sections.reduction import (
     reduction_section,
     solution_section,
 )
-from nonsmooth.derive.document.sections.symmetry import symmetry_section
 from nonsmooth.derive.document.sections.system import (
     contact_section,
     law_section,

@@ -9,9 +9,8 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.monodromy import monodromy_trace
 from nonsmooth.derive.document.sections.template import compose, zeros
-from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.view import View, monodromy_trace
 from nonsmooth.derive.document.wording import Naming, count, number
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
