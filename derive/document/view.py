@@ -19,7 +19,7 @@ from nonsmooth.derive.equations.chain import PHASE, Link
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.equations.section import Section, start_of
-from nonsmooth.derive.equations.symmetry import halfway, phase_starts, reversor_of
+from nonsmooth.derive.equations.symmetry import halfway, phase_ends
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol, meaning_of
 
@@ -103,9 +103,7 @@ class View(Described):
     @cached_property
     def images(self) -> tuple[sp.Matrix, ...]:
         """States at the ends of a reversible orbit's phases, in the start's coordinates."""
-        jump, shift = reversor_of(self.itinerary)
-        starts = phase_starts(self.itinerary, self.equations.chain.start)
-        return tuple(jump * state + shift for state in starts)
+        return tuple(phase_ends(self.itinerary, self.equations.chain.start))
 
     @cached_property
     def saltations(self) -> tuple[sp.Matrix, ...]:

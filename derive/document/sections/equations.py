@@ -19,7 +19,8 @@ from nonsmooth.derive.document.sections.template import (
 from nonsmooth.derive.document.view import View
 from nonsmooth.derive.document.wording import count, number
 from nonsmooth.derive.equations.energy import is_conservative
-from nonsmooth.derive.equations.symmetry import end_conditions, phase_starts, reversor_of
+from nonsmooth.derive.equations.section import passages_of
+from nonsmooth.derive.equations.symmetry import end_conditions, phase_ends, reversor_of
 from nonsmooth.derive.symbols import Symbol
 
 __all__ = [
@@ -44,27 +45,23 @@ def chain_section(view: View) -> list[Block]:
             f"{view.naming.state}^{{({k})}}" for k in range(len(view.links) + 1)
         ),
     )
-    itinerary = view.itinerary
-    for index, (phase, link) in enumerate(zip(itinerary.phases, view.links, strict=True), start=1):
-        transition = itinerary.transition_after(view.naming.system, index - 1)
+    for index, link in enumerate(view.links, start=1):
         blocks += compose(
             view,
             r"""
-            Phase @index, *@phase.configuration* [link.duration: for
+            Phase @index, *@link.configuration.name* [link.duration: for
             $@link.dwell$ with $\Phi_{@flow}(@link.dwell)$ | for no time]@cited:
             $$
             @lines
             $$
-            [rules: The transition to *@transition.target* @rules@reset.]
+            [rules: The transition to *@link.transition.target* @rules@reset.]
             """,
             index=index,
-            phase=phase,
             link=link,
-            flow=view.numbers[phase.configuration],
+            flow=view.numbers[link.configuration.name],
             cited=view.naming.cited(f"phase {index}"),
             lines=_lines(view, index),
-            rules=[_rule(view, s, e) for s, e in transition.reset.items()],
-            transition=transition,
+            rules=[_rule(view, s, e) for s, e in link.transition.reset.items()],
             reset=view.naming.cited(f"reset {index}"),
         )
     return blocks
@@ -225,16 +222,15 @@ def _fixed(view: View) -> list[str]:
 
 def _ends(view: View) -> list[Line]:
     """Lines with the states at the ends of the phases, which follow without a flow."""
-    itinerary, system, start = view.undecided
+    itinerary, _, start = view.undecided
     naming, state = view.naming, view.naming.state
-    jump, shift = reversor_of(itinerary)
     lines: list[Line] = []
     begin = f"{state}^{{(0)}}"
-    for index, before in enumerate(phase_starts(itinerary, start), start=1):
-        end = jump * before + shift
+    passages = zip(passages_of(itinerary), phase_ends(itinerary, start), strict=True)
+    for index, (passage, end) in enumerate(passages, start=1):
         left = f"{state}^{{({index})}}"
         lines.append(relation(naming, rf"{left} = \mathcal{{R}}\,{begin}", end, ","))
-        after = itinerary.transition_after(system, index - 1).reset_of(end, system.states)
+        after = passage.behind(end)
         begin = left if after == end else f"{state}^{{({index})+}}"
         if after != end:
             lines.append(relation(naming, begin, after, ","))

@@ -368,11 +368,8 @@ def _inward_rate(view: View) -> sp.Symbol | None:
     if len(view.links) > 1:
         return None
     (link,), start = view.links, view.equations.chain.start.state
-    (phase,) = view.itinerary.phases
-    boundary = view.naming.system.configuration(phase.configuration).boundary(phase.boundary)
-    row, constant = view.naming.system.gradient(boundary.function)
-    rate = sp.expand((row * link.flow.velocity(start))[0])
-    begins = sp.expand((row * start)[0] + constant) == 0
+    rate = sp.expand((link.normal * link.flow.velocity(start))[0])
+    begins = sp.expand(link.value(start)) == 0
     return rate if begins and rate.is_Symbol else None
 
 
