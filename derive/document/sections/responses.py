@@ -99,7 +99,7 @@ def _polynomial_pieces(
 ) -> tuple[str, ...]:
     """LaTeX of the terms of a monic polynomial, the highest power first."""
     degree = len(coefficients) - 1
-    pieces: list[str] = []
+    pieces: list[tuple[int, str]] = []
     for place, coefficient in enumerate(coefficients):
         if coefficient == 0:
             continue
@@ -108,9 +108,8 @@ def _polynomial_pieces(
         sign, text = notation.factor(coefficient) if power else notation.term(coefficient)
         if text == "1" and power:
             text = ""
-        term = " ".join(filter(None, (text, raised)))
-        pieces.append(f"- {term}" if sign < 0 else f"+ {term}" if pieces else term)
-    return tuple(pieces)
+        pieces.append((sign, " ".join(filter(None, (text, raised)))))
+    return with_signs(pieces)
 
 
 def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
