@@ -22,20 +22,18 @@ from typing import TYPE_CHECKING
 from nonsmooth.derive.registry import register, registered
 
 if TYPE_CHECKING:
-    from nonsmooth.derive.building import (
+    from nonsmooth.derive.building.elements import (
         Friction,
         Harmonic,
-        ReducedStructure,
         Regions,
         RigidStop,
         Slider,
         SoftStop,
         Terms,
-        chain_matrices,
-        oscillator,
-        read_matrices,
-        reduce_structure,
     )
+    from nonsmooth.derive.building.matrices import chain_matrices, read_matrices
+    from nonsmooth.derive.building.oscillator import oscillator
+    from nonsmooth.derive.building.reduction import ReducedStructure, reduce_structure
     from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
     from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
     from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference

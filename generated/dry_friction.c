@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 14dea5d1dc651811 */
+ * SymPy 1.14.0, derivation f9b07911035c2ae1 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Operations: 97. Intermediate terms: 45. */
+ * Operations: 97. Intermediate terms: 44. */
 static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
     int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
@@ -30,16 +30,15 @@ static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
     const double t4 = sqrt(1 - chi);
     const double t5 = sqrt(eta);
     const double t6 = sqrt(chi);
-    const double t7 = t5*t6;
-    const double t8 = t4*t7;
-    const double omega2 = t3*t8;
-    const double t9 = (1.0/(gap1));
-    const double t10 = (1.0/2.0)*t9;
-    const double p1 = t1*t10 + 1.0/2.0;
-    const double t11 = chi*t9;
-    const double p2 = -t11;
-    const double p3 = -t0*t9;
-    const double omega3 = t7;
+    const double omega3 = t5*t6;
+    const double t7 = omega3*t4;
+    const double omega2 = t3*t7;
+    const double t8 = (1.0/(gap1));
+    const double t9 = (1.0/2.0)*t8;
+    const double p1 = t1*t9 + 1.0/2.0;
+    const double t10 = chi*t8;
+    const double p2 = -t10;
+    const double p3 = -t0*t8;
     if (spectrum) {
         spectrum[lane] = gap1;
         spectrum[1*lanes + lane] = omega1;
@@ -52,33 +51,33 @@ static NONSMOOTH_INLINE void dry_friction_spectrum_in_lane(
     if (!spectrum_derivatives)
         return;
     /* d/dchi of: spectrum */
-    const double t12 = 2*t1;
-    const double gap1_by_chi = t10*(-eta*t12 + 8*t0);
-    const double t13 = (1.0/2.0)*gap1_by_chi;
-    const double t14 = (1.0/2.0)*eta;
-    const double t15 = (1.0/2.0)*t3;
-    const double omega1_by_chi = t15*(t13 + t14);
-    const double t16 = (1.0/(t6));
-    const double t17 = t8/(omega1*omega1);
-    const double omega2_by_chi = -omega1_by_chi*t17 - t15*t7/t4 + (1.0/2.0)*t16*t3*t4*t5;
-    const double t18 = (1.0/(gap1*gap1));
-    const double t19 = t1*t18;
-    const double p1_by_chi = -t13*t19 - t14*t9;
-    const double t20 = chi*t18;
-    const double p2_by_chi = gap1_by_chi*t20 - t9;
-    const double t21 = t0*t18;
-    const double p3_by_chi = -eta*t9 + gap1_by_chi*t21;
-    const double omega3_by_chi = (1.0/2.0)*t16*t5;
+    const double t11 = 2*t1;
+    const double gap1_by_chi = t9*(-eta*t11 + 8*t0);
+    const double t12 = (1.0/2.0)*gap1_by_chi;
+    const double t13 = (1.0/2.0)*eta;
+    const double t14 = (1.0/2.0)*t3;
+    const double omega1_by_chi = t14*(t12 + t13);
+    const double t15 = (1.0/(t6));
+    const double t16 = t7/(omega1*omega1);
+    const double omega2_by_chi = -omega1_by_chi*t16 - omega3*t14/t4 + (1.0/2.0)*t15*t3*t4*t5;
+    const double t17 = (1.0/(gap1*gap1));
+    const double t18 = t1*t17;
+    const double p1_by_chi = -t12*t18 - t13*t8;
+    const double t19 = chi*t17;
+    const double p2_by_chi = gap1_by_chi*t19 - t8;
+    const double t20 = t0*t17;
+    const double p3_by_chi = -eta*t8 + gap1_by_chi*t20;
+    const double omega3_by_chi = (1.0/2.0)*t15*t5;
     /* d/deta of: spectrum */
-    const double gap1_by_eta = t10*(-chi*t12 + t2);
-    const double t22 = (1.0/2.0)*gap1_by_eta;
-    const double omega1_by_eta = t15*((1.0/2.0)*chi + t22);
-    const double t23 = (1.0/(t5));
-    const double omega2_by_eta = -omega1_by_eta*t17 + (1.0/2.0)*t23*t3*t4*t6;
-    const double p1_by_eta = -1.0/2.0*t11 - t19*t22;
-    const double p2_by_eta = gap1_by_eta*t20;
-    const double p3_by_eta = gap1_by_eta*t21 - t11;
-    const double omega3_by_eta = (1.0/2.0)*t23*t6;
+    const double gap1_by_eta = t9*(-chi*t11 + t2);
+    const double t21 = (1.0/2.0)*gap1_by_eta;
+    const double omega1_by_eta = t14*((1.0/2.0)*chi + t21);
+    const double t22 = (1.0/(t5));
+    const double omega2_by_eta = -omega1_by_eta*t16 + (1.0/2.0)*t22*t3*t4*t6;
+    const double p1_by_eta = -1.0/2.0*t10 - t18*t21;
+    const double p2_by_eta = gap1_by_eta*t19;
+    const double p3_by_eta = gap1_by_eta*t20 - t10;
+    const double omega3_by_eta = (1.0/2.0)*t22*t6;
     if (spectrum_derivatives) {
         spectrum_derivatives[lane] = gap1_by_chi;
         spectrum_derivatives[1*lanes + lane] = gap1_by_eta;
@@ -112,13 +111,12 @@ void dry_friction_flow_slip_slip(
     const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = p1 - 1;
@@ -153,15 +151,14 @@ void dry_friction_flow_slip_stick(
 {
     const double chi = parameters[0], us1 = parameters[3];
     (void)spectrum;
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = sin(t);
+    const double t0 = sin(time);
     const double t1 = chi*t0;
-    const double t2 = cos(t);
+    const double t2 = cos(time);
     const double t3 = -chi*t2 + chi;
-    state_after[0] = t0*v1 - t2*us1 + t2*x1 + t3*x2 + us1 + v2*(chi*t - t1);
-    state_after[1] = t*v2 + x2;
+    state_after[0] = t0*v1 - t2*us1 + t2*x1 + t3*x2 + us1 + v2*(chi*time - t1);
+    state_after[1] = time*v2 + x2;
     state_after[2] = t0*us1 - t0*x1 + t1*x2 + t2*v1 + t3*v2;
     state_after[3] = v2;
 }
@@ -175,13 +172,12 @@ void dry_friction_flow_slip_overshoot(
     const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = p1 - 1;
@@ -216,18 +212,17 @@ void dry_friction_flow_stick_slip(
 {
     const double chi = parameters[0], us2 = parameters[5];
     const double omega3 = spectrum[6];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega3*t;
+    const double t0 = omega3*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega3;
     const double t3 = cos(t0);
     const double t4 = 1 - t3;
     const double t5 = us2/chi;
     const double t6 = omega3*t1;
-    state_after[0] = t*v1 + x1;
-    state_after[1] = t2*v2 - t3*t5 + t3*x2 + t4*x1 + t5 + v1*(t - t2);
+    state_after[0] = time*v1 + x1;
+    state_after[1] = t2*v2 - t3*t5 + t3*x2 + t4*x1 + t5 + v1*(-t2 + time);
     state_after[2] = v1;
     state_after[3] = t3*v2 + t4*v1 + t5*t6 + t6*x1 - t6*x2;
 }
@@ -240,10 +235,9 @@ void dry_friction_flow_stick_stick(
 {
     (void)parameters;
     (void)spectrum;
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
-    state_after[0] = t*v1 + x1;
-    state_after[1] = t*v2 + x2;
+    state_after[0] = time*v1 + x1;
+    state_after[1] = time*v2 + x2;
     state_after[2] = v1;
     state_after[3] = v2;
 }
@@ -256,18 +250,17 @@ void dry_friction_flow_stick_overshoot(
 {
     const double chi = parameters[0], us2 = parameters[5];
     const double omega3 = spectrum[6];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega3*t;
+    const double t0 = omega3*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega3;
     const double t3 = cos(t0);
     const double t4 = 1 - t3;
     const double t5 = us2/chi;
     const double t6 = omega3*t1;
-    state_after[0] = t*v1 + x1;
-    state_after[1] = t2*v2 + t3*t5 + t3*x2 + t4*x1 - t5 + v1*(t - t2);
+    state_after[0] = time*v1 + x1;
+    state_after[1] = t2*v2 + t3*t5 + t3*x2 + t4*x1 - t5 + v1*(-t2 + time);
     state_after[2] = v1;
     state_after[3] = t3*v2 + t4*v1 - t5*t6 + t6*x1 - t6*x2;
 }
@@ -281,13 +274,12 @@ void dry_friction_flow_overshoot_slip(
     const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = p1 - 1;
@@ -322,15 +314,14 @@ void dry_friction_flow_overshoot_stick(
 {
     const double chi = parameters[0], us1 = parameters[3];
     (void)spectrum;
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = sin(t);
+    const double t0 = sin(time);
     const double t1 = chi*t0;
-    const double t2 = cos(t);
+    const double t2 = cos(time);
     const double t3 = -chi*t2 + chi;
-    state_after[0] = t0*v1 + t2*us1 + t2*x1 + t3*x2 - us1 + v2*(chi*t - t1);
-    state_after[1] = t*v2 + x2;
+    state_after[0] = t0*v1 + t2*us1 + t2*x1 + t3*x2 - us1 + v2*(chi*time - t1);
+    state_after[1] = time*v2 + x2;
     state_after[2] = -t0*us1 - t0*x1 + t1*x2 + t2*v1 + t3*v2;
     state_after[3] = v2;
 }
@@ -344,13 +335,12 @@ void dry_friction_flow_overshoot_overshoot(
     const double chi = parameters[0], us1 = parameters[3], us2 = parameters[5];
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = p1 - 1;
@@ -823,7 +813,7 @@ void dry_friction_symmetric_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 667. Intermediate terms: 154. */
+ * Operations: 667. Intermediate terms: 149. */
 static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -850,87 +840,83 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
     const double t4 = p1 - 1;
     const double t5 = (1.0/(omega2));
     const double t6 = sin_omega2_tau*t5;
-    const double t7 = p1*t3 - t4*t6;
-    const double t8 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t9 = cos_omega1_tau*p1 - cos_omega2_tau*t4;
-    const double t10 = p2*t3 - p2*t6;
-    const double z1_1 = V*t10 + t7*v10 + t8*z20 + t9*z10;
-    const double t11 = p3*t3 - p3*t6;
-    const double t12 = -cos_omega1_tau*t4 + cos_omega2_tau*p1;
-    const double t13 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double t14 = p1*t6 - t3*t4;
-    const double z2_1 = V*t14 + t11*v10 + t12*z20 + t13*z10;
-    const double t15 = omega2*p2;
-    const double t16 = omega1*p2;
-    const double t17 = sin_omega1_tau*t16;
-    const double t18 = sin_omega2_tau*t15 - t17;
-    const double t19 = omega1*p1;
-    const double t20 = -omega2*t4;
-    const double t21 = sin_omega1_tau*t19 + sin_omega2_tau*t20;
-    const double v1_1 = V*t8 + t18*z20 - t21*z10 + t9*v10;
-    const double t22 = omega2*p1;
-    const double t23 = -omega1*t4;
-    const double t24 = sin_omega1_tau*t23 + sin_omega2_tau*t22;
-    const double t25 = omega2*p3;
-    const double t26 = omega1*p3;
-    const double t27 = sin_omega1_tau*t26;
-    const double t28 = sin_omega2_tau*t25 - t27;
-    const double v2_1 = V*t12 + t13*v10 - t24*z20 + t28*z10;
+    const double carried_z1_1_by_v10 = p1*t3 - t4*t6;
+    const double t7 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double carried_v1_1_by_v10 = cos_omega1_tau*p1 - cos_omega2_tau*t4;
+    const double t8 = p2*t3 - p2*t6;
+    const double z1_1 = V*t8 + carried_v1_1_by_v10*z10 + carried_z1_1_by_v10*v10 + t7*z20;
+    const double carried_z2_1_by_v10 = p3*t3 - p3*t6;
+    const double t9 = -cos_omega1_tau*t4 + cos_omega2_tau*p1;
+    const double carried_v2_1_by_v10 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double t10 = p1*t6 - t3*t4;
+    const double z2_1 = V*t10 + carried_v2_1_by_v10*z10 + carried_z2_1_by_v10*v10 + t9*z20;
+    const double t11 = omega2*p2;
+    const double t12 = omega1*p2;
+    const double t13 = sin_omega1_tau*t12;
+    const double t14 = sin_omega2_tau*t11 - t13;
+    const double t15 = omega1*p1;
+    const double t16 = -omega2*t4;
+    const double t17 = sin_omega1_tau*t15 + sin_omega2_tau*t16;
+    const double v1_1 = V*t7 + carried_v1_1_by_v10*v10 + t14*z20 - t17*z10;
+    const double t18 = omega2*p1;
+    const double t19 = -omega1*t4;
+    const double t20 = sin_omega1_tau*t19 + sin_omega2_tau*t18;
+    const double t21 = omega2*p3;
+    const double t22 = omega1*p3;
+    const double t23 = sin_omega1_tau*t22;
+    const double t24 = sin_omega2_tau*t21 - t23;
+    const double v2_1 = V*t9 + carried_v2_1_by_v10*v10 - t20*z20 + t24*z10;
     /* functions of tau1 in slip-stick */
     const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, tau1);
     const double cos_tau1 = wave_2.cosine;
     const double sin_tau1 = wave_2.sine;
     /* slip-stick for tau1, until second-breaks-forward */
-    const double t29 = -chi*cos_tau1 + chi;
-    const double t30 = chi*sin_tau1;
-    const double t31 = chi*tau1 - t30;
-    const double z1_2 = V*t31 + cos_tau1*z1_1 + sin_tau1*v1_1 + t29*z2_1;
+    const double t25 = -chi*cos_tau1 + chi;
+    const double t26 = chi*sin_tau1;
+    const double t27 = chi*tau1 - t26;
+    const double z1_2 = V*t27 + cos_tau1*z1_1 + sin_tau1*v1_1 + t25*z2_1;
     const double z2_2 = V*tau1 + z2_1;
-    const double v1_2 = V*t29 + cos_tau1*v1_1 - sin_tau1*z1_1 + t30*z2_1;
+    const double v1_2 = V*t25 + cos_tau1*v1_1 - sin_tau1*z1_1 + t26*z2_1;
     /* Phi along tau */
-    const double carried_z1_1_by_z20 = t8 + t9;
-    const double carried_z1_1_by_v10 = t7;
-    const double carried_z2_1_by_z20 = t12 + t13;
-    const double carried_z2_1_by_v10 = t11;
-    const double carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t17 - t21;
-    const double carried_v1_1_by_v10 = t9;
-    const double carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t24 - t27;
-    const double carried_v2_1_by_v10 = t13;
+    const double carried_z1_1_by_z20 = carried_v1_1_by_v10 + t7;
+    const double carried_z2_1_by_z20 = carried_v2_1_by_v10 + t9;
+    const double carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t13 - t17;
+    const double carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t20 - t23;
     /* rate of the exit boundary after tau */
-    const double t32 = eta*z1_1;
-    const double t33 = chi*z2_1;
-    const double rate_1 = chi*t32 - eta*t33;
+    const double t28 = eta*z1_1;
+    const double t29 = chi*z2_1;
+    const double rate_1 = chi*t28 - eta*t29;
     /* derivatives of the time to the boundary after tau */
-    const double t34 = (1.0/(rate_1));
-    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t34;
-    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t34;
+    const double t30 = (1.0/(rate_1));
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t30;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t30;
     /* perturbation on the boundary after tau */
     const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
     const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
     const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
     const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-    const double t35 = t33 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t35;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t35;
+    const double t31 = t29 - z1_1;
+    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t31;
+    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t31;
     /* Phi along tau1 */
-    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t29*z2_1_on_boundary_by_z20;
-    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t29*z2_1_on_boundary_by_v10;
-    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t30*z2_1_on_boundary_by_v10;
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t25*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t25*z2_1_on_boundary_by_v10;
+    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t26*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
-    const double t36 = V*chi;
-    const double rate_2 = -chi*v1_2 + t36;
+    const double t32 = V*chi;
+    const double rate_2 = -chi*v1_2 + t32;
     /* derivatives of the time to the boundary after tau1 */
-    const double t37 = (1.0/(rate_2));
-    const double t38 = chi*z2_1_on_boundary_by_z20;
-    const double t39 = carried_z1_2_by_z20*chi - t38;
-    const double delay_tau1_by_z20 = t37*t39;
-    const double t40 = chi*z2_1_on_boundary_by_v10;
-    const double t41 = carried_z1_2_by_v10*chi - t40;
-    const double delay_tau1_by_v10 = t37*t41;
+    const double t33 = (1.0/(rate_2));
+    const double t34 = chi*z2_1_on_boundary_by_z20;
+    const double t35 = carried_z1_2_by_z20*chi - t34;
+    const double delay_tau1_by_z20 = t33*t35;
+    const double t36 = chi*z2_1_on_boundary_by_v10;
+    const double t37 = carried_z1_2_by_v10*chi - t36;
+    const double delay_tau1_by_v10 = t33*t37;
     /* perturbation on the boundary after tau1 */
     const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
-    const double t42 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t42;
+    const double slope_by_delay_tau1_by_v10 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*slope_by_delay_tau1_by_v10;
     if (trace) {
         trace[lane] = v1_2_on_boundary_by_v10 + z2_2_on_boundary_by_z20;
     }
@@ -946,100 +932,98 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_trace_in_lane(
         p2_by_eta = spectrum_derivatives[9*lanes + lane],
         p3_by_chi = spectrum_derivatives[10*lanes + lane],
         p3_by_eta = spectrum_derivatives[11*lanes + lane];
-    /* back through: derivatives of the time to the boundary after tau1 */
-    const double slope_by_delay_tau1_by_v10 = t42;
     /* back through: rate of the exit boundary after tau1 */
-    const double t43 = (1.0/(rate_2*rate_2));
-    const double slope_by_rate_2 = -V*t39*t43 - slope_by_delay_tau1_by_v10*t41*t43;
+    const double t38 = (1.0/(rate_2*rate_2));
+    const double slope_by_rate_2 = -V*t35*t38 - slope_by_delay_tau1_by_v10*t37*t38;
     /* back through: Phi along tau1 */
-    const double t44 = slope_by_delay_tau1_by_v10*t37;
-    const double slope_by_carried_z1_2_by_v10 = chi*t44;
-    const double slope_by_carried_z1_2_by_z20 = t36*t37;
+    const double t39 = slope_by_delay_tau1_by_v10*t33;
+    const double slope_by_carried_z1_2_by_v10 = chi*t39;
+    const double slope_by_carried_z1_2_by_z20 = t32*t33;
     /* back through: perturbation on the boundary after tau */
     const double slope_by_v1_1_on_boundary_by_v10 = cos_tau1 + sin_tau1*slope_by_carried_z1_2_by_v10;
     const double slope_by_v1_1_on_boundary_by_z20 = sin_tau1*slope_by_carried_z1_2_by_z20;
-    const double slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t29 - slope_by_carried_z1_2_by_v10 + t30;
-    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t29 - slope_by_carried_z1_2_by_z20 + 1;
+    const double slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t25 - slope_by_carried_z1_2_by_v10 + t26;
+    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t25 - slope_by_carried_z1_2_by_z20 + 1;
     const double slope_by_z1_1_on_boundary_by_v10 = cos_tau1*slope_by_carried_z1_2_by_v10 - sin_tau1;
     const double slope_by_z1_1_on_boundary_by_z20 = cos_tau1*slope_by_carried_z1_2_by_z20;
     /* back through: derivatives of the time to the boundary after tau */
-    const double slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t35 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1;
-    const double slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t35 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1;
+    const double slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t31 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1;
+    const double slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t31 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1;
     /* back through: rate of the exit boundary after tau */
-    const double t45 = (1.0/(rate_1*rate_1));
-    const double slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t45 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t45;
+    const double t40 = (1.0/(rate_1*rate_1));
+    const double slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t40 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t40;
     /* back through: Phi along tau */
-    const double slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t34;
-    const double slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t34;
+    const double slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t30;
+    const double slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t30;
     /* back through: slip-stick for tau1, until second-breaks-forward */
-    const double t46 = chi*slope_by_rate_2;
-    const double slope_by_v1_2 = -t46;
+    const double t41 = chi*slope_by_rate_2;
+    const double slope_by_v1_2 = -t41;
     const double slope_by_z2_2 = chi*delay_tau1_by_v10;
     const double slope_by_z1_2 = -delay_tau1_by_v10;
     /* back through: functions of tau1 in slip-stick */
-    const double t47 = -t36 + v1_1;
-    const double t48 = t40 - z1_1_on_boundary_by_v10;
-    const double slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t35 + slope_by_z1_2*t47 + t48;
-    const double slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t48 + slope_by_carried_z1_2_by_z20*(-t38 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t47 - slope_by_z1_2*t35 + v1_1_on_boundary_by_v10;
+    const double t42 = -t32 + v1_1;
+    const double t43 = t36 - z1_1_on_boundary_by_v10;
+    const double slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t31 + slope_by_z1_2*t42 + t43;
+    const double slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t43 + slope_by_carried_z1_2_by_z20*(-t34 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t42 - slope_by_z1_2*t31 + v1_1_on_boundary_by_v10;
     /* back through: slip-slip for tau, until second-reaches-belt */
     const double slope_by_v2_1 = delay_tau_by_v10*slope_by_z2_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z2_1_on_boundary_by_z20;
     const double slope_by_v1_1 = cos_tau1*slope_by_v1_2 + delay_tau_by_v10*slope_by_z1_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z1_1_on_boundary_by_z20 + sin_tau1*slope_by_z1_2;
-    const double t49 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20;
-    const double t50 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10;
-    const double t51 = -chi*eta*slope_by_rate_1;
-    const double slope_by_z2_1 = chi*t49 + chi*t50 + slope_by_v1_2*t30 + slope_by_z1_2*t29 + slope_by_z2_2 + t51;
-    const double slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t49 - t50 - t51;
+    const double t44 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20;
+    const double t45 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10;
+    const double t46 = -chi*eta*slope_by_rate_1;
+    const double slope_by_z2_1 = chi*t44 + chi*t45 + slope_by_v1_2*t26 + slope_by_z1_2*t25 + slope_by_z2_2 + t46;
+    const double slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t44 - t45 - t46;
     /* back through: functions of tau in slip-slip */
-    const double t52 = V*p1;
-    const double t53 = p3*v10;
-    const double t54 = V*p2;
-    const double t55 = p3*slope_by_z2_1_on_boundary_by_v10;
-    const double slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(-t22 + t25) + slope_by_v1_1*(t15*z20 - t20*z10) + slope_by_v1_1_on_boundary_by_z20*(t15 - t20) + slope_by_v2_1*(-t22*z20 + t25*z10) + slope_by_z1_1*(-t4*t5*v10 - t5*t54) - slope_by_z1_1_on_boundary_by_v10*t4*t5 + slope_by_z2_1*(t5*t52 - t5*t53) - t5*t55;
-    const double t56 = -p1 + p3;
-    const double t57 = p3*z10;
-    const double t58 = p2*z20;
-    const double t59 = p3*slope_by_carried_v2_1_by_v10;
-    const double slope_by_cos_omega2_tau = slope_by_v1_1*(-t4*v10 - t54) - slope_by_v1_1_on_boundary_by_v10*t4 + slope_by_v2_1*(t52 - t53) + slope_by_z1_1*(-t4*z10 - t58) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t4) + slope_by_z2_1*(p1*z20 - t57) - slope_by_z2_1_on_boundary_by_z20*t56 - t59;
-    const double t60 = -V*t4;
-    const double t61 = p1*v10;
-    const double slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t2 + slope_by_carried_v2_1_by_z20*(-t23 - t26) + slope_by_v1_1*(-omega1*t58 - t19*z10) + slope_by_v1_1_on_boundary_by_z20*(-t16 - t19) + slope_by_v2_1*(-omega1*t57 - t23*z20) + slope_by_z1_1*(t2*t54 + t2*t61) + slope_by_z2_1*(t2*t53 + t2*t60) + t2*t55;
-    const double t62 = -t4*z20;
-    const double t63 = p1*z10;
-    const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t54 + t61) + slope_by_v2_1*(t53 + t60) + slope_by_z1_1*(t58 + t63) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t57 + t62) + slope_by_z2_1_on_boundary_by_z20*(t56 + 1) + t59;
+    const double t47 = V*p1;
+    const double t48 = p3*v10;
+    const double t49 = V*p2;
+    const double t50 = p3*slope_by_z2_1_on_boundary_by_v10;
+    const double slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(-t18 + t21) + slope_by_v1_1*(t11*z20 - t16*z10) + slope_by_v1_1_on_boundary_by_z20*(t11 - t16) + slope_by_v2_1*(-t18*z20 + t21*z10) + slope_by_z1_1*(-t4*t5*v10 - t49*t5) - slope_by_z1_1_on_boundary_by_v10*t4*t5 + slope_by_z2_1*(t47*t5 - t48*t5) - t5*t50;
+    const double t51 = -p1 + p3;
+    const double t52 = p3*z10;
+    const double t53 = p2*z20;
+    const double t54 = p3*slope_by_carried_v2_1_by_v10;
+    const double slope_by_cos_omega2_tau = slope_by_v1_1*(-t4*v10 - t49) - slope_by_v1_1_on_boundary_by_v10*t4 + slope_by_v2_1*(t47 - t48) + slope_by_z1_1*(-t4*z10 - t53) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t4) + slope_by_z2_1*(p1*z20 - t52) - slope_by_z2_1_on_boundary_by_z20*t51 - t54;
+    const double t55 = -V*t4;
+    const double t56 = p1*v10;
+    const double slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t2 + slope_by_carried_v2_1_by_z20*(-t19 - t22) + slope_by_v1_1*(-omega1*t53 - t15*z10) + slope_by_v1_1_on_boundary_by_z20*(-t12 - t15) + slope_by_v2_1*(-omega1*t52 - t19*z20) + slope_by_z1_1*(t2*t49 + t2*t56) + slope_by_z2_1*(t2*t48 + t2*t55) + t2*t50;
+    const double t57 = -t4*z20;
+    const double t58 = p1*z10;
+    const double slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t49 + t56) + slope_by_v2_1*(t48 + t55) + slope_by_z1_1*(t53 + t58) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t52 + t57) + slope_by_z2_1_on_boundary_by_z20*(t51 + 1) + t54;
     /* trace_gradient */
-    const double t64 = cos_omega2_tau*slope_by_sin_omega2_tau;
-    const double t65 = cos_omega1_tau*slope_by_sin_omega1_tau;
-    const double t66 = sin_omega2_tau*slope_by_cos_omega2_tau;
-    const double t67 = sin_omega1_tau*slope_by_cos_omega1_tau;
-    const double t68 = t3 - t6;
-    const double t69 = cos_omega1_tau - cos_omega2_tau;
-    const double t70 = -omega1*sin_omega1_tau + omega2*sin_omega2_tau;
-    const double t71 = t69*v10 + t70*z10;
-    const double t72 = t68*v10 + t69*z10;
-    const double t73 = slope_by_carried_v2_1_by_v10*t69 + slope_by_carried_v2_1_by_z20*t70 + slope_by_v2_1*t71 + slope_by_z2_1*t72 + slope_by_z2_1_on_boundary_by_v10*t68 + slope_by_z2_1_on_boundary_by_z20*t69;
-    const double t74 = slope_by_v1_1_on_boundary_by_z20*t70 + slope_by_z1_1_on_boundary_by_z20*t69;
-    const double t75 = slope_by_v1_1*(V*t69 + t70*z20) + slope_by_z1_1*(V*t68 + t69*z20) + t74;
-    const double t76 = -slope_by_carried_v2_1_by_z20*t70 + slope_by_v1_1*t71 + slope_by_v1_1_on_boundary_by_v10*t69 + slope_by_v2_1*(-V*t69 - t70*z20) + slope_by_z1_1*t72 + slope_by_z1_1_on_boundary_by_v10*t68 + slope_by_z2_1*(-V*t68 - t69*z20) - slope_by_z2_1_on_boundary_by_z20*t69 + t74;
-    const double t77 = -sin_omega2_tau*t4;
-    const double t78 = p3*sin_omega2_tau;
-    const double t79 = (1.0/(omega2*omega2));
-    const double t80 = sin_omega2_tau*t79;
-    const double t81 = slope_by_carried_v2_1_by_z20*(-p1*sin_omega2_tau + t78) + slope_by_v1_1*(sin_omega2_tau*t4*z10 + sin_omega2_tau*t58) + slope_by_v1_1_on_boundary_by_z20*(p2*sin_omega2_tau - t77) + slope_by_v2_1*(-p1*sin_omega2_tau*z20 + sin_omega2_tau*t57) + slope_by_z1_1*(t4*t80*v10 + t54*t80) - slope_by_z1_1_on_boundary_by_v10*t77*t79 + slope_by_z2_1*(p3*sin_omega2_tau*t79*v10 - t52*t80) + slope_by_z2_1_on_boundary_by_v10*t78*t79 + t64*tau - t66*tau;
-    const double t82 = p1*sin_omega1_tau;
-    const double t83 = p3*sin_omega1_tau;
-    const double t84 = (1.0/(omega1*omega1));
-    const double t85 = sin_omega1_tau*t84;
-    const double t86 = slope_by_carried_v2_1_by_z20*(sin_omega1_tau*t4 - t83) + slope_by_v1_1*(-sin_omega1_tau*t58 - sin_omega1_tau*t63) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t82) + slope_by_v2_1*(-sin_omega1_tau*t57 - sin_omega1_tau*t62) + slope_by_z1_1*(-t54*t85 - t61*t85) - slope_by_z1_1_on_boundary_by_v10*t82*t84 + slope_by_z2_1*(-t53*t85 - t60*t85) - slope_by_z2_1_on_boundary_by_v10*t83*t84 + t65*tau - t67*tau;
-    const double t87 = 1 - cos_tau1;
+    const double t59 = cos_omega2_tau*slope_by_sin_omega2_tau;
+    const double t60 = cos_omega1_tau*slope_by_sin_omega1_tau;
+    const double t61 = sin_omega2_tau*slope_by_cos_omega2_tau;
+    const double t62 = sin_omega1_tau*slope_by_cos_omega1_tau;
+    const double t63 = t3 - t6;
+    const double t64 = cos_omega1_tau - cos_omega2_tau;
+    const double t65 = -omega1*sin_omega1_tau + omega2*sin_omega2_tau;
+    const double t66 = t64*v10 + t65*z10;
+    const double t67 = t63*v10 + t64*z10;
+    const double t68 = slope_by_carried_v2_1_by_v10*t64 + slope_by_carried_v2_1_by_z20*t65 + slope_by_v2_1*t66 + slope_by_z2_1*t67 + slope_by_z2_1_on_boundary_by_v10*t63 + slope_by_z2_1_on_boundary_by_z20*t64;
+    const double t69 = slope_by_v1_1_on_boundary_by_z20*t65 + slope_by_z1_1_on_boundary_by_z20*t64;
+    const double t70 = slope_by_v1_1*(V*t64 + t65*z20) + slope_by_z1_1*(V*t63 + t64*z20) + t69;
+    const double t71 = -slope_by_carried_v2_1_by_z20*t65 + slope_by_v1_1*t66 + slope_by_v1_1_on_boundary_by_v10*t64 + slope_by_v2_1*(-V*t64 - t65*z20) + slope_by_z1_1*t67 + slope_by_z1_1_on_boundary_by_v10*t63 + slope_by_z2_1*(-V*t63 - t64*z20) - slope_by_z2_1_on_boundary_by_z20*t64 + t69;
+    const double t72 = -sin_omega2_tau*t4;
+    const double t73 = p3*sin_omega2_tau;
+    const double t74 = (1.0/(omega2*omega2));
+    const double t75 = sin_omega2_tau*t74;
+    const double t76 = slope_by_carried_v2_1_by_z20*(-p1*sin_omega2_tau + t73) + slope_by_v1_1*(sin_omega2_tau*t4*z10 + sin_omega2_tau*t53) + slope_by_v1_1_on_boundary_by_z20*(p2*sin_omega2_tau - t72) + slope_by_v2_1*(-p1*sin_omega2_tau*z20 + sin_omega2_tau*t52) + slope_by_z1_1*(t4*t75*v10 + t49*t75) - slope_by_z1_1_on_boundary_by_v10*t72*t74 + slope_by_z2_1*(p3*sin_omega2_tau*t74*v10 - t47*t75) + slope_by_z2_1_on_boundary_by_v10*t73*t74 + t59*tau - t61*tau;
+    const double t77 = p1*sin_omega1_tau;
+    const double t78 = p3*sin_omega1_tau;
+    const double t79 = (1.0/(omega1*omega1));
+    const double t80 = sin_omega1_tau*t79;
+    const double t81 = slope_by_carried_v2_1_by_z20*(sin_omega1_tau*t4 - t78) + slope_by_v1_1*(-sin_omega1_tau*t53 - sin_omega1_tau*t58) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t77) + slope_by_v2_1*(-sin_omega1_tau*t52 - sin_omega1_tau*t57) + slope_by_z1_1*(-t49*t80 - t56*t80) - slope_by_z1_1_on_boundary_by_v10*t77*t79 + slope_by_z2_1*(-t48*t80 - t55*t80) - slope_by_z2_1_on_boundary_by_v10*t78*t79 + t60*tau - t62*tau;
+    const double t82 = 1 - cos_tau1;
     if (trace_gradient) {
-        trace_gradient[lane] = -slope_by_v1_1*t21 + slope_by_v2_1*t28 + slope_by_z1_1*t9 + slope_by_z2_1*t13;
-        trace_gradient[1*lanes + lane] = slope_by_v1_1*t18 - slope_by_v2_1*t24 + slope_by_z1_1*t8 + slope_by_z2_1*t12;
-        trace_gradient[2*lanes + lane] = slope_by_v1_1*t9 + slope_by_v2_1*t13 + slope_by_z1_1*t7 + slope_by_z2_1*t11;
-        trace_gradient[3*lanes + lane] = omega1*t65 - omega1*t67 + omega2*t64 - omega2*t66;
-        trace_gradient[4*lanes + lane] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t36;
-        trace_gradient[5*lanes + lane] = V*t37*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t86 + omega2_by_chi*t81 + p1_by_chi*t76 + p2_by_chi*t75 + p3_by_chi*t73 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t87*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t87*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t32) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t87 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t87*z2_1) + t44*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t49*z2_1 + t50*z2_1;
-        trace_gradient[6*lanes + lane] = omega1_by_eta*t86 + omega2_by_eta*t81 + p1_by_eta*t76 + p2_by_eta*t75 + p3_by_eta*t73 + slope_by_rate_1*(chi*z1_1 - t33);
-        trace_gradient[7*lanes + lane] = delay_tau1_by_z20 + slope_by_v1_1*t8 + slope_by_v1_2*t29 + slope_by_v2_1*t12 + slope_by_z1_1*t10 + slope_by_z1_2*t31 + slope_by_z2_1*t14 + slope_by_z2_2*tau1 + t46;
+        trace_gradient[lane] = carried_v1_1_by_v10*slope_by_z1_1 + carried_v2_1_by_v10*slope_by_z2_1 - slope_by_v1_1*t17 + slope_by_v2_1*t24;
+        trace_gradient[1*lanes + lane] = slope_by_v1_1*t14 - slope_by_v2_1*t20 + slope_by_z1_1*t7 + slope_by_z2_1*t9;
+        trace_gradient[2*lanes + lane] = carried_v1_1_by_v10*slope_by_v1_1 + carried_v2_1_by_v10*slope_by_v2_1 + carried_z1_1_by_v10*slope_by_z1_1 + carried_z2_1_by_v10*slope_by_z2_1;
+        trace_gradient[3*lanes + lane] = omega1*t60 - omega1*t62 + omega2*t59 - omega2*t61;
+        trace_gradient[4*lanes + lane] = V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t32;
+        trace_gradient[5*lanes + lane] = V*t33*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t81 + omega2_by_chi*t76 + p1_by_chi*t71 + p2_by_chi*t70 + p3_by_chi*t68 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t82*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t82*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t28) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t82 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t82*z2_1) + t39*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t44*z2_1 + t45*z2_1;
+        trace_gradient[6*lanes + lane] = omega1_by_eta*t81 + omega2_by_eta*t76 + p1_by_eta*t71 + p2_by_eta*t70 + p3_by_eta*t68 + slope_by_rate_1*(chi*z1_1 - t29);
+        trace_gradient[7*lanes + lane] = delay_tau1_by_z20 + slope_by_v1_1*t7 + slope_by_v1_2*t25 + slope_by_v2_1*t9 + slope_by_z1_1*t8 + slope_by_z1_2*t27 + slope_by_z2_1*t10 + slope_by_z2_2*tau1 + t41;
         trace_gradient[8*lanes + lane] = 0;
     }
 }
@@ -1158,7 +1142,7 @@ void dry_friction_symmetric_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 273. Intermediate terms: 123. */
+ * Operations: 269. Intermediate terms: 100. */
 NONSMOOTH_UNMERGED
 void dry_friction_symmetric_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[5],
@@ -1180,78 +1164,74 @@ void dry_friction_symmetric_linearisation(
     const double t2 = sin_omega1_tau/omega1;
     const double t3 = 1 - p1;
     const double t4 = sin_omega2_tau/omega2;
-    const double t5 = p1*t2 + t3*t4;
-    const double t6 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
-    const double t7 = cos_omega1_tau*p1 + cos_omega2_tau*t3;
-    const double t8 = p2*t2 - p2*t4;
-    const double z1_1 = V*t8 + t5*v10 + t6*z20 + t7*z10;
-    const double t9 = p3*t2 - p3*t4;
-    const double t10 = cos_omega1_tau*t3 + cos_omega2_tau*p1;
-    const double t11 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
-    const double t12 = p1*t4 + t2*t3;
-    const double z2_1 = V*t12 + t10*z20 + t11*z10 + t9*v10;
-    const double t13 = omega2*sin_omega2_tau;
-    const double t14 = omega1*sin_omega1_tau;
-    const double t15 = p2*t14;
-    const double t16 = p2*t13 - t15;
-    const double t17 = p1*t14 + t13*t3;
-    const double v1_1 = V*t6 + t16*z20 - t17*z10 + t7*v10;
-    const double t18 = p1*t13 + t14*t3;
-    const double t19 = p3*t14;
-    const double t20 = p3*t13 - t19;
-    const double v2_1 = V*t10 + t11*v10 - t18*z20 + t20*z10;
+    const double carried_z1_1_by_v10 = p1*t2 + t3*t4;
+    const double phi_1_01 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+    const double carried_v1_1_by_v10 = cos_omega1_tau*p1 + cos_omega2_tau*t3;
+    const double phi_1_03 = p2*t2 - p2*t4;
+    const double z1_1 = V*phi_1_03 + carried_v1_1_by_v10*z10 + carried_z1_1_by_v10*v10 + phi_1_01*z20;
+    const double carried_z2_1_by_v10 = p3*t2 - p3*t4;
+    const double phi_1_11 = cos_omega1_tau*t3 + cos_omega2_tau*p1;
+    const double carried_v2_1_by_v10 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+    const double phi_1_13 = p1*t4 + t2*t3;
+    const double z2_1 = V*phi_1_13 + carried_v2_1_by_v10*z10 + carried_z2_1_by_v10*v10 + phi_1_11*z20;
+    const double t5 = omega2*sin_omega2_tau;
+    const double t6 = omega1*sin_omega1_tau;
+    const double t7 = p2*t6;
+    const double phi_1_21 = p2*t5 - t7;
+    const double t8 = p1*t6 + t3*t5;
+    const double v1_1 = V*phi_1_01 + carried_v1_1_by_v10*v10 + phi_1_21*z20 - t8*z10;
+    const double t9 = p1*t5 + t3*t6;
+    const double t10 = p3*t6;
+    const double phi_1_30 = p3*t5 - t10;
+    const double v2_1 = V*phi_1_11 + carried_v2_1_by_v10*v10 + phi_1_30*z10 - t9*z20;
     /* functions of tau1 in slip-stick */
     const double cos_tau1 = cos(tau1);
     const double sin_tau1 = sin(tau1);
     /* slip-stick for tau1, until second-breaks-forward */
-    const double t21 = -chi*cos_tau1 + chi;
-    const double t22 = chi*sin_tau1;
-    const double z1_2 = V*(chi*tau1 - t22) + cos_tau1*z1_1 + sin_tau1*v1_1 + t21*z2_1;
+    const double t11 = -chi*cos_tau1 + chi;
+    const double t12 = chi*sin_tau1;
+    const double z1_2 = V*(chi*tau1 - t12) + cos_tau1*z1_1 + sin_tau1*v1_1 + t11*z2_1;
     const double z2_2 = V*tau1 + z2_1;
-    const double v1_2 = V*t21 + cos_tau1*v1_1 - sin_tau1*z1_1 + t22*z2_1;
+    const double v1_2 = V*t11 + cos_tau1*v1_1 - sin_tau1*z1_1 + t12*z2_1;
     /* Phi along tau */
-    const double carried_z1_1_by_z20 = t6 + t7;
-    const double carried_z1_1_by_v10 = t5;
-    const double carried_z2_1_by_z20 = t10 + t11;
-    const double carried_z2_1_by_v10 = t9;
-    const double carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t15 - t17;
-    const double carried_v1_1_by_v10 = t7;
-    const double carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t18 - t19;
-    const double carried_v2_1_by_v10 = t11;
+    const double carried_z1_1_by_z20 = carried_v1_1_by_v10 + phi_1_01;
+    const double carried_z2_1_by_z20 = carried_v2_1_by_v10 + phi_1_11;
+    const double carried_v1_1_by_z20 = omega2*p2*sin_omega2_tau - t7 - t8;
+    const double carried_v2_1_by_z20 = omega2*p3*sin_omega2_tau - t10 - t9;
     /* rate of the exit boundary after tau */
-    const double t23 = chi*eta;
-    const double t24 = chi*z2_1;
-    const double rate_1 = -eta*t24 + t23*z1_1;
+    const double t13 = chi*eta;
+    const double t14 = chi*z2_1;
+    const double rate_1 = -eta*t14 + t13*z1_1;
     /* derivatives of the time to the boundary after tau */
-    const double t25 = (1.0/(rate_1));
-    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t25;
-    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t25;
+    const double t15 = (1.0/(rate_1));
+    const double delay_tau_by_z20 = -carried_v2_1_by_z20*t15;
+    const double delay_tau_by_v10 = -carried_v2_1_by_v10*t15;
     /* perturbation on the boundary after tau */
     const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
     const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
     const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
     const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
-    const double t26 = t24 - z1_1;
-    const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t26;
-    const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t26;
+    const double before_v1_1 = t14 - z1_1;
+    const double v1_1_on_boundary_by_z20 = before_v1_1*delay_tau_by_z20 + carried_v1_1_by_z20;
+    const double v1_1_on_boundary_by_v10 = before_v1_1*delay_tau_by_v10 + carried_v1_1_by_v10;
     /* Phi along tau1 */
-    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t21*z2_1_on_boundary_by_z20;
-    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t21*z2_1_on_boundary_by_v10;
-    const double carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t22*z2_1_on_boundary_by_z20;
-    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t22*z2_1_on_boundary_by_v10;
+    const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t11*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t11*z2_1_on_boundary_by_v10;
+    const double carried_v1_2_by_z20 = cos_tau1*v1_1_on_boundary_by_z20 - sin_tau1*z1_1_on_boundary_by_z20 + t12*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_v10 = cos_tau1*v1_1_on_boundary_by_v10 - sin_tau1*z1_1_on_boundary_by_v10 + t12*z2_1_on_boundary_by_v10;
     /* rate of the exit boundary after tau1 */
     const double rate_2 = V*chi - chi*v1_2;
     /* derivatives of the time to the boundary after tau1 */
-    const double t27 = (1.0/(rate_2));
-    const double delay_tau1_by_z20 = t27*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
-    const double delay_tau1_by_v10 = t27*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
+    const double t16 = (1.0/(rate_2));
+    const double delay_tau1_by_z20 = t16*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double delay_tau1_by_v10 = t16*(carried_z1_2_by_v10*chi - chi*z2_1_on_boundary_by_v10);
     /* perturbation on the boundary after tau1 */
     const double z2_2_on_boundary_by_z20 = V*delay_tau1_by_z20 + z2_1_on_boundary_by_z20;
     const double z2_2_on_boundary_by_v10 = V*delay_tau1_by_v10 + z2_1_on_boundary_by_v10;
-    const double t28 = chi*z2_2;
-    const double t29 = t28 - z1_2;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau1_by_z20*t29;
-    const double v1_2_on_boundary_by_v10 = carried_v1_2_by_v10 + delay_tau1_by_v10*t29;
+    const double t17 = chi*z2_2;
+    const double before_v1_2 = t17 - z1_2;
+    const double v1_2_on_boundary_by_z20 = before_v1_2*delay_tau1_by_z20 + carried_v1_2_by_z20;
+    const double v1_2_on_boundary_by_v10 = before_v1_2*delay_tau1_by_v10 + carried_v1_2_by_v10;
     if (poincare_jacobian) {
         poincare_jacobian[0] = z2_2_on_boundary_by_z20;
         poincare_jacobian[1] = z2_2_on_boundary_by_v10;
@@ -1260,84 +1240,64 @@ void dry_friction_symmetric_linearisation(
     }
     if (!saltations && !monodromy)
         return;
-    /* vector fields at transition 1 */
-    const double before_v1_1 = t26;
-    const double before_v2_1 = rate_1;
-    const double behind_v1_1 = t26;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t29;
-    const double behind_v1_2 = t29;
-    const double behind_v2_2 = -eta*t28 + t23*z1_2;
+    const double behind_v2_2 = -eta*t17 + t13*z1_2;
     /* saltations */
-    const double t30 = (1.0/(before_v2_1));
-    const double t31 = t30*(V - v2_1);
-    const double t32 = t30*(-before_v1_1 + behind_v1_1);
-    const double t33 = chi/rate_2;
-    const double t34 = t33*(-before_v1_2 + behind_v1_2);
-    const double t35 = behind_v2_2*t33;
+    const double t18 = (1.0/(rate_1));
+    const double t19 = t18*(V - v2_1);
+    const double t20 = 0;
+    const double t21 = chi/rate_2;
+    const double t22 = 0;
+    const double t23 = behind_v2_2*t21;
     if (saltations) {
         for (int i = 0; i < 32; ++i)
             saltations[i] = 0.0;
         saltations[0] = 1;
         saltations[5] = 1;
-        saltations[7] = t31;
+        saltations[7] = t19;
         saltations[10] = 1;
-        saltations[11] = t32;
+        saltations[11] = t20;
         saltations[16] = 1;
         saltations[21] = 1;
-        saltations[24] = -t34;
-        saltations[25] = t34;
+        saltations[24] = -t22;
+        saltations[25] = t22;
         saltations[26] = 1;
-        saltations[28] = -t35;
-        saltations[29] = t35;
+        saltations[28] = -t23;
+        saltations[29] = t23;
         saltations[31] = 1;
     }
     if (!monodromy)
         return;
     /* Phi of phase 1 */
-    const double phi_1_00 = t7;
-    const double phi_1_01 = t6;
-    const double phi_1_02 = t5;
-    const double phi_1_03 = t8;
-    const double phi_1_10 = t11;
-    const double phi_1_11 = t10;
-    const double phi_1_12 = t9;
-    const double phi_1_13 = t12;
-    const double phi_1_20 = -t17;
-    const double phi_1_21 = t16;
-    const double phi_1_22 = t7;
-    const double phi_1_23 = t6;
-    const double phi_1_30 = t20;
-    const double phi_1_31 = -t18;
-    const double phi_1_32 = t11;
-    const double phi_1_33 = t10;
+    const double phi_1_20 = -t8;
+    const double phi_1_31 = -t9;
     /* saltation of phase 1 */
-    const double saltation_1_10 = phi_1_10 + phi_1_30*t31;
-    const double saltation_1_11 = phi_1_11 + phi_1_31*t31;
-    const double saltation_1_12 = phi_1_12 + phi_1_32*t31;
-    const double saltation_1_13 = phi_1_13 + phi_1_33*t31;
-    const double saltation_1_20 = phi_1_20 + phi_1_30*t32;
-    const double saltation_1_21 = phi_1_21 + phi_1_31*t32;
-    const double saltation_1_22 = phi_1_22 + phi_1_32*t32;
-    const double saltation_1_23 = phi_1_23 + phi_1_33*t32;
+    const double saltation_1_10 = carried_v2_1_by_v10 + phi_1_30*t19;
+    const double saltation_1_11 = phi_1_11 + phi_1_31*t19;
+    const double saltation_1_12 = carried_v2_1_by_v10*t19 + carried_z2_1_by_v10;
+    const double saltation_1_13 = phi_1_11*t19 + phi_1_13;
+    const double saltation_1_20 = phi_1_20 + phi_1_30*t20;
+    const double saltation_1_21 = phi_1_21 + phi_1_31*t20;
+    const double saltation_1_22 = carried_v1_1_by_v10 + carried_v2_1_by_v10*t20;
+    const double saltation_1_23 = phi_1_01 + phi_1_11*t20;
     /* Phi of phase 2 */
-    const double phi_2_00 = cos_tau1*phi_1_00 + saltation_1_10*t21 + saltation_1_20*sin_tau1;
-    const double phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t21 + saltation_1_21*sin_tau1;
-    const double phi_2_02 = cos_tau1*phi_1_02 + saltation_1_12*t21 + saltation_1_22*sin_tau1;
-    const double phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t21 + saltation_1_23*sin_tau1;
-    const double phi_2_20 = cos_tau1*saltation_1_20 - phi_1_00*sin_tau1 + saltation_1_10*t22;
-    const double phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t22;
-    const double phi_2_22 = cos_tau1*saltation_1_22 - phi_1_02*sin_tau1 + saltation_1_12*t22;
-    const double phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t22;
+    const double phi_2_00 = carried_v1_1_by_v10*cos_tau1 + saltation_1_10*t11 + saltation_1_20*sin_tau1;
+    const double phi_2_01 = cos_tau1*phi_1_01 + saltation_1_11*t11 + saltation_1_21*sin_tau1;
+    const double phi_2_02 = carried_z1_1_by_v10*cos_tau1 + saltation_1_12*t11 + saltation_1_22*sin_tau1;
+    const double phi_2_03 = cos_tau1*phi_1_03 + saltation_1_13*t11 + saltation_1_23*sin_tau1;
+    const double phi_2_20 = -carried_v1_1_by_v10*sin_tau1 + cos_tau1*saltation_1_20 + saltation_1_10*t12;
+    const double phi_2_21 = cos_tau1*saltation_1_21 - phi_1_01*sin_tau1 + saltation_1_11*t12;
+    const double phi_2_22 = -carried_z1_1_by_v10*sin_tau1 + cos_tau1*saltation_1_22 + saltation_1_12*t12;
+    const double phi_2_23 = cos_tau1*saltation_1_23 - phi_1_03*sin_tau1 + saltation_1_13*t12;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t34 + phi_2_20 + saltation_1_10*t34;
-    const double saltation_2_21 = -phi_2_01*t34 + phi_2_21 + saltation_1_11*t34;
-    const double saltation_2_22 = -phi_2_02*t34 + phi_2_22 + saltation_1_12*t34;
-    const double saltation_2_23 = -phi_2_03*t34 + phi_2_23 + saltation_1_13*t34;
-    const double saltation_2_30 = -phi_2_00*t35 + saltation_1_10*t35;
-    const double saltation_2_31 = -phi_2_01*t35 + saltation_1_11*t35;
-    const double saltation_2_32 = -phi_2_02*t35 + saltation_1_12*t35;
-    const double saltation_2_33 = -phi_2_03*t35 + saltation_1_13*t35;
+    const double saltation_2_20 = -phi_2_00*t22 + phi_2_20 + saltation_1_10*t22;
+    const double saltation_2_21 = -phi_2_01*t22 + phi_2_21 + saltation_1_11*t22;
+    const double saltation_2_22 = -phi_2_02*t22 + phi_2_22 + saltation_1_12*t22;
+    const double saltation_2_23 = -phi_2_03*t22 + phi_2_23 + saltation_1_13*t22;
+    const double saltation_2_30 = -phi_2_00*t23 + saltation_1_10*t23;
+    const double saltation_2_31 = -phi_2_01*t23 + saltation_1_11*t23;
+    const double saltation_2_32 = -phi_2_02*t23 + saltation_1_12*t23;
+    const double saltation_2_33 = -phi_2_03*t23 + saltation_1_13*t23;
     if (monodromy) {
         monodromy[0] = phi_2_00;
         monodromy[1] = phi_2_01;
@@ -1368,13 +1328,12 @@ void dry_friction_symmetric_flow_slip_slip(
     (void)parameters;
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = 1 - p1;
@@ -1401,21 +1360,20 @@ void dry_friction_symmetric_flow_slip_stick(
 {
     const double chi = parameters[0];
     (void)spectrum;
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = sin(t);
+    const double t0 = sin(time);
     const double t1 = chi*t0;
-    const double t2 = cos(t);
+    const double t2 = cos(time);
     const double t3 = -chi*t2 + chi;
-    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1);
-    state_after[1] = t*v2 + z2;
+    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*time - t1);
+    state_after[1] = time*v2 + z2;
     state_after[2] = -t0*z1 + t1*z2 + t2*v1 + t3*v2;
     state_after[3] = v2;
 }
 
 /* All unknowns from the reduced ones; how singular the linear equations for them are: 0 if they are; the equations for these and their derivatives.
- * Operations: 195. Intermediate terms: 63. */
+ * Operations: 195. Intermediate terms: 61. */
 static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
@@ -1429,31 +1387,31 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_fixed_in_lane(
     const double t5 = p1*t4;
     /* right-hand sides of the linear equations */
     const double t7 = e2/chi;
-    const double t11 = V*p2;
-    const double t12 = p1*t7;
-    const double t14 = V*t4;
-    const double t25 = p3*t7;
-    const double t27 = V*chi;
+    const double t10 = V*p2;
+    const double t11 = p1*t7;
+    const double t13 = V*t4;
+    const double t24 = p3*t7;
+    const double t26 = V*chi;
     /* d/dtau of: functions of half_tau in slip-slip */
-    const double t28 = (1.0/2.0)*omega1;
-    const double t29 = (1.0/2.0)*omega2;
+    const double t27 = (1.0/2.0)*omega1;
+    const double t28 = (1.0/2.0)*omega2;
     /* d/dtau of: coefficients of the linear equations */
-    const double t30 = p1*t2;
+    const double t29 = p1*t2;
     /* d/dtau1 of: right-hand sides of the linear equations */
-    const double t32 = (1.0/2.0)*V;
+    const double t31 = (1.0/2.0)*V;
     fixed[lane] = t2;
     fixed[1*lanes + lane] = t4;
     fixed[2*lanes + lane] = t5;
     fixed[3*lanes + lane] = t7;
-    fixed[4*lanes + lane] = t11;
-    fixed[5*lanes + lane] = t12;
-    fixed[6*lanes + lane] = t14;
-    fixed[7*lanes + lane] = t25;
-    fixed[8*lanes + lane] = t27;
-    fixed[9*lanes + lane] = t28;
-    fixed[10*lanes + lane] = t29;
-    fixed[11*lanes + lane] = t30;
-    fixed[12*lanes + lane] = t32;
+    fixed[4*lanes + lane] = t10;
+    fixed[5*lanes + lane] = t11;
+    fixed[6*lanes + lane] = t13;
+    fixed[7*lanes + lane] = t24;
+    fixed[8*lanes + lane] = t26;
+    fixed[9*lanes + lane] = t27;
+    fixed[10*lanes + lane] = t28;
+    fixed[11*lanes + lane] = t29;
+    fixed[12*lanes + lane] = t31;
 }
 
 static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
@@ -1465,10 +1423,10 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
     const double omega1 = spectrum[1*lanes + lane], omega2 = spectrum[2*lanes + lane],
         p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane];
     const double t2 = fixed[lane], t4 = fixed[1*lanes + lane], t5 = fixed[2*lanes + lane],
-        t7 = fixed[3*lanes + lane], t11 = fixed[4*lanes + lane], t12 = fixed[5*lanes + lane],
-        t14 = fixed[6*lanes + lane], t25 = fixed[7*lanes + lane], t27 = fixed[8*lanes + lane],
-        t28 = fixed[9*lanes + lane], t29 = fixed[10*lanes + lane], t30 = fixed[11*lanes + lane],
-        t32 = fixed[12*lanes + lane];
+        t7 = fixed[3*lanes + lane], t10 = fixed[4*lanes + lane], t11 = fixed[5*lanes + lane],
+        t13 = fixed[6*lanes + lane], t24 = fixed[7*lanes + lane], t26 = fixed[8*lanes + lane],
+        t27 = fixed[9*lanes + lane], t28 = fixed[10*lanes + lane], t29 = fixed[11*lanes + lane],
+        t31 = fixed[12*lanes + lane];
     const double tau = reduced[lane], tau1 = reduced[1*lanes + lane];
     /* half of tau */
     const double half_tau = (1.0/2.0)*tau;
@@ -1487,23 +1445,19 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
     const double t6 = p1*t3;
     const double coefficient11 = sin_omega1_half_tau*t5 + t3 - t6;
     const double t8 = cos_omega2_half_tau*t7;
-    const double t9 = V*half_tau1;
-    const double t10 = cos_omega2_half_tau*t9;
-    const double t13 = p2*t9;
-    const double t15 = sin_omega1_half_tau*t14;
-    const double t16 = p1*t9;
-    const double t17 = -cos_omega1_half_tau*t16 + p1*t10;
-    const double right1 = cos_omega1_half_tau*t12 - cos_omega1_half_tau*t13 - p1*t8 + p2*t10 - p2*t15 - t10 + t11*t3 + t17 + t8;
-    /* determinant of the linear equations */
-    const double determinant = coefficient11;
+    const double z20 = V*half_tau1;
+    const double t9 = cos_omega2_half_tau*z20;
+    const double t12 = p2*z20;
+    const double t14 = sin_omega1_half_tau*t13;
+    const double t15 = p1*z20;
+    const double t16 = -cos_omega1_half_tau*t15 + p1*t9;
+    const double right1 = cos_omega1_half_tau*t11 - cos_omega1_half_tau*t12 - p1*t8 - p2*t14 + p2*t9 + t10*t3 + t16 + t8 - t9;
     /* v10 by Cramer's rule */
-    const double t18 = (1.0/(determinant));
-    const double v10 = right1*t18;
+    const double t17 = (1.0/(coefficient11));
+    const double v10 = right1*t17;
     /* z10: linear in: second-breaks-forward ends slip-stick */
-    const double t19 = t7 - t9;
-    const double z10 = -t19;
-    /* z20: linear in: z2 vanishes halfway through slip-stick */
-    const double z20 = t9;
+    const double t18 = t7 - z20;
+    const double z10 = -t18;
     if (unknowns) {
         unknowns[lane] = z10;
         unknowns[1*lanes + lane] = z20;
@@ -1514,10 +1468,10 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
     if (!determinants && !reduced_residual && !reduced_jacobian)
         return;
     /* determinants */
-    const double t20 = (half_tau*half_tau);
-    const double t21 = 2*t20;
+    const double t19 = (half_tau*half_tau);
+    const double t20 = 2*t19;
     if (determinants) {
-        determinants[lane] = determinant/sqrt((p1*p1)*t21/((omega1*omega1)*t20 + 1) + t21*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t20 + 1));
+        determinants[lane] = coefficient11/sqrt((p1*p1)*t20/((omega1*omega1)*t19 + 1) + t20*((p1 - 1)*(p1 - 1))/((omega2*omega2)*t19 + 1));
     }
     if (!reduced_residual && !reduced_jacobian)
         return;
@@ -1526,43 +1480,43 @@ static NONSMOOTH_INLINE void dry_friction_symmetric_reduced_in_lane(
     const double cos_half_tau1 = wave_2.cosine;
     const double sin_half_tau1 = wave_2.sine;
     /* reduced_residual */
-    const double t22 = cos_omega1_half_tau*t9;
-    const double t23 = p3*v10;
-    const double t24 = t23*t4;
-    const double t26 = cos_half_tau1*t9;
+    const double t21 = cos_omega1_half_tau*z20;
+    const double t22 = p3*v10;
+    const double t23 = t22*t4;
+    const double t25 = cos_half_tau1*z20;
     if (reduced_residual) {
-        reduced_residual[lane] = V*t6 - cos_omega1_half_tau*t25 - p1*t15 - p3*t10 + p3*t22 + p3*t8 + sin_omega1_half_tau*t24 + t15 + t17 + t22 - t23*t3;
-        reduced_residual[1*lanes + lane] = chi*t26 + cos_half_tau1*t7 - sin_half_tau1*t27 + sin_half_tau1*v10 - t26;
+        reduced_residual[lane] = V*t6 - cos_omega1_half_tau*t24 - p1*t14 + p3*t21 + p3*t8 - p3*t9 + sin_omega1_half_tau*t23 + t14 + t16 + t21 - t22*t3;
+        reduced_residual[1*lanes + lane] = chi*t25 + cos_half_tau1*t7 - sin_half_tau1*t26 + sin_half_tau1*v10 - t25;
     }
     if (!reduced_jacobian)
         return;
-    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t28;
-    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t28;
-    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t29;
-    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t29;
+    const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t27;
+    const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t27;
+    const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t28;
+    const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t28;
     /* d/dtau1 of: functions of half_tau1 in slip-stick */
     const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
     const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
-    const double coefficient11_by_tau = sin_omega1_half_tau_by_tau*t5 + sin_omega2_half_tau_by_tau*(t2 - t30);
+    const double coefficient11_by_tau = sin_omega1_half_tau_by_tau*t5 + sin_omega2_half_tau_by_tau*(t2 - t29);
     /* d/dtau of: right-hand sides of the linear equations */
-    const double t31 = -t12 + t13 + t16;
-    const double right1_by_tau = -cos_omega1_half_tau_by_tau*t31 + cos_omega2_half_tau_by_tau*(t19 + t31) - p2*sin_omega1_half_tau_by_tau*t14 + sin_omega2_half_tau_by_tau*t11*t2;
-    const double t33 = cos_omega2_half_tau*t32;
-    const double t34 = cos_omega1_half_tau*t32;
-    const double t35 = p1*t34;
-    const double right1_by_tau1 = (1.0/2.0)*V*cos_omega2_half_tau*p1 + (1.0/2.0)*V*cos_omega2_half_tau*p2 - p2*t34 - t33 - t35;
+    const double t30 = -t11 + t12 + t15;
+    const double right1_by_tau = -cos_omega1_half_tau_by_tau*t30 + cos_omega2_half_tau_by_tau*(t18 + t30) - p2*sin_omega1_half_tau_by_tau*t13 + sin_omega2_half_tau_by_tau*t10*t2;
+    const double t32 = cos_omega2_half_tau*t31;
+    const double t33 = cos_omega1_half_tau*t31;
+    const double t34 = p1*t33;
+    const double right1_by_tau1 = (1.0/2.0)*V*cos_omega2_half_tau*p1 + (1.0/2.0)*V*cos_omega2_half_tau*p2 - p2*t33 - t32 - t34;
     /* d/dtau of: v10 by Cramer's rule */
-    const double v10_by_tau = -coefficient11_by_tau*right1/(determinant*determinant) + right1_by_tau*t18;
+    const double v10_by_tau = right1_by_tau*t17 - coefficient11_by_tau*right1/(coefficient11*coefficient11);
     /* d/dtau1 of: v10 by Cramer's rule */
-    const double v10_by_tau1 = right1_by_tau1*t18;
+    const double v10_by_tau1 = right1_by_tau1*t17;
     /* reduced_jacobian */
-    const double t36 = -p3*t9 + t16 + t25;
-    const double t37 = p3*sin_omega1_half_tau*t4 - p3*t3;
+    const double t35 = -p3*z20 + t15 + t24;
+    const double t36 = p3*sin_omega1_half_tau*t4 - p3*t3;
     if (reduced_jacobian) {
-        reduced_jacobian[lane] = cos_omega1_half_tau_by_tau*(-t36 + t9) + cos_omega2_half_tau_by_tau*t36 + sin_omega1_half_tau_by_tau*(-p1*t14 + t14 + t24) + sin_omega2_half_tau_by_tau*(V*t30 - t2*t23) + t37*v10_by_tau;
-        reduced_jacobian[1*lanes + lane] = p1*t33 - p3*t33 + p3*t34 + t34 - t35 + t37*v10_by_tau1;
+        reduced_jacobian[lane] = cos_omega1_half_tau_by_tau*(-t35 + z20) + cos_omega2_half_tau_by_tau*t35 + sin_omega1_half_tau_by_tau*(-p1*t13 + t13 + t23) + sin_omega2_half_tau_by_tau*(V*t29 - t2*t22) + t36*v10_by_tau;
+        reduced_jacobian[1*lanes + lane] = p1*t32 - p3*t32 + p3*t33 + t33 - t34 + t36*v10_by_tau1;
         reduced_jacobian[2*lanes + lane] = sin_half_tau1*v10_by_tau;
-        reduced_jacobian[3*lanes + lane] = (1.0/2.0)*cos_half_tau1*t27 - cos_half_tau1*t32 + cos_half_tau1_by_tau1*(chi*t9 + t19) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t27 + v10);
+        reduced_jacobian[3*lanes + lane] = (1.0/2.0)*cos_half_tau1*t26 - cos_half_tau1*t31 + cos_half_tau1_by_tau1*(chi*z20 + t18) + sin_half_tau1*v10_by_tau1 + sin_half_tau1_by_tau1*(-t26 + v10);
     }
 }
 
@@ -1578,7 +1532,7 @@ void dry_friction_symmetric_reduced(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Operations: 672. Intermediate terms: 198. */
+ * Operations: 672. Intermediate terms: 195. */
 static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
@@ -1603,67 +1557,67 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
     const double t1 = chi*cos_tau;
-    const double t2 = chi - t1;
-    const double t3 = V*sin_tau;
-    const double t4 = chi*sin_tau;
-    const double t5 = chi*tau - t4;
-    const double z1_2 = V*t5 + cos_tau*z1_1 + t2*z2_1 + t3;
+    const double z1_2_by_z20 = chi - t1;
+    const double t2 = V*sin_tau;
+    const double v1_2_by_z20 = chi*sin_tau;
+    const double t3 = chi*tau - v1_2_by_z20;
+    const double z1_2 = V*t3 + cos_tau*z1_1 + t2 + z1_2_by_z20*z2_1;
     const double z2_2 = V*tau + z2_1;
-    const double t6 = V*cos_tau + V*t2;
-    const double v1_2 = -sin_tau*z1_1 + t4*z2_1 + t6;
+    const double z1_2_by_ta = V*cos_tau + V*z1_2_by_z20;
+    const double v1_2 = -sin_tau*z1_1 + v1_2_by_z20*z2_1 + z1_2_by_ta;
     /* functions of tau1 in slip-slip */
-    const double t7 = omega1*tau1;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t7);
+    const double t4 = omega1*tau1;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t4);
     const double cos_omega1_tau1 = wave_1.cosine;
     const double sin_omega1_tau1 = wave_1.sine;
-    const double t8 = omega2*tau1;
-    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t8);
+    const double t5 = omega2*tau1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t5);
     const double cos_omega2_tau1 = wave_2.cosine;
     const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t9 = 1 - p1;
-    const double t10 = cos_omega1_tau1*p1 + cos_omega2_tau1*t9;
-    const double t11 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t12 = (1.0/(omega1));
-    const double t13 = sin_omega1_tau1*t12;
-    const double t14 = (1.0/(omega2));
-    const double t15 = sin_omega2_tau1*t14;
-    const double t16 = p1*t13 + t15*t9;
-    const double t17 = p2*t13 - p2*t15;
-    const double z1_3 = V*t17 + t10*z1_2 + t11*z2_2 + t16*v1_2;
-    const double t18 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t19 = cos_omega1_tau1*t9 + cos_omega2_tau1*p1;
-    const double t20 = p3*t13 - p3*t15;
-    const double t21 = p1*t15 + t13*t9;
-    const double z2_3 = V*t21 + t18*z1_2 + t19*z2_2 + t20*v1_2;
-    const double t22 = omega1*sin_omega1_tau1;
-    const double t23 = omega2*sin_omega2_tau1;
-    const double t24 = -p1*t22 - t23*t9;
-    const double t25 = -p2*t22 + p2*t23;
-    const double t26 = V*t11;
-    const double t27 = t10*v1_2 + t26;
-    const double v1_3 = t24*z1_2 + t25*z2_2 + t27;
-    const double t28 = -p3*t22 + p3*t23;
-    const double t29 = p1*t23 + t22*t9;
-    const double t30 = V*t19;
-    const double t31 = t18*v1_2 + t30;
-    const double v2_3 = t28*z1_2 - t29*z2_2 + t31;
+    const double t6 = 1 - p1;
+    const double t7 = cos_omega1_tau1*p1 + cos_omega2_tau1*t6;
+    const double t8 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t9 = (1.0/(omega1));
+    const double t10 = sin_omega1_tau1*t9;
+    const double t11 = (1.0/(omega2));
+    const double t12 = sin_omega2_tau1*t11;
+    const double t13 = p1*t10 + t12*t6;
+    const double t14 = p2*t10 - p2*t12;
+    const double z1_3 = V*t14 + t13*v1_2 + t7*z1_2 + t8*z2_2;
+    const double t15 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t16 = cos_omega1_tau1*t6 + cos_omega2_tau1*p1;
+    const double t17 = p3*t10 - p3*t12;
+    const double t18 = p1*t12 + t10*t6;
+    const double z2_3 = V*t18 + t15*z1_2 + t16*z2_2 + t17*v1_2;
+    const double t19 = omega1*sin_omega1_tau1;
+    const double t20 = omega2*sin_omega2_tau1;
+    const double t21 = -p1*t19 - t20*t6;
+    const double t22 = -p2*t19 + p2*t20;
+    const double t23 = V*t8;
+    const double t24 = t23 + t7*v1_2;
+    const double v1_3 = t21*z1_2 + t22*z2_2 + t24;
+    const double t25 = -p3*t19 + p3*t20;
+    const double t26 = p1*t20 + t19*t6;
+    const double t27 = V*t16;
+    const double t28 = t15*v1_2 + t27;
+    const double v2_3 = t25*z1_2 - t26*z2_2 + t28;
     /* functions of tau2 in stick-slip */
-    const double t32 = omega3*tau2;
-    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t32);
+    const double t29 = omega3*tau2;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t29);
     const double cos_omega3_tau2 = wave_3.cosine;
     const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t33 = 1 - cos_omega3_tau2;
-    const double t34 = (1.0/(omega3));
-    const double t35 = sin_omega3_tau2*t34;
-    const double t36 = -t35 + tau2;
-    const double z2_4 = V*t36 + cos_omega3_tau2*z2_3 + t33*z1_3 + t35*v2_3;
-    const double t37 = cos_omega3_tau2*v2_3;
-    const double t38 = sin_omega3_tau2*z1_3;
-    const double t39 = sin_omega3_tau2*z2_3;
-    const double v2_4 = V*t33 + omega3*t38 - omega3*t39 + t37;
+    const double t30 = 1 - cos_omega3_tau2;
+    const double t31 = (1.0/(omega3));
+    const double t32 = sin_omega3_tau2*t31;
+    const double t33 = -t32 + tau2;
+    const double z2_4 = V*t33 + cos_omega3_tau2*z2_3 + t30*z1_3 + t32*v2_3;
+    const double t34 = cos_omega3_tau2*v2_3;
+    const double t35 = sin_omega3_tau2*z1_3;
+    const double t36 = sin_omega3_tau2*z2_3;
+    const double v2_4 = V*t30 + omega3*t35 - omega3*t36 + t34;
     if (residual) {
         residual[lane] = -chi*z2_1 - e1 + z1_1;
         residual[1*lanes + lane] = -chi*z1_2 + chi*z2_2 - e2;
@@ -1675,61 +1629,58 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
     if (!jacobian && !parameter_jacobian)
         return;
     /* derivatives of the state after tau */
-    const double z1_2_by_z20 = t2;
-    const double z1_2_by_ta = t6;
     const double v1_2_by_z10 = -sin_tau;
-    const double v1_2_by_z20 = t4;
-    const double v1_2_by_ta = chi*t3 - t3;
+    const double v1_2_by_ta = chi*t2 - t2;
     const double v1_2_by_tau = chi*z2_2 - z1_2;
     /* derivatives of the state after tau1 */
-    const double z1_3_by_z10 = cos_tau*t10 + t16*v1_2_by_z10;
-    const double z1_3_by_z20 = t10*z1_2_by_z20 + t11 + t16*v1_2_by_z20;
-    const double z1_3_by_ta = t10*z1_2_by_ta + t16*v1_2_by_ta + t26;
-    const double z1_3_by_tau = t16*v1_2_by_tau + t27;
-    const double z2_3_by_z10 = cos_tau*t18 + t20*v1_2_by_z10;
-    const double z2_3_by_z20 = t18*z1_2_by_z20 + t19 + t20*v1_2_by_z20;
-    const double z2_3_by_ta = t18*z1_2_by_ta + t20*v1_2_by_ta + t30;
-    const double z2_3_by_tau = t20*v1_2_by_tau + t31;
-    const double v1_3_by_z10 = cos_tau*t24 + t10*v1_2_by_z10;
-    const double v1_3_by_z20 = t10*v1_2_by_z20 + t24*z1_2_by_z20 + t25;
-    const double t40 = V*t25;
-    const double v1_3_by_ta = t10*v1_2_by_ta + t24*z1_2_by_ta + t40;
-    const double v1_3_by_tau = t10*v1_2_by_tau + t24*v1_2 + t40;
-    const double t41 = chi*z2_3;
-    const double v1_3_by_tau1 = t41 - z1_3;
-    const double v2_3_by_z10 = cos_tau*t28 + t18*v1_2_by_z10;
-    const double v2_3_by_z20 = t18*v1_2_by_z20 + t28*z1_2_by_z20 - t29;
-    const double t42 = -V*t29;
-    const double v2_3_by_ta = t18*v1_2_by_ta + t28*z1_2_by_ta + t42;
-    const double v2_3_by_tau = t18*v1_2_by_tau + t28*v1_2 + t42;
-    const double t43 = chi*eta;
-    const double v2_3_by_tau1 = -eta*t41 + t43*z1_3;
+    const double z1_3_by_z10 = cos_tau*t7 + t13*v1_2_by_z10;
+    const double z1_3_by_z20 = t13*v1_2_by_z20 + t7*z1_2_by_z20 + t8;
+    const double z1_3_by_ta = t13*v1_2_by_ta + t23 + t7*z1_2_by_ta;
+    const double z1_3_by_tau = t13*v1_2_by_tau + t24;
+    const double z2_3_by_z10 = cos_tau*t15 + t17*v1_2_by_z10;
+    const double z2_3_by_z20 = t15*z1_2_by_z20 + t16 + t17*v1_2_by_z20;
+    const double z2_3_by_ta = t15*z1_2_by_ta + t17*v1_2_by_ta + t27;
+    const double z2_3_by_tau = t17*v1_2_by_tau + t28;
+    const double v1_3_by_z10 = cos_tau*t21 + t7*v1_2_by_z10;
+    const double v1_3_by_z20 = t21*z1_2_by_z20 + t22 + t7*v1_2_by_z20;
+    const double t37 = V*t22;
+    const double v1_3_by_ta = t21*z1_2_by_ta + t37 + t7*v1_2_by_ta;
+    const double v1_3_by_tau = t21*v1_2 + t37 + t7*v1_2_by_tau;
+    const double t38 = chi*z2_3;
+    const double v1_3_by_tau1 = t38 - z1_3;
+    const double v2_3_by_z10 = cos_tau*t25 + t15*v1_2_by_z10;
+    const double v2_3_by_z20 = t15*v1_2_by_z20 + t25*z1_2_by_z20 - t26;
+    const double t39 = -V*t26;
+    const double v2_3_by_ta = t15*v1_2_by_ta + t25*z1_2_by_ta + t39;
+    const double v2_3_by_tau = t15*v1_2_by_tau + t25*v1_2 + t39;
+    const double t40 = chi*eta;
+    const double v2_3_by_tau1 = -eta*t38 + t40*z1_3;
     /* derivatives of the state after tau2 */
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t33*z1_3_by_z10 + t35*v2_3_by_z10;
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t33*z1_3_by_z20 + t35*v2_3_by_z20;
-    const double z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t33*z1_3_by_ta + t35*v2_3_by_ta;
-    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t33*z1_3_by_tau + t35*v2_3_by_tau;
-    const double z2_4_by_tau1 = t33*v1_3 + t35*v2_3_by_tau1 + t37;
-    const double t44 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t44*z1_3_by_z10 - t44*z2_3_by_z10;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t44*z1_3_by_z20 - t44*z2_3_by_z20;
-    const double v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t44*z1_3_by_ta - t44*z2_3_by_ta;
-    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t44*z1_3_by_tau - t44*z2_3_by_tau;
-    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t44*v1_3 - t44*v2_3;
-    const double v2_4_by_tau2 = t43*z1_4 - t43*z2_4;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t30*z1_3_by_z10 + t32*v2_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t30*z1_3_by_z20 + t32*v2_3_by_z20;
+    const double z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t30*z1_3_by_ta + t32*v2_3_by_ta;
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t30*z1_3_by_tau + t32*v2_3_by_tau;
+    const double z2_4_by_tau1 = t30*v1_3 + t32*v2_3_by_tau1 + t34;
+    const double t41 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t41*z1_3_by_z10 - t41*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t41*z1_3_by_z20 - t41*z2_3_by_z20;
+    const double v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t41*z1_3_by_ta - t41*z2_3_by_ta;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t41*z1_3_by_tau - t41*z2_3_by_tau;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t41*v1_3 - t41*v2_3;
+    const double v2_4_by_tau2 = t40*z1_4 - t40*z2_4;
     /* jacobian */
-    const double t45 = V*chi;
+    const double t42 = V*chi;
     if (jacobian) {
         jacobian[lane] = 1;
         jacobian[1*lanes + lane] = -chi;
-        jacobian[2*lanes + lane] = V - t45;
+        jacobian[2*lanes + lane] = V - t42;
         jacobian[3*lanes + lane] = 0;
         jacobian[4*lanes + lane] = 0;
         jacobian[5*lanes + lane] = 0;
         jacobian[6*lanes + lane] = -t1;
         jacobian[7*lanes + lane] = -chi*z1_2_by_z20 + chi;
-        jacobian[8*lanes + lane] = -chi*z1_2_by_ta + t45;
-        jacobian[9*lanes + lane] = -chi*v1_2 + t45;
+        jacobian[8*lanes + lane] = -chi*z1_2_by_ta + t42;
+        jacobian[9*lanes + lane] = -chi*v1_2 + t42;
         jacobian[10*lanes + lane] = 0;
         jacobian[11*lanes + lane] = 0;
         jacobian[12*lanes + lane] = v1_3_by_z10;
@@ -1772,114 +1723,114 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_equations_in_lane(
         omega3_by_chi = spectrum_derivatives[12*lanes + lane],
         omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
-    const double t46 = 1 - cos_tau;
-    const double z1_2_by_chi = V*(-sin_tau + tau) + t46*z2_1;
-    const double v1_2_by_chi = V*t46 + sin_tau*z2_1;
+    const double t43 = 1 - cos_tau;
+    const double z1_2_by_chi = V*(-sin_tau + tau) + t43*z2_1;
+    const double v1_2_by_chi = V*t43 + sin_tau*z2_1;
     /* d/dV of: slip-stick for tau, until second-breaks-forward */
-    const double z1_2_by_V = cos_tau*ta + sin_tau + t2*ta + t5;
+    const double z1_2_by_V = cos_tau*ta + sin_tau + t3 + ta*z1_2_by_z20;
     const double z2_2_by_V = ta + tau;
-    const double v1_2_by_V = chi + cos_tau - sin_tau*ta - t1 + t4*ta;
+    const double v1_2_by_V = chi + cos_tau - sin_tau*ta - t1 + ta*v1_2_by_z20;
     /* d/dchi of: functions of tau1 in slip-slip */
-    const double t47 = omega1_by_chi*tau1;
-    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t47;
-    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t47;
-    const double t48 = omega2_by_chi*tau1;
-    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t48;
-    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t48;
+    const double t44 = omega1_by_chi*tau1;
+    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t44;
+    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t44;
+    const double t45 = omega2_by_chi*tau1;
+    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t45;
+    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t45;
     /* d/deta of: functions of tau1 in slip-slip */
-    const double t49 = omega1_by_eta*tau1;
-    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t49;
-    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t49;
-    const double t50 = omega2_by_eta*tau1;
-    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t50;
-    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t50;
+    const double t46 = omega1_by_eta*tau1;
+    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t46;
+    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t46;
+    const double t47 = omega2_by_eta*tau1;
+    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t47;
+    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t47;
     /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
-    const double t51 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t52 = t13 - t15;
-    const double t53 = V*t52 + t51*z2_2;
-    const double t54 = t51*z1_2 + t52*v1_2;
-    const double t55 = V*p2;
-    const double t56 = (1.0/(omega2*omega2));
-    const double t57 = sin_omega2_tau1*t56;
-    const double t58 = t55*t57 - t57*t9*v1_2;
-    const double t59 = sin_omega1_tau1/(omega1*omega1);
-    const double t60 = p1*v1_2;
-    const double t61 = -t55*t59 - t59*t60;
-    const double t62 = p2*z2_2;
-    const double t63 = p1*z1_2;
-    const double t64 = t62 + t63;
-    const double t65 = t12*t55 + t12*t60;
-    const double t66 = -t62 + t9*z1_2;
-    const double t67 = -t14*t55 + t14*t9*v1_2;
-    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t64 + cos_omega2_tau1_by_chi*t66 + omega1_by_chi*t61 + omega2_by_chi*t58 + p1_by_chi*t54 + p2_by_chi*t53 + sin_omega1_tau1_by_chi*t65 + sin_omega2_tau1_by_chi*t67 + t10*z1_2_by_chi + t16*v1_2_by_chi;
-    const double t68 = -V*t52 - t51*z2_2;
-    const double t69 = V*p1;
-    const double t70 = p3*sin_omega2_tau1*t56*v1_2 - t57*t69;
-    const double t71 = p3*v1_2;
-    const double t72 = V*t9;
-    const double t73 = -t59*t71 - t59*t72;
-    const double t74 = p3*z1_2;
-    const double t75 = t9*z2_2;
-    const double t76 = t74 + t75;
-    const double t77 = t12*t71 + t12*t72;
-    const double t78 = p1*z2_2 - t74;
-    const double t79 = t14*t69 - t14*t71;
-    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t76 + cos_omega2_tau1_by_chi*t78 + omega1_by_chi*t73 + omega2_by_chi*t70 + p1_by_chi*t68 + p3_by_chi*t54 + sin_omega1_tau1_by_chi*t77 + sin_omega2_tau1_by_chi*t79 + t18*z1_2_by_chi + t20*v1_2_by_chi;
-    const double t80 = -t22 + t23;
-    const double t81 = V*t51 + t80*z2_2;
-    const double t82 = t51*v1_2 + t80*z1_2;
-    const double t83 = t9*z1_2;
-    const double t84 = sin_omega2_tau1*t62 - sin_omega2_tau1*t83;
-    const double t85 = -sin_omega1_tau1*t62 - sin_omega1_tau1*t63;
-    const double t86 = t55 + t60;
-    const double t87 = -omega1*t62 - omega1*t63;
-    const double t88 = -t55 + t9*v1_2;
-    const double t89 = omega2*t62 - omega2*t83;
-    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t86 + cos_omega2_tau1_by_chi*t88 + omega1_by_chi*t85 + omega2_by_chi*t84 + p1_by_chi*t82 + p2_by_chi*t81 + sin_omega1_tau1_by_chi*t87 + sin_omega2_tau1_by_chi*t89 + t10*v1_2_by_chi + t24*z1_2_by_chi;
-    const double t90 = -V*t51 - t80*z2_2;
-    const double t91 = p1*z2_2;
-    const double t92 = sin_omega2_tau1*t74 - sin_omega2_tau1*t91;
-    const double t93 = -sin_omega1_tau1*t74 - sin_omega1_tau1*t75;
-    const double t94 = t71 + t72;
-    const double t95 = -omega1*t74 - omega1*t75;
-    const double t96 = t69 - t71;
-    const double t97 = omega2*t74 - omega2*t91;
-    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t94 + cos_omega2_tau1_by_chi*t96 + omega1_by_chi*t93 + omega2_by_chi*t92 + p1_by_chi*t90 + p3_by_chi*t82 + sin_omega1_tau1_by_chi*t95 + sin_omega2_tau1_by_chi*t97 + t18*v1_2_by_chi + t28*z1_2_by_chi;
+    const double t48 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t49 = t10 - t12;
+    const double t50 = V*t49 + t48*z2_2;
+    const double t51 = t48*z1_2 + t49*v1_2;
+    const double t52 = V*p2;
+    const double t53 = (1.0/(omega2*omega2));
+    const double t54 = sin_omega2_tau1*t53;
+    const double t55 = t52*t54 - t54*t6*v1_2;
+    const double t56 = sin_omega1_tau1/(omega1*omega1);
+    const double t57 = p1*v1_2;
+    const double t58 = -t52*t56 - t56*t57;
+    const double t59 = p2*z2_2;
+    const double t60 = p1*z1_2;
+    const double t61 = t59 + t60;
+    const double t62 = t52*t9 + t57*t9;
+    const double t63 = -t59 + t6*z1_2;
+    const double t64 = -t11*t52 + t11*t6*v1_2;
+    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t61 + cos_omega2_tau1_by_chi*t63 + omega1_by_chi*t58 + omega2_by_chi*t55 + p1_by_chi*t51 + p2_by_chi*t50 + sin_omega1_tau1_by_chi*t62 + sin_omega2_tau1_by_chi*t64 + t13*v1_2_by_chi + t7*z1_2_by_chi;
+    const double t65 = -V*t49 - t48*z2_2;
+    const double t66 = V*p1;
+    const double t67 = p3*sin_omega2_tau1*t53*v1_2 - t54*t66;
+    const double t68 = p3*v1_2;
+    const double t69 = V*t6;
+    const double t70 = -t56*t68 - t56*t69;
+    const double t71 = p3*z1_2;
+    const double t72 = t6*z2_2;
+    const double t73 = t71 + t72;
+    const double t74 = t68*t9 + t69*t9;
+    const double t75 = p1*z2_2 - t71;
+    const double t76 = t11*t66 - t11*t68;
+    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t73 + cos_omega2_tau1_by_chi*t75 + omega1_by_chi*t70 + omega2_by_chi*t67 + p1_by_chi*t65 + p3_by_chi*t51 + sin_omega1_tau1_by_chi*t74 + sin_omega2_tau1_by_chi*t76 + t15*z1_2_by_chi + t17*v1_2_by_chi;
+    const double t77 = -t19 + t20;
+    const double t78 = V*t48 + t77*z2_2;
+    const double t79 = t48*v1_2 + t77*z1_2;
+    const double t80 = t6*z1_2;
+    const double t81 = sin_omega2_tau1*t59 - sin_omega2_tau1*t80;
+    const double t82 = -sin_omega1_tau1*t59 - sin_omega1_tau1*t60;
+    const double t83 = t52 + t57;
+    const double t84 = -omega1*t59 - omega1*t60;
+    const double t85 = -t52 + t6*v1_2;
+    const double t86 = omega2*t59 - omega2*t80;
+    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t83 + cos_omega2_tau1_by_chi*t85 + omega1_by_chi*t82 + omega2_by_chi*t81 + p1_by_chi*t79 + p2_by_chi*t78 + sin_omega1_tau1_by_chi*t84 + sin_omega2_tau1_by_chi*t86 + t21*z1_2_by_chi + t7*v1_2_by_chi;
+    const double t87 = -V*t48 - t77*z2_2;
+    const double t88 = p1*z2_2;
+    const double t89 = sin_omega2_tau1*t71 - sin_omega2_tau1*t88;
+    const double t90 = -sin_omega1_tau1*t71 - sin_omega1_tau1*t72;
+    const double t91 = t68 + t69;
+    const double t92 = -omega1*t71 - omega1*t72;
+    const double t93 = t66 - t68;
+    const double t94 = omega2*t71 - omega2*t88;
+    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t91 + cos_omega2_tau1_by_chi*t93 + omega1_by_chi*t90 + omega2_by_chi*t89 + p1_by_chi*t87 + p3_by_chi*t79 + sin_omega1_tau1_by_chi*t92 + sin_omega2_tau1_by_chi*t94 + t15*v1_2_by_chi + t25*z1_2_by_chi;
     /* d/deta of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t64 + cos_omega2_tau1_by_eta*t66 + omega1_by_eta*t61 + omega2_by_eta*t58 + p1_by_eta*t54 + p2_by_eta*t53 + sin_omega1_tau1_by_eta*t65 + sin_omega2_tau1_by_eta*t67;
-    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t76 + cos_omega2_tau1_by_eta*t78 + omega1_by_eta*t73 + omega2_by_eta*t70 + p1_by_eta*t68 + p3_by_eta*t54 + sin_omega1_tau1_by_eta*t77 + sin_omega2_tau1_by_eta*t79;
-    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t86 + cos_omega2_tau1_by_eta*t88 + omega1_by_eta*t85 + omega2_by_eta*t84 + p1_by_eta*t82 + p2_by_eta*t81 + sin_omega1_tau1_by_eta*t87 + sin_omega2_tau1_by_eta*t89;
-    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t94 + cos_omega2_tau1_by_eta*t96 + omega1_by_eta*t93 + omega2_by_eta*t92 + p1_by_eta*t90 + p3_by_eta*t82 + sin_omega1_tau1_by_eta*t95 + sin_omega2_tau1_by_eta*t97;
+    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t61 + cos_omega2_tau1_by_eta*t63 + omega1_by_eta*t58 + omega2_by_eta*t55 + p1_by_eta*t51 + p2_by_eta*t50 + sin_omega1_tau1_by_eta*t62 + sin_omega2_tau1_by_eta*t64;
+    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t73 + cos_omega2_tau1_by_eta*t75 + omega1_by_eta*t70 + omega2_by_eta*t67 + p1_by_eta*t65 + p3_by_eta*t51 + sin_omega1_tau1_by_eta*t74 + sin_omega2_tau1_by_eta*t76;
+    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t83 + cos_omega2_tau1_by_eta*t85 + omega1_by_eta*t82 + omega2_by_eta*t81 + p1_by_eta*t79 + p2_by_eta*t78 + sin_omega1_tau1_by_eta*t84 + sin_omega2_tau1_by_eta*t86;
+    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t91 + cos_omega2_tau1_by_eta*t93 + omega1_by_eta*t90 + omega2_by_eta*t89 + p1_by_eta*t87 + p3_by_eta*t79 + sin_omega1_tau1_by_eta*t92 + sin_omega2_tau1_by_eta*t94;
     /* d/dV of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_V = t10*z1_2_by_V + t11*z2_2_by_V + t16*v1_2_by_V + t17;
-    const double z2_3_by_V = t18*z1_2_by_V + t19*z2_2_by_V + t20*v1_2_by_V + t21;
-    const double v1_3_by_V = t10*v1_2_by_V + t11 + t24*z1_2_by_V + t25*z2_2_by_V;
-    const double v2_3_by_V = t18*v1_2_by_V + t19 + t28*z1_2_by_V - t29*z2_2_by_V;
+    const double z1_3_by_V = t13*v1_2_by_V + t14 + t7*z1_2_by_V + t8*z2_2_by_V;
+    const double z2_3_by_V = t15*z1_2_by_V + t16*z2_2_by_V + t17*v1_2_by_V + t18;
+    const double v1_3_by_V = t21*z1_2_by_V + t22*z2_2_by_V + t7*v1_2_by_V + t8;
+    const double v2_3_by_V = t15*v1_2_by_V + t16 + t25*z1_2_by_V - t26*z2_2_by_V;
     /* d/dchi of: functions of tau2 in stick-slip */
-    const double t98 = omega3_by_chi*tau2;
-    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t98;
-    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t98;
+    const double t95 = omega3_by_chi*tau2;
+    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t95;
+    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t95;
     /* d/deta of: functions of tau2 in stick-slip */
-    const double t99 = omega3_by_eta*tau2;
-    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t99;
-    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t99;
+    const double t96 = omega3_by_eta*tau2;
+    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t96;
+    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t96;
     /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
-    const double t100 = sin_omega3_tau2/(omega3*omega3);
-    const double t101 = V*t100 - t100*v2_3;
-    const double t102 = -z1_3 + z2_3;
-    const double t103 = -V*t34 + t34*v2_3;
-    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t102 + omega3_by_chi*t101 + sin_omega3_tau2_by_chi*t103 + t33*z1_3_by_chi + t35*v2_3_by_chi;
-    const double t104 = t38 - t39;
-    const double t105 = -V + v2_3;
-    const double t106 = omega3*z1_3 - omega3*z2_3;
-    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t105 + omega3_by_chi*t104 + sin_omega3_tau2_by_chi*t106 + t44*z1_3_by_chi - t44*z2_3_by_chi;
+    const double t97 = sin_omega3_tau2/(omega3*omega3);
+    const double t98 = V*t97 - t97*v2_3;
+    const double t99 = -z1_3 + z2_3;
+    const double t100 = -V*t31 + t31*v2_3;
+    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t99 + omega3_by_chi*t98 + sin_omega3_tau2_by_chi*t100 + t30*z1_3_by_chi + t32*v2_3_by_chi;
+    const double t101 = t35 - t36;
+    const double t102 = -V + v2_3;
+    const double t103 = omega3*z1_3 - omega3*z2_3;
+    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t102 + omega3_by_chi*t101 + sin_omega3_tau2_by_chi*t103 + t41*z1_3_by_chi - t41*z2_3_by_chi;
     /* d/deta of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t102 + omega3_by_eta*t101 + sin_omega3_tau2_by_eta*t103 + t33*z1_3_by_eta + t35*v2_3_by_eta;
-    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t105 + omega3_by_eta*t104 + sin_omega3_tau2_by_eta*t106 + t44*z1_3_by_eta - t44*z2_3_by_eta;
+    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t99 + omega3_by_eta*t98 + sin_omega3_tau2_by_eta*t100 + t30*z1_3_by_eta + t32*v2_3_by_eta;
+    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t102 + omega3_by_eta*t101 + sin_omega3_tau2_by_eta*t103 + t41*z1_3_by_eta - t41*z2_3_by_eta;
     /* d/dV of: stick-slip for tau2, until second-reaches-belt */
     const double z1_4_by_V = tau2 + z1_3_by_V;
-    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t33*z1_3_by_V + t35*v2_3_by_V + t36;
-    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t44*z1_3_by_V - t44*z2_3_by_V + 1;
+    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t30*z1_3_by_V + t32*v2_3_by_V + t33;
+    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t41*z1_3_by_V - t41*z2_3_by_V + 1;
     if (parameter_jacobian) {
         parameter_jacobian[lane] = -z2_1;
         parameter_jacobian[1*lanes + lane] = 0;
@@ -1925,7 +1876,7 @@ void dry_friction_global_stick_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 758. Intermediate terms: 179. */
+ * Operations: 758. Intermediate terms: 175. */
 static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -1998,17 +1949,16 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
     /* d/dtau of: functions of tau in slip-stick */
     const double cos_tau_by_tau = -sin_tau;
-    const double sin_tau_by_tau = cos_tau;
     /* d/dtau of: z2_1: linear in second-breaks-forward */
-    const double t32 = -V*sin_tau_by_tau;
+    const double t32 = -V*cos_tau;
     const double t33 = cos_tau_by_tau*e1;
     const double z2_1_by_tau = -V - t2*t33 - t32;
     /* d/dtau of: slip-stick for tau */
     const double t34 = V*chi;
     const double t35 = V - t34;
-    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t35 + t33 + t34;
+    const double z1_2_by_tau = chi*z2_1_by_tau + cos_tau*t35 + t33 + t34;
     const double z2_2_by_tau = V + z2_1_by_tau;
-    const double v1_2_by_tau = cos_tau_by_tau*t35 - e1*sin_tau_by_tau;
+    const double v1_2_by_tau = -cos_tau*e1 + cos_tau_by_tau*t35;
     /* d/dtau of: slip-slip for tau1 */
     const double z1_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t20*v1_2_by_tau;
     const double z2_3_by_tau = t22*z1_2_by_tau + t23*z2_2_by_tau + t24*v1_2_by_tau;
@@ -2059,26 +2009,23 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
         omega3_by_chi = spectrum_derivatives[12*lanes + lane],
         omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: d/dtau1 of: first return of tau2 */
-    const double t51 = t44*t46;
-    const double t52 = t47*t51;
-    const double slope_by_amplitude_tau2_by_tau1 = -t52*v1_3_by_tau;
-    /* back through: d/dtau of: first return of tau2 */
-    const double slope_by_amplitude_tau2_by_tau = t51;
+    const double slope_by_amplitude_tau2_by_tau = t44*t46;
+    const double t51 = slope_by_amplitude_tau2_by_tau*t47;
+    const double slope_by_amplitude_tau2_by_tau1 = -t51*v1_3_by_tau;
     /* back through: d/dtau1 of: first return of tau2 */
-    const double t53 = sine_part_tau2*t41;
-    const double slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t53;
+    const double t52 = sine_part_tau2*t41;
+    const double slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t52;
     /* back through: d/dtau of: first return of tau2 */
-    const double slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t53;
+    const double slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t52;
     /* back through: d/dtau1 of: slip-slip for tau1 */
-    const double t54 = cosine_part_tau2*t41;
-    const double slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t54;
-    const double slope_by_v1_3_by_tau1 = t48*t51/(v1_3_by_tau1*v1_3_by_tau1);
+    const double t53 = cosine_part_tau2*t41;
+    const double slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t53;
+    const double slope_by_v1_3_by_tau1 = slope_by_amplitude_tau2_by_tau*t48/(v1_3_by_tau1*v1_3_by_tau1);
     /* back through: d/dtau of: slip-slip for tau1 */
-    const double slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t54;
-    const double slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t52;
-    const double t55 = omega3*slope_by_sine_part_tau2_by_tau;
-    const double slope_by_z2_3_by_tau = -t55;
-    const double slope_by_z1_3_by_tau = t55;
+    const double slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t53;
+    const double slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t51;
+    const double slope_by_z1_3_by_tau = omega3*slope_by_sine_part_tau2_by_tau;
+    const double slope_by_z2_3_by_tau = -slope_by_z1_3_by_tau;
     /* back through: d/dtau of: slip-stick for tau */
     const double slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t14 + slope_by_v2_3_by_tau*t22 + slope_by_z1_3_by_tau*t20 + slope_by_z2_3_by_tau*t24;
     const double slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t29 + slope_by_v2_3_by_tau*t31 + slope_by_z1_3_by_tau*t15 + slope_by_z2_3_by_tau*t23;
@@ -2089,49 +2036,48 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     const double slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t35;
     const double slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t35 - slope_by_z2_1_by_tau*t3;
     /* back through: first return of tau2 */
-    const double t56 = (1.0/2.0)/(amplitude_tau2*amplitude_tau2);
-    const double slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t40*t56 - slope_by_amplitude_tau2_by_tau1*t43*t56;
+    const double t54 = (1.0/2.0)/(amplitude_tau2*amplitude_tau2);
+    const double slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t40*t54 - slope_by_amplitude_tau2_by_tau1*t43*t54;
     /* back through: first return of tau2 */
-    const double t57 = slope_by_amplitude_tau2_by_tau*t41;
-    const double t58 = slope_by_amplitude_tau2_by_tau1*t41;
-    const double slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t57 + sine_part_tau2_by_tau1*t58 + slope_by_amplitude_tau2*t53;
-    const double slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t54 + t57*v2_3_by_tau + t58*v2_3_by_tau1;
+    const double t55 = slope_by_amplitude_tau2_by_tau*t41;
+    const double t56 = slope_by_amplitude_tau2_by_tau1*t41;
+    const double slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t55 + sine_part_tau2_by_tau1*t56 + slope_by_amplitude_tau2*t52;
+    const double slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t53 + t55*v2_3_by_tau + t56*v2_3_by_tau1;
     /* back through: slip-slip for tau1 */
-    const double t59 = omega3*slope_by_sine_part_tau2_by_tau1;
-    const double slope_by_v2_3 = slope_by_cosine_part_tau2 - t59;
-    const double slope_by_v1_3 = t59;
-    const double t60 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2;
-    const double slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t60;
-    const double slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t60;
+    const double slope_by_v1_3 = omega3*slope_by_sine_part_tau2_by_tau1;
+    const double slope_by_v2_3 = slope_by_cosine_part_tau2 - slope_by_v1_3;
+    const double t57 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2;
+    const double slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t57;
+    const double slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t57;
     /* back through: functions of tau1 in slip-slip */
-    const double t61 = p3*z1_2_by_tau;
-    const double t62 = p1*z2_2_by_tau;
-    const double t63 = p2*z2_2_by_tau;
-    const double t64 = t13*z1_2_by_tau;
-    const double t65 = p3*z1_2;
-    const double t66 = p1*z2_2;
-    const double t67 = p2*z2_2;
-    const double t68 = t13*z1_2;
-    const double t69 = V*p1;
-    const double t70 = p3*v1_2;
-    const double t71 = V*p2;
-    const double t72 = slope_by_z1_3_by_tau*v1_2_by_tau;
-    const double t73 = t13*t72;
-    const double t74 = p3*v1_2_by_tau;
-    const double t75 = slope_by_z2_3_by_tau*t74;
-    const double slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t67 - omega2*t68) + slope_by_v1_3_by_tau*(omega2*t63 - omega2*t64) + slope_by_v2_3*(omega2*t65 - omega2*t66) + slope_by_v2_3_by_tau*(omega2*t61 - omega2*t62) + slope_by_z1_3*(t13*t18*v1_2 - t18*t71) + slope_by_z2_3*(t18*t69 - t18*t70) + t18*t73 - t18*t75;
-    const double t76 = slope_by_v1_3_by_tau*v1_2_by_tau;
-    const double t77 = slope_by_v2_3_by_tau*t74;
-    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t71) + slope_by_v2_3*(t69 - t70) + slope_by_z1_3*(t13*z1_2 - t67) + slope_by_z1_3_by_tau*(t13*z1_2_by_tau - t63) + slope_by_z2_3*(p1*z2_2 - t65) + slope_by_z2_3_by_tau*(p1*z2_2_by_tau - t61) + t13*t76 - t77;
-    const double t78 = t13*z2_2_by_tau;
-    const double t79 = p1*z1_2_by_tau;
-    const double t80 = t13*z2_2;
-    const double t81 = p1*z1_2;
-    const double t82 = V*t13;
-    const double t83 = p1*v1_2;
-    const double t84 = p1*t72;
-    const double slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t67 - omega1*t81) + slope_by_v1_3_by_tau*(-omega1*t63 - omega1*t79) + slope_by_v2_3*(-omega1*t65 - omega1*t80) + slope_by_v2_3_by_tau*(-omega1*t61 - omega1*t78) + slope_by_z1_3*(t16*t71 + t16*t83) + slope_by_z2_3*(t16*t70 + t16*t82) + t16*t75 + t16*t84;
-    const double slope_by_cos_omega1_tau1 = p1*t76 + slope_by_v1_3*(t71 + t83) + slope_by_v2_3*(t70 + t82) + slope_by_z1_3*(t67 + t81) + slope_by_z1_3_by_tau*(t63 + t79) + slope_by_z2_3*(t65 + t80) + slope_by_z2_3_by_tau*(t61 + t78) + t77;
+    const double t58 = p3*z1_2_by_tau;
+    const double t59 = p1*z2_2_by_tau;
+    const double t60 = p2*z2_2_by_tau;
+    const double t61 = t13*z1_2_by_tau;
+    const double t62 = p3*z1_2;
+    const double t63 = p1*z2_2;
+    const double t64 = p2*z2_2;
+    const double t65 = t13*z1_2;
+    const double t66 = V*p1;
+    const double t67 = p3*v1_2;
+    const double t68 = V*p2;
+    const double t69 = slope_by_z1_3_by_tau*v1_2_by_tau;
+    const double t70 = t13*t69;
+    const double t71 = p3*v1_2_by_tau;
+    const double t72 = slope_by_z2_3_by_tau*t71;
+    const double slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t64 - omega2*t65) + slope_by_v1_3_by_tau*(omega2*t60 - omega2*t61) + slope_by_v2_3*(omega2*t62 - omega2*t63) + slope_by_v2_3_by_tau*(omega2*t58 - omega2*t59) + slope_by_z1_3*(t13*t18*v1_2 - t18*t68) + slope_by_z2_3*(t18*t66 - t18*t67) + t18*t70 - t18*t72;
+    const double t73 = slope_by_v1_3_by_tau*v1_2_by_tau;
+    const double t74 = slope_by_v2_3_by_tau*t71;
+    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t68) + slope_by_v2_3*(t66 - t67) + slope_by_z1_3*(t13*z1_2 - t64) + slope_by_z1_3_by_tau*(t13*z1_2_by_tau - t60) + slope_by_z2_3*(p1*z2_2 - t62) + slope_by_z2_3_by_tau*(p1*z2_2_by_tau - t58) + t13*t73 - t74;
+    const double t75 = t13*z2_2_by_tau;
+    const double t76 = p1*z1_2_by_tau;
+    const double t77 = t13*z2_2;
+    const double t78 = p1*z1_2;
+    const double t79 = V*t13;
+    const double t80 = p1*v1_2;
+    const double t81 = p1*t69;
+    const double slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t64 - omega1*t78) + slope_by_v1_3_by_tau*(-omega1*t60 - omega1*t76) + slope_by_v2_3*(-omega1*t62 - omega1*t77) + slope_by_v2_3_by_tau*(-omega1*t58 - omega1*t75) + slope_by_z1_3*(t16*t68 + t16*t80) + slope_by_z2_3*(t16*t67 + t16*t79) + t16*t72 + t16*t81;
+    const double slope_by_cos_omega1_tau1 = p1*t73 + slope_by_v1_3*(t68 + t80) + slope_by_v2_3*(t67 + t79) + slope_by_z1_3*(t64 + t78) + slope_by_z1_3_by_tau*(t60 + t76) + slope_by_z2_3*(t62 + t77) + slope_by_z2_3_by_tau*(t58 + t75) + t74;
     /* back through: slip-stick for tau */
     const double slope_by_v1_2 = slope_by_v1_3*t14 + slope_by_v2_3*t22 + slope_by_z1_3*t20 + slope_by_z2_3*t24;
     const double slope_by_z2_2 = slope_by_v1_3*t29 + slope_by_v2_3*t31 + slope_by_z1_3*t15 + slope_by_z2_3*t23;
@@ -2139,49 +2085,49 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_trace_in_lane(
     /* back through: z2_1: linear in second-breaks-forward */
     const double slope_by_z2_1 = chi*slope_by_z1_2 + slope_by_z2_2;
     /* back through: functions of tau in slip-stick */
-    const double t85 = V*slope_by_z2_1;
-    const double slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t35 + t85;
+    const double t82 = V*slope_by_z2_1;
+    const double slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t35 + t82;
     const double slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t35 - slope_by_z2_1*t3;
     /* trace_gradient */
-    const double t86 = cos_omega2_tau1*slope_by_sin_omega2_tau1;
-    const double t87 = cos_omega1_tau1*slope_by_sin_omega1_tau1;
-    const double t88 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
-    const double t89 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
-    const double t90 = t2/(omega3*omega3);
-    const double t91 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t44*(-amplitude_tau2_by_tau*t90 + t49*t90);
-    const double t92 = -t26 + t27;
-    const double t93 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t94 = t92*z1_2_by_tau + t93*v1_2_by_tau;
-    const double t95 = t17 - t19;
-    const double t96 = t93*z1_2_by_tau + t95*v1_2_by_tau;
-    const double t97 = t92*z1_2 + t93*v1_2;
-    const double t98 = t93*z1_2 + t95*v1_2;
-    const double t99 = slope_by_v2_3*t97 + slope_by_v2_3_by_tau*t94 + slope_by_z2_3*t98 + slope_by_z2_3_by_tau*t96;
-    const double t100 = slope_by_v1_3*(V*t93 + t92*z2_2) + slope_by_v1_3_by_tau*t92*z2_2_by_tau + slope_by_z1_3*(V*t95 + t93*z2_2) + slope_by_z1_3_by_tau*t93*z2_2_by_tau;
-    const double t101 = slope_by_v1_3*t97 + slope_by_v1_3_by_tau*t94 + slope_by_v2_3*(-V*t93 - t92*z2_2) - slope_by_v2_3_by_tau*t92*z2_2_by_tau + slope_by_z1_3*t98 + slope_by_z1_3_by_tau*t96 + slope_by_z2_3*(-V*t95 - t93*z2_2) - slope_by_z2_3_by_tau*t93*z2_2_by_tau;
-    const double t102 = (1.0/(omega2*omega2));
-    const double t103 = sin_omega2_tau1*t102;
-    const double t104 = slope_by_v1_3*(sin_omega2_tau1*t67 - sin_omega2_tau1*t68) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t63 - sin_omega2_tau1*t64) + slope_by_v2_3*(sin_omega2_tau1*t65 - sin_omega2_tau1*t66) + slope_by_v2_3_by_tau*(sin_omega2_tau1*t61 - sin_omega2_tau1*t62) + slope_by_z1_3*(-t103*t13*v1_2 + t103*t71) + slope_by_z2_3*(p3*sin_omega2_tau1*t102*v1_2 - t103*t69) - t103*t73 + t103*t75 + t86*tau1 - t88*tau1;
-    const double t105 = sin_omega1_tau1/(omega1*omega1);
-    const double t106 = slope_by_v1_3*(-sin_omega1_tau1*t67 - sin_omega1_tau1*t81) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t63 - sin_omega1_tau1*t79) + slope_by_v2_3*(-sin_omega1_tau1*t65 - sin_omega1_tau1*t80) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t61 - sin_omega1_tau1*t78) + slope_by_z1_3*(-t105*t71 - t105*t83) + slope_by_z2_3*(-t105*t70 - t105*t82) - t105*t75 - t105*t84 + t87*tau1 - t89*tau1;
-    const double t107 = 1 - cos_tau;
-    const double t108 = -sin_tau + tau;
-    const double t109 = (1.0/(t1*t1));
-    const double t110 = t109*t45;
-    const double t111 = cos_tau_by_tau*slope_by_v1_2_by_tau;
-    const double t112 = slope_by_z2_1*t2;
+    const double t83 = cos_omega2_tau1*slope_by_sin_omega2_tau1;
+    const double t84 = cos_omega1_tau1*slope_by_sin_omega1_tau1;
+    const double t85 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
+    const double t86 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
+    const double t87 = t2/(omega3*omega3);
+    const double t88 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t44*(-amplitude_tau2_by_tau*t87 + t49*t87);
+    const double t89 = -t26 + t27;
+    const double t90 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t91 = t89*z1_2_by_tau + t90*v1_2_by_tau;
+    const double t92 = t17 - t19;
+    const double t93 = t90*z1_2_by_tau + t92*v1_2_by_tau;
+    const double t94 = t89*z1_2 + t90*v1_2;
+    const double t95 = t90*z1_2 + t92*v1_2;
+    const double t96 = slope_by_v2_3*t94 + slope_by_v2_3_by_tau*t91 + slope_by_z2_3*t95 + slope_by_z2_3_by_tau*t93;
+    const double t97 = slope_by_v1_3*(V*t90 + t89*z2_2) + slope_by_v1_3_by_tau*t89*z2_2_by_tau + slope_by_z1_3*(V*t92 + t90*z2_2) + slope_by_z1_3_by_tau*t90*z2_2_by_tau;
+    const double t98 = slope_by_v1_3*t94 + slope_by_v1_3_by_tau*t91 + slope_by_v2_3*(-V*t90 - t89*z2_2) - slope_by_v2_3_by_tau*t89*z2_2_by_tau + slope_by_z1_3*t95 + slope_by_z1_3_by_tau*t93 + slope_by_z2_3*(-V*t92 - t90*z2_2) - slope_by_z2_3_by_tau*t90*z2_2_by_tau;
+    const double t99 = (1.0/(omega2*omega2));
+    const double t100 = sin_omega2_tau1*t99;
+    const double t101 = slope_by_v1_3*(sin_omega2_tau1*t64 - sin_omega2_tau1*t65) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t60 - sin_omega2_tau1*t61) + slope_by_v2_3*(sin_omega2_tau1*t62 - sin_omega2_tau1*t63) + slope_by_v2_3_by_tau*(sin_omega2_tau1*t58 - sin_omega2_tau1*t59) + slope_by_z1_3*(-t100*t13*v1_2 + t100*t68) + slope_by_z2_3*(p3*sin_omega2_tau1*t99*v1_2 - t100*t66) - t100*t70 + t100*t72 + t83*tau1 - t85*tau1;
+    const double t102 = sin_omega1_tau1/(omega1*omega1);
+    const double t103 = slope_by_v1_3*(-sin_omega1_tau1*t64 - sin_omega1_tau1*t78) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t60 - sin_omega1_tau1*t76) + slope_by_v2_3*(-sin_omega1_tau1*t62 - sin_omega1_tau1*t77) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t58 - sin_omega1_tau1*t75) + slope_by_z1_3*(-t102*t68 - t102*t80) + slope_by_z2_3*(-t102*t67 - t102*t79) - t102*t72 - t102*t81 + t84*tau1 - t86*tau1;
+    const double t104 = 1 - cos_tau;
+    const double t105 = -sin_tau + tau;
+    const double t106 = (1.0/(t1*t1));
+    const double t107 = t106*t45;
+    const double t108 = cos_tau_by_tau*slope_by_v1_2_by_tau;
+    const double t109 = slope_by_z2_1*t2;
     if (trace_gradient) {
         trace_gradient[lane] = 0;
         trace_gradient[1*lanes + lane] = 0;
         trace_gradient[2*lanes + lane] = 0;
-        trace_gradient[3*lanes + lane] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t85;
-        trace_gradient[4*lanes + lane] = omega1*t87 - omega1*t89 + omega2*t86 - omega2*t88;
+        trace_gradient[3*lanes + lane] = V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t82;
+        trace_gradient[4*lanes + lane] = omega1*t84 - omega1*t86 + omega2*t83 - omega2*t85;
         trace_gradient[5*lanes + lane] = 0;
-        trace_gradient[6*lanes + lane] = V*slope_by_v1_2*t107 - V*t111 + omega1_by_chi*t106 + omega2_by_chi*t104 + omega3_by_chi*t91 + p1_by_chi*t101 + p2_by_chi*t100 + p3_by_chi*t99 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t37) + slope_by_z1_2*(V*t108 + cos_tau*z2_1 + t107*z2_1) + slope_by_z1_2_by_tau*(t32 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t109 + t109*t5 + e2*t2/(chi*chi)) + slope_by_z2_1_by_tau*t109*t33 + t44*(-amplitude_tau2_by_tau*t110 + t110*t49);
-        trace_gradient[7*lanes + lane] = omega1_by_eta*t106 + omega2_by_eta*t104 + omega3_by_eta*t91 + p1_by_eta*t101 + p2_by_eta*t100 + p3_by_eta*t99 + slope_by_v2_3_by_tau1*(chi*z1_3 - t36);
-        trace_gradient[8*lanes + lane] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t8) + slope_by_v1_3*t15 + slope_by_v2_3*t23 + slope_by_z1_2*(sin_tau + t10) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t1) + slope_by_z1_3*t21 - slope_by_z2_1*t108 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t25 - t1*t111;
-        trace_gradient[9*lanes + lane] = cos_tau*slope_by_z1_2 - cos_tau*t112 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t2 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau;
-        trace_gradient[10*lanes + lane] = -t112*t4;
+        trace_gradient[6*lanes + lane] = V*slope_by_v1_2*t104 - V*t108 + omega1_by_chi*t103 + omega2_by_chi*t101 + omega3_by_chi*t88 + p1_by_chi*t98 + p2_by_chi*t97 + p3_by_chi*t96 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t37) + slope_by_z1_2*(V*t105 + cos_tau*z2_1 + t104*z2_1) + slope_by_z1_2_by_tau*(t32 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t106 + t106*t5 + e2*t2/(chi*chi)) + slope_by_z2_1_by_tau*t106*t33 + t44*(-amplitude_tau2_by_tau*t107 + t107*t49);
+        trace_gradient[7*lanes + lane] = omega1_by_eta*t103 + omega2_by_eta*t101 + omega3_by_eta*t88 + p1_by_eta*t98 + p2_by_eta*t97 + p3_by_eta*t96 + slope_by_v2_3_by_tau1*(chi*z1_3 - t36);
+        trace_gradient[8*lanes + lane] = -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t8) + slope_by_v1_3*t15 + slope_by_v2_3*t23 + slope_by_z1_2*(sin_tau + t10) + slope_by_z1_2_by_tau*(chi - cos_tau*t1) + slope_by_z1_3*t21 - slope_by_z2_1*t105 + slope_by_z2_1_by_tau*(cos_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t25 - t1*t108;
+        trace_gradient[9*lanes + lane] = -cos_tau*slope_by_v1_2_by_tau + cos_tau*slope_by_z1_2 - cos_tau*t109 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t2 - sin_tau*slope_by_v1_2;
+        trace_gradient[10*lanes + lane] = -t109*t4;
     }
 }
 
@@ -2342,7 +2288,7 @@ void dry_friction_global_stick_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 499. Intermediate terms: 184. */
+ * Operations: 495. Intermediate terms: 176. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
@@ -2418,10 +2364,9 @@ void dry_friction_global_stick_linearisation(
     const double delay_ta_by_z10 = -t31;
     const double delay_ta_by_z20 = chi*t31;
     /* perturbation on the boundary after ta */
-    const double t32 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t32 + 1;
+    const double z2_1_on_boundary_by_z10 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = z2_1_on_boundary_by_z10 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t32;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
     const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
@@ -2431,18 +2376,18 @@ void dry_friction_global_stick_linearisation(
     /* rate of the exit boundary after tau */
     const double rate_2 = -chi*v1_2 + t30;
     /* derivatives of the time to the boundary after tau */
-    const double t33 = (1.0/(rate_2));
-    const double delay_tau_by_z10 = t33*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double delay_tau_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double t32 = (1.0/(rate_2));
+    const double delay_tau_by_z10 = t32*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t32*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t34 = chi*z2_2;
-    const double t35 = t34 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t35;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t35;
+    const double t33 = chi*z2_2;
+    const double before_v1_2 = t33 - z1_2;
+    const double v1_2_on_boundary_by_z10 = before_v1_2*delay_tau_by_z10 + carried_v1_2_by_z10;
+    const double v1_2_on_boundary_by_z20 = before_v1_2*delay_tau_by_z20 + carried_v1_2_by_z20;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t8*z1_2_on_boundary_by_z10 + t9*z2_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t8*z1_2_on_boundary_by_z20 + t9*z2_2_on_boundary_by_z20;
@@ -2453,32 +2398,32 @@ void dry_friction_global_stick_linearisation(
     const double carried_v2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t25*z2_2_on_boundary_by_z10;
     const double carried_v2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t25*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t36 = chi*z2_3;
-    const double rate_3 = t36 - z1_3;
+    const double t34 = chi*z2_3;
+    const double rate_3 = t34 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t37 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t37;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t37;
+    const double t35 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t35;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t35;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t38 = chi*eta;
-    const double t39 = -eta*t36 + t38*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t39;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t39;
+    const double t36 = chi*eta;
+    const double before_v2_3 = -eta*t34 + t36*z1_3;
+    const double v2_3_on_boundary_by_z10 = before_v2_3*delay_tau1_by_z10 + carried_v2_3_by_z10;
+    const double v2_3_on_boundary_by_z20 = before_v2_3*delay_tau1_by_z20 + carried_v2_3_by_z20;
     /* Phi along tau2 */
     const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 + t28*v2_3_on_boundary_by_z10;
     const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20;
     const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t29*z1_3_on_boundary_by_z10 - t29*z2_3_on_boundary_by_z10;
     const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t29*z1_3_on_boundary_by_z20 - t29*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
-    const double rate_4 = t38*z1_4 - t38*z2_4;
+    const double rate_4 = t36*z1_4 - t36*z2_4;
     /* derivatives of the time to the boundary after tau2 */
-    const double t40 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t40;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t40;
+    const double t37 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t37;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t37;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
@@ -2495,25 +2440,17 @@ void dry_friction_global_stick_linearisation(
     /* vector fields at transition 1 */
     const double behind_v1_1 = chi*z2_1 - z1_1;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t35;
-    const double behind_v1_2 = t35;
-    const double behind_v2_2 = -eta*t34 + t38*z1_2;
-    /* vector fields at transition 3 */
-    const double before_v1_3 = rate_3;
-    const double before_v2_3 = t39;
-    const double behind_v2_3 = t39;
-    /* vector fields at transition 4 */
-    const double before_v2_4 = rate_4;
+    const double behind_v2_2 = -eta*t33 + t36*z1_2;
     /* saltations */
-    const double t41 = behind_v1_1/rate_1;
-    const double t42 = chi*t41;
-    const double t43 = chi/rate_2;
-    const double t44 = t43*(-before_v1_2 + behind_v1_2);
-    const double t45 = behind_v2_2*t43;
-    const double t46 = (1.0/(before_v1_3));
-    const double t47 = t46*(V - v1_3);
-    const double t48 = t46*(-before_v2_3 + behind_v2_3);
-    const double t49 = (V - v2_4)/before_v2_4;
+    const double saltation_1_20 = behind_v1_1/rate_1;
+    const double t38 = chi*saltation_1_20;
+    const double t39 = chi/rate_2;
+    const double t40 = 0;
+    const double t41 = behind_v2_2*t39;
+    const double t42 = (1.0/(rate_3));
+    const double t43 = t42*(V - v1_3);
+    const double t44 = 0;
+    const double t45 = (V - v2_4)/rate_4;
     if (saltations) {
         static const unsigned char nonsmooth_saltations_places[] = {
             0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
@@ -2523,45 +2460,44 @@ void dry_friction_global_stick_linearisation(
         double nonsmooth_saltations_values[11];
         nonsmooth_saltations_values[0] = 1;
         nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = t41;
-        nonsmooth_saltations_values[3] = -t42;
-        nonsmooth_saltations_values[4] = -t44;
-        nonsmooth_saltations_values[5] = t44;
-        nonsmooth_saltations_values[6] = -t45;
-        nonsmooth_saltations_values[7] = t45;
-        nonsmooth_saltations_values[8] = t47;
-        nonsmooth_saltations_values[9] = t48;
-        nonsmooth_saltations_values[10] = t49;
+        nonsmooth_saltations_values[2] = saltation_1_20;
+        nonsmooth_saltations_values[3] = -t38;
+        nonsmooth_saltations_values[4] = -t40;
+        nonsmooth_saltations_values[5] = t40;
+        nonsmooth_saltations_values[6] = -t41;
+        nonsmooth_saltations_values[7] = t41;
+        nonsmooth_saltations_values[8] = t43;
+        nonsmooth_saltations_values[9] = t44;
+        nonsmooth_saltations_values[10] = t45;
         for (int i = 0; i < 64; ++i)
             saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
     }
     if (!monodromy)
         return;
     /* saltation of phase 1 */
-    const double saltation_1_20 = t41;
-    const double saltation_1_21 = -t42;
-    const double saltation_1_22 = t41*ta + 1;
-    const double saltation_1_23 = -t42*ta;
+    const double saltation_1_21 = -t38;
+    const double saltation_1_22 = saltation_1_20*ta + 1;
+    const double saltation_1_23 = -t38*ta;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
-    const double t50 = chi - t1;
-    const double phi_2_01 = saltation_1_21*sin_tau + t50;
+    const double t46 = chi - t1;
+    const double phi_2_01 = saltation_1_21*sin_tau + t46;
     const double phi_2_02 = cos_tau*ta + saltation_1_22*sin_tau;
     const double phi_2_03 = saltation_1_23*sin_tau + t2*ta + t4;
     const double phi_2_13 = ta + tau;
     const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
     const double phi_2_21 = cos_tau*saltation_1_21 + t3;
     const double phi_2_22 = cos_tau*saltation_1_22 - sin_tau*ta;
-    const double phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t50;
+    const double phi_2_23 = cos_tau*saltation_1_23 + t3*ta + t46;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t44 + phi_2_20;
-    const double saltation_2_21 = -phi_2_01*t44 + phi_2_21 + t44;
-    const double saltation_2_22 = -phi_2_02*t44 + phi_2_22;
-    const double saltation_2_23 = -phi_2_03*t44 + phi_2_13*t44 + phi_2_23;
-    const double saltation_2_30 = -phi_2_00*t45;
-    const double saltation_2_31 = -phi_2_01*t45 + t45;
-    const double saltation_2_32 = -phi_2_02*t45;
-    const double saltation_2_33 = -phi_2_03*t45 + phi_2_13*t45 + 1;
+    const double saltation_2_20 = -phi_2_00*t40 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t40 + phi_2_21 + t40;
+    const double saltation_2_22 = -phi_2_02*t40 + phi_2_22;
+    const double saltation_2_23 = -phi_2_03*t40 + phi_2_13*t40 + phi_2_23;
+    const double saltation_2_30 = -phi_2_00*t41;
+    const double saltation_2_31 = -phi_2_01*t41 + t41;
+    const double saltation_2_32 = -phi_2_02*t41;
+    const double saltation_2_33 = -phi_2_03*t41 + phi_2_13*t41 + 1;
     /* Phi of phase 3 */
     const double phi_3_00 = phi_2_00*t8 + saltation_2_20*t12 + saltation_2_30*t13;
     const double phi_3_01 = phi_2_01*t8 + saltation_2_21*t12 + saltation_2_31*t13 + t9;
@@ -2580,14 +2516,14 @@ void dry_friction_global_stick_linearisation(
     const double phi_3_32 = phi_2_02*t22 + saltation_2_22*t14 + saltation_2_32*t15;
     const double phi_3_33 = phi_2_03*t22 + phi_2_13*t25 + saltation_2_23*t14 + saltation_2_33*t15;
     /* saltation of phase 3 */
-    const double saltation_3_00 = phi_3_00 + phi_3_20*t47;
-    const double saltation_3_01 = phi_3_01 + phi_3_21*t47;
-    const double saltation_3_02 = phi_3_02 + phi_3_22*t47;
-    const double saltation_3_03 = phi_3_03 + phi_3_23*t47;
-    const double saltation_3_30 = phi_3_20*t48 + phi_3_30;
-    const double saltation_3_31 = phi_3_21*t48 + phi_3_31;
-    const double saltation_3_32 = phi_3_22*t48 + phi_3_32;
-    const double saltation_3_33 = phi_3_23*t48 + phi_3_33;
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t43;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t43;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t43;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t43;
+    const double saltation_3_30 = phi_3_20*t44 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t44 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t44 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t44 + phi_3_33;
     /* Phi of phase 4 */
     const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t27 + saltation_3_30*t28;
     const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t27 + saltation_3_31*t28;
@@ -2598,10 +2534,10 @@ void dry_friction_global_stick_linearisation(
     const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t29 + saltation_3_02*t29;
     const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t29 + saltation_3_03*t29;
     /* saltation of phase 4 */
-    const double saltation_4_10 = phi_4_10 + phi_4_30*t49;
-    const double saltation_4_11 = phi_4_11 + phi_4_31*t49;
-    const double saltation_4_12 = phi_4_12 + phi_4_32*t49;
-    const double saltation_4_13 = phi_4_13 + phi_4_33*t49;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t45;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t45;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t45;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t45;
     if (monodromy) {
         for (int i = 0; i < 16; ++i)
             monodromy[i] = 0.0;
@@ -2625,15 +2561,14 @@ void dry_friction_global_stick_flow_slip_stick(
 {
     const double chi = parameters[0];
     (void)spectrum;
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = sin(t);
+    const double t0 = sin(time);
     const double t1 = chi*t0;
-    const double t2 = cos(t);
+    const double t2 = cos(time);
     const double t3 = -chi*t2 + chi;
-    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1);
-    state_after[1] = t*v2 + z2;
+    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*time - t1);
+    state_after[1] = time*v2 + z2;
     state_after[2] = -t0*z1 + t1*z2 + t2*v1 + t3*v2;
     state_after[3] = v2;
 }
@@ -2648,13 +2583,12 @@ void dry_friction_global_stick_flow_slip_slip(
     (void)parameters;
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = 1 - p1;
@@ -2681,23 +2615,22 @@ void dry_friction_global_stick_flow_stick_slip(
 {
     (void)parameters;
     const double omega3 = spectrum[6];
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega3*t;
+    const double t0 = omega3*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega3;
     const double t3 = cos(t0);
     const double t4 = 1 - t3;
     const double t5 = omega3*t1;
-    state_after[0] = t*v1 + z1;
-    state_after[1] = t2*v2 + t3*z2 + t4*z1 + v1*(t - t2);
+    state_after[0] = time*v1 + z1;
+    state_after[1] = t2*v2 + t3*z2 + t4*z1 + v1*(-t2 + time);
     state_after[2] = v1;
     state_after[3] = t3*v2 + t4*v1 + t5*z1 - t5*z2;
 }
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
- * Operations: 217. Intermediate terms: 73. */
+ * Operations: 217. Intermediate terms: 72. */
 static NONSMOOTH_INLINE void dry_friction_global_stick_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
@@ -2812,13 +2745,12 @@ static NONSMOOTH_INLINE void dry_friction_global_stick_reduced_in_lane(
         return;
     /* d/dtau of: functions of tau in slip-stick */
     const double cos_tau_by_tau = -sin_tau;
-    const double sin_tau_by_tau = cos_tau;
     /* d/dtau of: z2_1: linear in second-breaks-forward */
     const double t30 = cos_tau_by_tau*e1;
-    const double z2_1_by_tau = V*sin_tau_by_tau - V - t1*t30;
-    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t32 + t30 + t31;
+    const double z2_1_by_tau = V*cos_tau - V - t1*t30;
+    const double z1_2_by_tau = chi*z2_1_by_tau + cos_tau*t32 + t30 + t31;
     const double z2_2_by_tau = V + z2_1_by_tau;
-    const double v1_2_by_tau = cos_tau_by_tau*t32 - e1*sin_tau_by_tau;
+    const double v1_2_by_tau = -cos_tau*e1 + cos_tau_by_tau*t32;
     /* d/dtau of: slip-slip for tau1 */
     const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
     const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
@@ -2858,7 +2790,7 @@ void dry_friction_global_stick_reduced(
 }
 
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
- * Operations: 258. Intermediate terms: 84. */
+ * Operations: 258. Intermediate terms: 83. */
 NONSMOOTH_UNMERGED
 void dry_friction_global_stick_period_map(
     const double parameters[5], const double spectrum[7], const double unknowns[6],
@@ -2875,74 +2807,73 @@ void dry_friction_global_stick_period_map(
     const double t0 = chi*cos_tau;
     const double z1_2_by_z20 = chi - t0;
     const double z1_2_by_v10 = cos_tau*ta + sin_tau;
-    const double t1 = chi*sin_tau;
-    const double t2 = chi*tau - t1;
-    const double z1_2_by_v20 = t2 + ta*z1_2_by_z20;
+    const double v1_2_by_z20 = chi*sin_tau;
+    const double t1 = chi*tau - v1_2_by_z20;
+    const double z1_2_by_v20 = t1 + ta*z1_2_by_z20;
     const double z2_2_by_v20 = ta + tau;
     const double v1_2_by_z10 = -sin_tau;
-    const double v1_2_by_z20 = t1;
     const double v1_2_by_v10 = cos_tau - sin_tau*ta;
-    const double v1_2_by_v20 = chi - t0 + t1*ta;
+    const double v1_2_by_v20 = chi - t0 + ta*v1_2_by_z20;
     /* functions of tau1 in slip-slip */
-    const double t3 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t3);
-    const double sin_omega1_tau1 = sin(t3);
-    const double t4 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t4);
-    const double sin_omega2_tau1 = sin(t4);
+    const double t2 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t2);
+    const double sin_omega1_tau1 = sin(t2);
+    const double t3 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t3);
+    const double sin_omega2_tau1 = sin(t3);
     /* slip-slip after tau1, by the start */
-    const double t5 = 1 - p1;
-    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
-    const double t7 = sin_omega1_tau1/omega1;
-    const double t8 = sin_omega2_tau1/omega2;
-    const double t9 = p1*t7 + t5*t8;
-    const double z1_3_by_z10 = cos_tau*t6 + t9*v1_2_by_z10;
-    const double t10 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double z1_3_by_z20 = t10 + t6*z1_2_by_z20 + t9*v1_2_by_z20;
-    const double z1_3_by_v10 = t6*z1_2_by_v10 + t9*v1_2_by_v10;
-    const double z1_3_by_v20 = p2*t7 - p2*t8 + t10*z2_2_by_v20 + t6*z1_2_by_v20 + t9*v1_2_by_v20;
-    const double t11 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t12 = p3*t7 - p3*t8;
-    const double z2_3_by_z10 = cos_tau*t11 + t12*v1_2_by_z10;
-    const double t13 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
-    const double z2_3_by_z20 = t11*z1_2_by_z20 + t12*v1_2_by_z20 + t13;
-    const double z2_3_by_v10 = t11*z1_2_by_v10 + t12*v1_2_by_v10;
-    const double z2_3_by_v20 = p1*t8 + t11*z1_2_by_v20 + t12*v1_2_by_v20 + t13*z2_2_by_v20 + t5*t7;
-    const double t14 = omega1*sin_omega1_tau1;
-    const double t15 = omega2*sin_omega2_tau1;
-    const double t16 = -p1*t14 - t15*t5;
-    const double v1_3_by_z10 = cos_tau*t16 + t6*v1_2_by_z10;
-    const double t17 = -p2*t14 + p2*t15;
-    const double v1_3_by_z20 = t16*z1_2_by_z20 + t17 + t6*v1_2_by_z20;
-    const double v1_3_by_v10 = t16*z1_2_by_v10 + t6*v1_2_by_v10;
-    const double v1_3_by_v20 = t10 + t16*z1_2_by_v20 + t17*z2_2_by_v20 + t6*v1_2_by_v20;
-    const double t18 = -p3*t14 + p3*t15;
-    const double v2_3_by_z10 = cos_tau*t18 + t11*v1_2_by_z10;
-    const double t19 = p1*t15 + t14*t5;
-    const double v2_3_by_z20 = t11*v1_2_by_z20 + t18*z1_2_by_z20 - t19;
-    const double v2_3_by_v10 = t11*v1_2_by_v10 + t18*z1_2_by_v10;
-    const double v2_3_by_v20 = t11*v1_2_by_v20 + t13 + t18*z1_2_by_v20 - t19*z2_2_by_v20;
+    const double t4 = 1 - p1;
+    const double t5 = cos_omega1_tau1*p1 + cos_omega2_tau1*t4;
+    const double t6 = sin_omega1_tau1/omega1;
+    const double t7 = sin_omega2_tau1/omega2;
+    const double t8 = p1*t6 + t4*t7;
+    const double z1_3_by_z10 = cos_tau*t5 + t8*v1_2_by_z10;
+    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t5*z1_2_by_z20 + t8*v1_2_by_z20 + t9;
+    const double z1_3_by_v10 = t5*z1_2_by_v10 + t8*v1_2_by_v10;
+    const double z1_3_by_v20 = p2*t6 - p2*t7 + t5*z1_2_by_v20 + t8*v1_2_by_v20 + t9*z2_2_by_v20;
+    const double t10 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t11 = p3*t6 - p3*t7;
+    const double z2_3_by_z10 = cos_tau*t10 + t11*v1_2_by_z10;
+    const double t12 = cos_omega1_tau1*t4 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t10*z1_2_by_z20 + t11*v1_2_by_z20 + t12;
+    const double z2_3_by_v10 = t10*z1_2_by_v10 + t11*v1_2_by_v10;
+    const double z2_3_by_v20 = p1*t7 + t10*z1_2_by_v20 + t11*v1_2_by_v20 + t12*z2_2_by_v20 + t4*t6;
+    const double t13 = omega1*sin_omega1_tau1;
+    const double t14 = omega2*sin_omega2_tau1;
+    const double t15 = -p1*t13 - t14*t4;
+    const double v1_3_by_z10 = cos_tau*t15 + t5*v1_2_by_z10;
+    const double t16 = -p2*t13 + p2*t14;
+    const double v1_3_by_z20 = t15*z1_2_by_z20 + t16 + t5*v1_2_by_z20;
+    const double v1_3_by_v10 = t15*z1_2_by_v10 + t5*v1_2_by_v10;
+    const double v1_3_by_v20 = t15*z1_2_by_v20 + t16*z2_2_by_v20 + t5*v1_2_by_v20 + t9;
+    const double t17 = -p3*t13 + p3*t14;
+    const double v2_3_by_z10 = cos_tau*t17 + t10*v1_2_by_z10;
+    const double t18 = p1*t14 + t13*t4;
+    const double v2_3_by_z20 = t10*v1_2_by_z20 + t17*z1_2_by_z20 - t18;
+    const double v2_3_by_v10 = t10*v1_2_by_v10 + t17*z1_2_by_v10;
+    const double v2_3_by_v20 = t10*v1_2_by_v20 + t12 + t17*z1_2_by_v20 - t18*z2_2_by_v20;
     /* functions of tau2 in stick-slip */
-    const double t20 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t20);
-    const double sin_omega3_tau2 = sin(t20);
+    const double t19 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t19);
+    const double sin_omega3_tau2 = sin(t19);
     /* stick-slip after tau2, by the start */
     const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
     const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
     const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
     const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
-    const double t21 = 1 - cos_omega3_tau2;
-    const double t22 = sin_omega3_tau2/omega3;
-    const double t23 = -t22 + tau2;
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t21*z1_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10;
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t21*z1_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20;
-    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t21*z1_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10;
-    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t21*z1_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20;
-    const double t24 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t21*v1_3_by_z10 + t24*z1_3_by_z10 - t24*z2_3_by_z10;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t21*v1_3_by_z20 + t24*z1_3_by_z20 - t24*z2_3_by_z20;
-    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10;
-    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20;
+    const double t20 = 1 - cos_omega3_tau2;
+    const double t21 = sin_omega3_tau2/omega3;
+    const double t22 = -t21 + tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t20*z1_3_by_z10 + t21*v2_3_by_z10 + t22*v1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t20*z1_3_by_z20 + t21*v2_3_by_z20 + t22*v1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t20*z1_3_by_v10 + t21*v2_3_by_v10 + t22*v1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t20*z1_3_by_v20 + t21*v2_3_by_v20 + t22*v1_3_by_v20;
+    const double t23 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t20*v1_3_by_z10 + t23*z1_3_by_z10 - t23*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t20*v1_3_by_z20 + t23*z1_3_by_z20 - t23*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t20*v1_3_by_v10 + t23*z1_3_by_v10 - t23*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t20*v1_3_by_v20 + t23*z1_3_by_v20 - t23*z2_3_by_v20;
     if (period_map) {
         for (int i = 0; i < 20; ++i)
             period_map[i] = 0.0;
@@ -2977,9 +2908,9 @@ void dry_friction_global_stick_period_map(
     const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
     const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
     /* z10, z20 by Cramer's rule */
-    const double t25 = (1.0/(determinant));
-    const double z1_0 = numerator1*t25;
-    const double z2_0 = numerator2*t25;
+    const double t24 = (1.0/(determinant));
+    const double z1_0 = numerator1*t24;
+    const double z2_0 = numerator2*t24;
     if (linear_start) {
         linear_start[0] = z1_0;
         linear_start[1] = z2_0;
@@ -2987,11 +2918,11 @@ void dry_friction_global_stick_period_map(
     if (!compatibility)
         return;
     /* stick-stick for ta, until first-breaks-forward */
-    const double t26 = V*ta;
-    const double z1_1 = t26 + z1_0;
-    const double z2_1 = t26 + z2_0;
+    const double t25 = V*ta;
+    const double z1_1 = t25 + z1_0;
+    const double z2_1 = t25 + z2_0;
     /* slip-stick for tau, until second-breaks-forward */
-    const double z1_2 = V*sin_tau + V*t2 + cos_tau*z1_1 + z1_2_by_z20*z2_1;
+    const double z1_2 = V*sin_tau + V*t1 + cos_tau*z1_1 + z1_2_by_z20*z2_1;
     const double z2_2 = V*tau + z2_1;
     if (compatibility) {
         compatibility[0] = V*v1_3_by_v10 + V*v1_3_by_v20 - V + v1_3_by_z10*z1_0 + v1_3_by_z20*z2_0;
@@ -3002,7 +2933,7 @@ void dry_friction_global_stick_period_map(
 }
 
 /* Switching and periodicity equations; their derivatives by the unknowns; those by the parameters, in total, through the spectrum too.
- * Operations: 673. Intermediate terms: 192. */
+ * Operations: 673. Intermediate terms: 189. */
 static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *residual, double *jacobian,
@@ -3022,67 +2953,67 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
     const double sin_tau = wave_0.sine;
     /* slip-stick for tau, until second-breaks-forward */
     const double t0 = chi*cos_tau;
-    const double t1 = chi - t0;
-    const double t2 = chi*tau;
-    const double t3 = chi*sin_tau;
-    const double t4 = t2 - t3;
-    const double z1_2 = V*sin_tau + V*t4 + cos_tau*z10 + t1*z20;
+    const double z1_2_by_z20 = chi - t0;
+    const double t1 = chi*tau;
+    const double v1_2_by_z20 = chi*sin_tau;
+    const double t2 = t1 - v1_2_by_z20;
+    const double z1_2 = V*sin_tau + V*t2 + cos_tau*z10 + z1_2_by_z20*z20;
     const double z2_2 = V*tau + z20;
-    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t3*z20;
+    const double v1_2 = V*cos_tau + V*z1_2_by_z20 - sin_tau*z10 + v1_2_by_z20*z20;
     /* functions of tau1 in slip-slip */
-    const double t5 = omega1*tau1;
-    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t5);
+    const double t3 = omega1*tau1;
+    const nonsmooth_wave wave_1 = nonsmooth_wave_of(lanes, t3);
     const double cos_omega1_tau1 = wave_1.cosine;
     const double sin_omega1_tau1 = wave_1.sine;
-    const double t6 = omega2*tau1;
-    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t6);
+    const double t4 = omega2*tau1;
+    const nonsmooth_wave wave_2 = nonsmooth_wave_of(lanes, t4);
     const double cos_omega2_tau1 = wave_2.cosine;
     const double sin_omega2_tau1 = wave_2.sine;
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t7 = 1 - p1;
-    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7;
-    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t10 = (1.0/(omega1));
-    const double t11 = sin_omega1_tau1*t10;
-    const double t12 = (1.0/(omega2));
-    const double t13 = sin_omega2_tau1*t12;
-    const double t14 = p1*t11 + t13*t7;
-    const double t15 = p2*t11 - p2*t13;
-    const double z1_3 = V*t15 + t14*v1_2 + t8*z1_2 + t9*z2_2;
-    const double t16 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t17 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
-    const double t18 = p3*t11 - p3*t13;
-    const double t19 = p1*t13 + t11*t7;
-    const double z2_3 = V*t19 + t16*z1_2 + t17*z2_2 + t18*v1_2;
-    const double t20 = omega1*sin_omega1_tau1;
-    const double t21 = omega2*sin_omega2_tau1;
-    const double t22 = -p1*t20 - t21*t7;
-    const double t23 = -p2*t20 + p2*t21;
-    const double t24 = V*t9;
-    const double v1_3 = t22*z1_2 + t23*z2_2 + t24 + t8*v1_2;
-    const double t25 = -p3*t20 + p3*t21;
-    const double t26 = p1*t21 + t20*t7;
-    const double t27 = V*t17;
-    const double v2_3 = t16*v1_2 + t25*z1_2 - t26*z2_2 + t27;
+    const double t5 = 1 - p1;
+    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
+    const double t7 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t8 = (1.0/(omega1));
+    const double t9 = sin_omega1_tau1*t8;
+    const double t10 = (1.0/(omega2));
+    const double t11 = sin_omega2_tau1*t10;
+    const double t12 = p1*t9 + t11*t5;
+    const double t13 = -p2*t11 + p2*t9;
+    const double z1_3 = V*t13 + t12*v1_2 + t6*z1_2 + t7*z2_2;
+    const double t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t15 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double t16 = -p3*t11 + p3*t9;
+    const double t17 = p1*t11 + t5*t9;
+    const double z2_3 = V*t17 + t14*z1_2 + t15*z2_2 + t16*v1_2;
+    const double t18 = omega1*sin_omega1_tau1;
+    const double t19 = omega2*sin_omega2_tau1;
+    const double t20 = -p1*t18 - t19*t5;
+    const double t21 = -p2*t18 + p2*t19;
+    const double t22 = V*t7;
+    const double v1_3 = t20*z1_2 + t21*z2_2 + t22 + t6*v1_2;
+    const double t23 = -p3*t18 + p3*t19;
+    const double t24 = p1*t19 + t18*t5;
+    const double t25 = V*t15;
+    const double v2_3 = t14*v1_2 + t23*z1_2 - t24*z2_2 + t25;
     /* functions of tau2 in stick-slip */
-    const double t28 = omega3*tau2;
-    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t28);
+    const double t26 = omega3*tau2;
+    const nonsmooth_wave wave_3 = nonsmooth_wave_of(lanes, t26);
     const double cos_omega3_tau2 = wave_3.cosine;
     const double sin_omega3_tau2 = wave_3.sine;
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t29 = 1 - cos_omega3_tau2;
-    const double t30 = (1.0/(omega3));
-    const double t31 = sin_omega3_tau2*t30;
-    const double t32 = -t31 + tau2;
-    const double z2_4 = V*t32 + cos_omega3_tau2*z2_3 + t29*z1_3 + t31*v2_3;
-    const double t33 = omega3*z1_3;
-    const double t34 = omega3*z2_3;
-    const double v2_4 = V*t29 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t33 - sin_omega3_tau2*t34;
+    const double t27 = 1 - cos_omega3_tau2;
+    const double t28 = (1.0/(omega3));
+    const double t29 = sin_omega3_tau2*t28;
+    const double t30 = -t29 + tau2;
+    const double z2_4 = V*t30 + cos_omega3_tau2*z2_3 + t27*z1_3 + t29*v2_3;
+    const double t31 = omega3*z1_3;
+    const double t32 = omega3*z2_3;
+    const double v2_4 = V*t27 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t31 - sin_omega3_tau2*t32;
     /* residual */
-    const double t35 = chi*z20 - z10;
+    const double t33 = chi*z20 - z10;
     if (residual) {
-        residual[lane] = -e1 - t35;
+        residual[lane] = -e1 - t33;
         residual[1*lanes + lane] = -chi*z1_2 + chi*z2_2 - e2;
         residual[2*lanes + lane] = -V + v1_3;
         residual[3*lanes + lane] = -V + v2_4;
@@ -3093,92 +3024,88 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
         return;
     /* d/dtau of: functions of tau in slip-stick */
     const double cos_tau_by_tau = -sin_tau;
-    const double sin_tau_by_tau = cos_tau;
     /* d/dz10 of: slip-stick for tau, until second-breaks-forward */
     const double v1_2_by_z10 = -sin_tau;
-    /* d/dz20 of: slip-stick for tau, until second-breaks-forward */
-    const double z1_2_by_z20 = t1;
-    const double v1_2_by_z20 = t3;
     /* d/dtau of: slip-stick for tau, until second-breaks-forward */
-    const double t36 = V*chi;
-    const double t37 = V - t36;
-    const double z1_2_by_tau = -cos_tau_by_tau*t35 + sin_tau_by_tau*t37 + t36;
-    const double v1_2_by_tau = cos_tau_by_tau*t37 + sin_tau_by_tau*t35;
+    const double t34 = V*chi;
+    const double t35 = V - t34;
+    const double z1_2_by_tau = cos_tau*t35 - cos_tau_by_tau*t33 + t34;
+    const double v1_2_by_tau = cos_tau*t33 + cos_tau_by_tau*t35;
     /* d/dtau1 of: functions of tau1 in slip-slip */
     const double cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1;
     const double sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1;
     const double cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1;
     const double sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2;
     /* d/dz10 of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_z10 = cos_tau*t8 + t14*v1_2_by_z10;
-    const double z2_3_by_z10 = cos_tau*t16 + t18*v1_2_by_z10;
-    const double v1_3_by_z10 = cos_tau*t22 + t8*v1_2_by_z10;
-    const double v2_3_by_z10 = cos_tau*t25 + t16*v1_2_by_z10;
+    const double z1_3_by_z10 = cos_tau*t6 + t12*v1_2_by_z10;
+    const double z2_3_by_z10 = cos_tau*t14 + t16*v1_2_by_z10;
+    const double v1_3_by_z10 = cos_tau*t20 + t6*v1_2_by_z10;
+    const double v2_3_by_z10 = cos_tau*t23 + t14*v1_2_by_z10;
     /* d/dz20 of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_z20 = t14*v1_2_by_z20 + t8*z1_2_by_z20 + t9;
-    const double z2_3_by_z20 = t16*z1_2_by_z20 + t17 + t18*v1_2_by_z20;
-    const double v1_3_by_z20 = t22*z1_2_by_z20 + t23 + t8*v1_2_by_z20;
-    const double v2_3_by_z20 = t16*v1_2_by_z20 + t25*z1_2_by_z20 - t26;
+    const double z1_3_by_z20 = t12*v1_2_by_z20 + t6*z1_2_by_z20 + t7;
+    const double z2_3_by_z20 = t14*z1_2_by_z20 + t15 + t16*v1_2_by_z20;
+    const double v1_3_by_z20 = t20*z1_2_by_z20 + t21 + t6*v1_2_by_z20;
+    const double v2_3_by_z20 = t14*v1_2_by_z20 + t23*z1_2_by_z20 - t24;
     /* d/dtau of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_tau = t14*v1_2_by_tau + t24 + t8*z1_2_by_tau;
-    const double z2_3_by_tau = t16*z1_2_by_tau + t18*v1_2_by_tau + t27;
-    const double v1_3_by_tau = V*t23 + t22*z1_2_by_tau + t8*v1_2_by_tau;
-    const double v2_3_by_tau = -V*t26 + t16*v1_2_by_tau + t25*z1_2_by_tau;
+    const double z1_3_by_tau = t12*v1_2_by_tau + t22 + t6*z1_2_by_tau;
+    const double z2_3_by_tau = t14*z1_2_by_tau + t16*v1_2_by_tau + t25;
+    const double v1_3_by_tau = V*t21 + t20*z1_2_by_tau + t6*v1_2_by_tau;
+    const double v2_3_by_tau = -V*t24 + t14*v1_2_by_tau + t23*z1_2_by_tau;
     /* d/dtau1 of: slip-slip for tau1, until first-reaches-belt */
-    const double t38 = p2*z2_2;
-    const double t39 = p1*z1_2;
-    const double t40 = t38 + t39;
-    const double t41 = V*p2;
-    const double t42 = p1*v1_2;
-    const double t43 = t10*t41 + t10*t42;
-    const double t44 = -t38 + t7*z1_2;
-    const double t45 = -t12*t41 + t12*t7*v1_2;
-    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t40 + cos_omega2_tau1_by_tau1*t44 + sin_omega1_tau1_by_tau1*t43 + sin_omega2_tau1_by_tau1*t45;
-    const double t46 = p3*z1_2;
-    const double t47 = t7*z2_2;
-    const double t48 = t46 + t47;
-    const double t49 = p3*v1_2;
-    const double t50 = V*t7;
-    const double t51 = t10*t49 + t10*t50;
-    const double t52 = p1*z2_2 - t46;
-    const double t53 = V*p1;
-    const double t54 = -t12*t49 + t12*t53;
-    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t48 + cos_omega2_tau1_by_tau1*t52 + sin_omega1_tau1_by_tau1*t51 + sin_omega2_tau1_by_tau1*t54;
-    const double t55 = t41 + t42;
-    const double t56 = -omega1*t38 - omega1*t39;
-    const double t57 = -t41 + t7*v1_2;
-    const double t58 = t7*z1_2;
-    const double t59 = omega2*t38 - omega2*t58;
-    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t55 + cos_omega2_tau1_by_tau1*t57 + sin_omega1_tau1_by_tau1*t56 + sin_omega2_tau1_by_tau1*t59;
-    const double t60 = t49 + t50;
-    const double t61 = -omega1*t46 - omega1*t47;
-    const double t62 = -t49 + t53;
-    const double t63 = p1*z2_2;
-    const double t64 = omega2*t46 - omega2*t63;
-    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t60 + cos_omega2_tau1_by_tau1*t62 + sin_omega1_tau1_by_tau1*t61 + sin_omega2_tau1_by_tau1*t64;
+    const double t36 = p2*z2_2;
+    const double t37 = p1*z1_2;
+    const double t38 = t36 + t37;
+    const double t39 = V*p2;
+    const double t40 = p1*v1_2;
+    const double t41 = t39*t8 + t40*t8;
+    const double t42 = -t36 + t5*z1_2;
+    const double t43 = -t10*t39 + t10*t5*v1_2;
+    const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t38 + cos_omega2_tau1_by_tau1*t42 + sin_omega1_tau1_by_tau1*t41 + sin_omega2_tau1_by_tau1*t43;
+    const double t44 = p3*z1_2;
+    const double t45 = t5*z2_2;
+    const double t46 = t44 + t45;
+    const double t47 = p3*v1_2;
+    const double t48 = V*t5;
+    const double t49 = t47*t8 + t48*t8;
+    const double t50 = p1*z2_2 - t44;
+    const double t51 = V*p1;
+    const double t52 = -t10*t47 + t10*t51;
+    const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t46 + cos_omega2_tau1_by_tau1*t50 + sin_omega1_tau1_by_tau1*t49 + sin_omega2_tau1_by_tau1*t52;
+    const double t53 = t39 + t40;
+    const double t54 = -omega1*t36 - omega1*t37;
+    const double t55 = -t39 + t5*v1_2;
+    const double t56 = t5*z1_2;
+    const double t57 = omega2*t36 - omega2*t56;
+    const double v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t53 + cos_omega2_tau1_by_tau1*t55 + sin_omega1_tau1_by_tau1*t54 + sin_omega2_tau1_by_tau1*t57;
+    const double t58 = t47 + t48;
+    const double t59 = -omega1*t44 - omega1*t45;
+    const double t60 = -t47 + t51;
+    const double t61 = p1*z2_2;
+    const double t62 = omega2*t44 - omega2*t61;
+    const double v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t58 + cos_omega2_tau1_by_tau1*t60 + sin_omega1_tau1_by_tau1*t59 + sin_omega2_tau1_by_tau1*t62;
     /* d/dtau2 of: functions of tau2 in stick-slip */
     const double cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2;
     const double sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3;
     /* d/dz10 of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t29*z1_3_by_z10 + t31*v2_3_by_z10;
-    const double t65 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t65*z1_3_by_z10 - t65*z2_3_by_z10;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t27*z1_3_by_z10 + t29*v2_3_by_z10;
+    const double t63 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t63*z1_3_by_z10 - t63*z2_3_by_z10;
     /* d/dz20 of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t29*z1_3_by_z20 + t31*v2_3_by_z20;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t65*z1_3_by_z20 - t65*z2_3_by_z20;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t27*z1_3_by_z20 + t29*v2_3_by_z20;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t63*z1_3_by_z20 - t63*z2_3_by_z20;
     /* d/dtau of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t29*z1_3_by_tau + t31*v2_3_by_tau;
-    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t65*z1_3_by_tau - t65*z2_3_by_tau;
+    const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t27*z1_3_by_tau + t29*v2_3_by_tau;
+    const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t63*z1_3_by_tau - t63*z2_3_by_tau;
     /* d/dtau1 of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t29*z1_3_by_tau1 + t31*v2_3_by_tau1;
-    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t65*z1_3_by_tau1 - t65*z2_3_by_tau1;
+    const double z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t27*z1_3_by_tau1 + t29*v2_3_by_tau1;
+    const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t63*z1_3_by_tau1 - t63*z2_3_by_tau1;
     /* d/dtau2 of: stick-slip for tau2, until second-reaches-belt */
-    const double t66 = -z1_3 + z2_3;
-    const double t67 = -V*t30 + t30*v2_3;
-    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t66 + sin_omega3_tau2_by_tau2*t67;
-    const double t68 = -V + v2_3;
-    const double t69 = t33 - t34;
-    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t68 + sin_omega3_tau2_by_tau2*t69;
+    const double t64 = -z1_3 + z2_3;
+    const double t65 = -V*t28 + t28*v2_3;
+    const double z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t64 + sin_omega3_tau2_by_tau2*t65;
+    const double t66 = -V + v2_3;
+    const double t67 = t31 - t32;
+    const double v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t66 + sin_omega3_tau2_by_tau2*t67;
     if (jacobian) {
         jacobian[lane] = 1;
         jacobian[1*lanes + lane] = -chi;
@@ -3188,7 +3115,7 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
         jacobian[5*lanes + lane] = -1;
         jacobian[6*lanes + lane] = -t0;
         jacobian[7*lanes + lane] = -chi*z1_2_by_z20 + chi;
-        jacobian[8*lanes + lane] = -chi*z1_2_by_tau + t36;
+        jacobian[8*lanes + lane] = -chi*z1_2_by_tau + t34;
         jacobian[9*lanes + lane] = 0;
         jacobian[10*lanes + lane] = 0;
         jacobian[11*lanes + lane] = 0;
@@ -3232,82 +3159,82 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
         omega3_by_chi = spectrum_derivatives[12*lanes + lane],
         omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* d/dchi of: slip-stick for tau, until second-breaks-forward */
-    const double t70 = 1 - cos_tau;
-    const double z1_2_by_chi = V*(-sin_tau + tau) + t70*z20;
-    const double v1_2_by_chi = V*t70 + sin_tau*z20;
+    const double t68 = 1 - cos_tau;
+    const double z1_2_by_chi = V*(-sin_tau + tau) + t68*z20;
+    const double v1_2_by_chi = V*t68 + sin_tau*z20;
     /* d/dV of: slip-stick for tau, until second-breaks-forward */
-    const double z1_2_by_V = sin_tau + t4;
+    const double z1_2_by_V = sin_tau + t2;
     const double v1_2_by_V = chi + cos_tau - t0;
     /* d/dchi of: functions of tau1 in slip-slip */
-    const double t71 = omega1_by_chi*tau1;
-    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t71;
-    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t71;
-    const double t72 = omega2_by_chi*tau1;
-    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t72;
-    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t72;
+    const double t69 = omega1_by_chi*tau1;
+    const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t69;
+    const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t69;
+    const double t70 = omega2_by_chi*tau1;
+    const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t70;
+    const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t70;
     /* d/deta of: functions of tau1 in slip-slip */
-    const double t73 = omega1_by_eta*tau1;
-    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t73;
-    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t73;
-    const double t74 = omega2_by_eta*tau1;
-    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t74;
-    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t74;
+    const double t71 = omega1_by_eta*tau1;
+    const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t71;
+    const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t71;
+    const double t72 = omega2_by_eta*tau1;
+    const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t72;
+    const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t72;
     /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
-    const double t75 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t76 = t11 - t13;
-    const double t77 = V*t76 + t75*z2_2;
-    const double t78 = t75*z1_2 + t76*v1_2;
-    const double t79 = (1.0/(omega2*omega2));
-    const double t80 = sin_omega2_tau1*t79;
-    const double t81 = t41*t80 - t7*t80*v1_2;
-    const double t82 = sin_omega1_tau1/(omega1*omega1);
-    const double t83 = -t41*t82 - t42*t82;
-    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t40 + cos_omega2_tau1_by_chi*t44 + omega1_by_chi*t83 + omega2_by_chi*t81 + p1_by_chi*t78 + p2_by_chi*t77 + sin_omega1_tau1_by_chi*t43 + sin_omega2_tau1_by_chi*t45 + t14*v1_2_by_chi + t8*z1_2_by_chi;
-    const double t84 = -V*t76 - t75*z2_2;
-    const double t85 = p3*sin_omega2_tau1*t79*v1_2 - t53*t80;
-    const double t86 = -t49*t82 - t50*t82;
-    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t48 + cos_omega2_tau1_by_chi*t52 + omega1_by_chi*t86 + omega2_by_chi*t85 + p1_by_chi*t84 + p3_by_chi*t78 + sin_omega1_tau1_by_chi*t51 + sin_omega2_tau1_by_chi*t54 + t16*z1_2_by_chi + t18*v1_2_by_chi;
-    const double t87 = -t20 + t21;
-    const double t88 = V*t75 + t87*z2_2;
-    const double t89 = t75*v1_2 + t87*z1_2;
-    const double t90 = sin_omega2_tau1*t38 - sin_omega2_tau1*t58;
-    const double t91 = -sin_omega1_tau1*t38 - sin_omega1_tau1*t39;
-    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t55 + cos_omega2_tau1_by_chi*t57 + omega1_by_chi*t91 + omega2_by_chi*t90 + p1_by_chi*t89 + p2_by_chi*t88 + sin_omega1_tau1_by_chi*t56 + sin_omega2_tau1_by_chi*t59 + t22*z1_2_by_chi + t8*v1_2_by_chi;
-    const double t92 = -V*t75 - t87*z2_2;
-    const double t93 = sin_omega2_tau1*t46 - sin_omega2_tau1*t63;
-    const double t94 = -sin_omega1_tau1*t46 - sin_omega1_tau1*t47;
-    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t60 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t94 + omega2_by_chi*t93 + p1_by_chi*t92 + p3_by_chi*t89 + sin_omega1_tau1_by_chi*t61 + sin_omega2_tau1_by_chi*t64 + t16*v1_2_by_chi + t25*z1_2_by_chi;
+    const double t73 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t74 = -t11 + t9;
+    const double t75 = V*t74 + t73*z2_2;
+    const double t76 = t73*z1_2 + t74*v1_2;
+    const double t77 = (1.0/(omega2*omega2));
+    const double t78 = sin_omega2_tau1*t77;
+    const double t79 = t39*t78 - t5*t78*v1_2;
+    const double t80 = sin_omega1_tau1/(omega1*omega1);
+    const double t81 = -t39*t80 - t40*t80;
+    const double z1_3_by_chi = cos_omega1_tau1_by_chi*t38 + cos_omega2_tau1_by_chi*t42 + omega1_by_chi*t81 + omega2_by_chi*t79 + p1_by_chi*t76 + p2_by_chi*t75 + sin_omega1_tau1_by_chi*t41 + sin_omega2_tau1_by_chi*t43 + t12*v1_2_by_chi + t6*z1_2_by_chi;
+    const double t82 = -V*t74 - t73*z2_2;
+    const double t83 = p3*sin_omega2_tau1*t77*v1_2 - t51*t78;
+    const double t84 = -t47*t80 - t48*t80;
+    const double z2_3_by_chi = cos_omega1_tau1_by_chi*t46 + cos_omega2_tau1_by_chi*t50 + omega1_by_chi*t84 + omega2_by_chi*t83 + p1_by_chi*t82 + p3_by_chi*t76 + sin_omega1_tau1_by_chi*t49 + sin_omega2_tau1_by_chi*t52 + t14*z1_2_by_chi + t16*v1_2_by_chi;
+    const double t85 = -t18 + t19;
+    const double t86 = V*t73 + t85*z2_2;
+    const double t87 = t73*v1_2 + t85*z1_2;
+    const double t88 = sin_omega2_tau1*t36 - sin_omega2_tau1*t56;
+    const double t89 = -sin_omega1_tau1*t36 - sin_omega1_tau1*t37;
+    const double v1_3_by_chi = cos_omega1_tau1_by_chi*t53 + cos_omega2_tau1_by_chi*t55 + omega1_by_chi*t89 + omega2_by_chi*t88 + p1_by_chi*t87 + p2_by_chi*t86 + sin_omega1_tau1_by_chi*t54 + sin_omega2_tau1_by_chi*t57 + t20*z1_2_by_chi + t6*v1_2_by_chi;
+    const double t90 = -V*t73 - t85*z2_2;
+    const double t91 = sin_omega2_tau1*t44 - sin_omega2_tau1*t61;
+    const double t92 = -sin_omega1_tau1*t44 - sin_omega1_tau1*t45;
+    const double v2_3_by_chi = cos_omega1_tau1_by_chi*t58 + cos_omega2_tau1_by_chi*t60 + omega1_by_chi*t92 + omega2_by_chi*t91 + p1_by_chi*t90 + p3_by_chi*t87 + sin_omega1_tau1_by_chi*t59 + sin_omega2_tau1_by_chi*t62 + t14*v1_2_by_chi + t23*z1_2_by_chi;
     /* d/deta of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t40 + cos_omega2_tau1_by_eta*t44 + omega1_by_eta*t83 + omega2_by_eta*t81 + p1_by_eta*t78 + p2_by_eta*t77 + sin_omega1_tau1_by_eta*t43 + sin_omega2_tau1_by_eta*t45;
-    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t48 + cos_omega2_tau1_by_eta*t52 + omega1_by_eta*t86 + omega2_by_eta*t85 + p1_by_eta*t84 + p3_by_eta*t78 + sin_omega1_tau1_by_eta*t51 + sin_omega2_tau1_by_eta*t54;
-    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t55 + cos_omega2_tau1_by_eta*t57 + omega1_by_eta*t91 + omega2_by_eta*t90 + p1_by_eta*t89 + p2_by_eta*t88 + sin_omega1_tau1_by_eta*t56 + sin_omega2_tau1_by_eta*t59;
-    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t60 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t94 + omega2_by_eta*t93 + p1_by_eta*t92 + p3_by_eta*t89 + sin_omega1_tau1_by_eta*t61 + sin_omega2_tau1_by_eta*t64;
+    const double z1_3_by_eta = cos_omega1_tau1_by_eta*t38 + cos_omega2_tau1_by_eta*t42 + omega1_by_eta*t81 + omega2_by_eta*t79 + p1_by_eta*t76 + p2_by_eta*t75 + sin_omega1_tau1_by_eta*t41 + sin_omega2_tau1_by_eta*t43;
+    const double z2_3_by_eta = cos_omega1_tau1_by_eta*t46 + cos_omega2_tau1_by_eta*t50 + omega1_by_eta*t84 + omega2_by_eta*t83 + p1_by_eta*t82 + p3_by_eta*t76 + sin_omega1_tau1_by_eta*t49 + sin_omega2_tau1_by_eta*t52;
+    const double v1_3_by_eta = cos_omega1_tau1_by_eta*t53 + cos_omega2_tau1_by_eta*t55 + omega1_by_eta*t89 + omega2_by_eta*t88 + p1_by_eta*t87 + p2_by_eta*t86 + sin_omega1_tau1_by_eta*t54 + sin_omega2_tau1_by_eta*t57;
+    const double v2_3_by_eta = cos_omega1_tau1_by_eta*t58 + cos_omega2_tau1_by_eta*t60 + omega1_by_eta*t92 + omega2_by_eta*t91 + p1_by_eta*t90 + p3_by_eta*t87 + sin_omega1_tau1_by_eta*t59 + sin_omega2_tau1_by_eta*t62;
     /* d/dV of: slip-slip for tau1, until first-reaches-belt */
-    const double z1_3_by_V = t14*v1_2_by_V + t15 + t8*z1_2_by_V + t9*tau;
-    const double z2_3_by_V = t16*z1_2_by_V + t17*tau + t18*v1_2_by_V + t19;
-    const double v1_3_by_V = t22*z1_2_by_V + t23*tau + t8*v1_2_by_V + t9;
-    const double v2_3_by_V = t16*v1_2_by_V + t17 + t25*z1_2_by_V - t26*tau;
+    const double z1_3_by_V = t12*v1_2_by_V + t13 + t6*z1_2_by_V + t7*tau;
+    const double z2_3_by_V = t14*z1_2_by_V + t15*tau + t16*v1_2_by_V + t17;
+    const double v1_3_by_V = t20*z1_2_by_V + t21*tau + t6*v1_2_by_V + t7;
+    const double v2_3_by_V = t14*v1_2_by_V + t15 + t23*z1_2_by_V - t24*tau;
     /* d/dchi of: functions of tau2 in stick-slip */
-    const double t95 = omega3_by_chi*tau2;
-    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t95;
-    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t95;
+    const double t93 = omega3_by_chi*tau2;
+    const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t93;
+    const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t93;
     /* d/deta of: functions of tau2 in stick-slip */
-    const double t96 = omega3_by_eta*tau2;
-    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t96;
-    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t96;
+    const double t94 = omega3_by_eta*tau2;
+    const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t94;
+    const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t94;
     /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
-    const double t97 = sin_omega3_tau2/(omega3*omega3);
-    const double t98 = V*t97 - t97*v2_3;
-    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t66 + omega3_by_chi*t98 + sin_omega3_tau2_by_chi*t67 + t29*z1_3_by_chi + t31*v2_3_by_chi;
-    const double t99 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3;
-    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t68 + omega3_by_chi*t99 + sin_omega3_tau2_by_chi*t69 + t65*z1_3_by_chi - t65*z2_3_by_chi;
+    const double t95 = sin_omega3_tau2/(omega3*omega3);
+    const double t96 = V*t95 - t95*v2_3;
+    const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t64 + omega3_by_chi*t96 + sin_omega3_tau2_by_chi*t65 + t27*z1_3_by_chi + t29*v2_3_by_chi;
+    const double t97 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3;
+    const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t66 + omega3_by_chi*t97 + sin_omega3_tau2_by_chi*t67 + t63*z1_3_by_chi - t63*z2_3_by_chi;
     /* d/deta of: stick-slip for tau2, until second-reaches-belt */
-    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t66 + omega3_by_eta*t98 + sin_omega3_tau2_by_eta*t67 + t29*z1_3_by_eta + t31*v2_3_by_eta;
-    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t68 + omega3_by_eta*t99 + sin_omega3_tau2_by_eta*t69 + t65*z1_3_by_eta - t65*z2_3_by_eta;
+    const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t64 + omega3_by_eta*t96 + sin_omega3_tau2_by_eta*t65 + t27*z1_3_by_eta + t29*v2_3_by_eta;
+    const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t66 + omega3_by_eta*t97 + sin_omega3_tau2_by_eta*t67 + t63*z1_3_by_eta - t63*z2_3_by_eta;
     /* d/dV of: stick-slip for tau2, until second-reaches-belt */
     const double z1_4_by_V = tau2 + z1_3_by_V;
-    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t29*z1_3_by_V + t31*v2_3_by_V + t32;
-    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t65*z1_3_by_V - t65*z2_3_by_V + 1;
+    const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t27*z1_3_by_V + t29*v2_3_by_V + t30;
+    const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t63*z1_3_by_V - t63*z2_3_by_V + 1;
     if (parameter_jacobian) {
         parameter_jacobian[lane] = -z20;
         parameter_jacobian[1*lanes + lane] = 0;
@@ -3315,7 +3242,7 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_equations_in_lane(
         parameter_jacobian[3*lanes + lane] = 0;
         parameter_jacobian[4*lanes + lane] = -chi*z1_2_by_chi - z1_2 + z2_2;
         parameter_jacobian[5*lanes + lane] = 0;
-        parameter_jacobian[6*lanes + lane] = -chi*z1_2_by_V + t2;
+        parameter_jacobian[6*lanes + lane] = -chi*z1_2_by_V + t1;
         parameter_jacobian[7*lanes + lane] = -1;
         parameter_jacobian[8*lanes + lane] = v1_3_by_chi;
         parameter_jacobian[9*lanes + lane] = v1_3_by_eta;
@@ -3347,7 +3274,7 @@ void dry_friction_solution_ii_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 1107. Intermediate terms: 252. */
+ * Operations: 1107. Intermediate terms: 250. */
 static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -3428,10 +3355,9 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     const double delay_ta_by_z10 = -t33;
     const double delay_ta_by_z20 = chi*t33;
     /* perturbation on the boundary after ta */
-    const double t34 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t34 + 1;
+    const double z2_1_on_boundary_by_z10 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = z2_1_on_boundary_by_z10 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t34;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
     const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
@@ -3441,21 +3367,21 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     /* rate of the exit boundary after tau */
     const double rate_2 = -chi*v1_2 + t32;
     /* derivatives of the time to the boundary after tau */
-    const double t35 = (1.0/(rate_2));
-    const double t36 = chi*z2_1_on_boundary_by_z10;
-    const double t37 = carried_z1_2_by_z10*chi - t36;
-    const double delay_tau_by_z10 = t35*t37;
-    const double t38 = chi*z2_1_on_boundary_by_z20;
-    const double t39 = carried_z1_2_by_z20*chi - t38;
-    const double delay_tau_by_z20 = t35*t39;
+    const double t34 = (1.0/(rate_2));
+    const double t35 = chi*z2_1_on_boundary_by_z10;
+    const double t36 = carried_z1_2_by_z10*chi - t35;
+    const double delay_tau_by_z10 = t34*t36;
+    const double t37 = chi*z2_1_on_boundary_by_z20;
+    const double t38 = carried_z1_2_by_z20*chi - t37;
+    const double delay_tau_by_z20 = t34*t38;
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t40 = chi*z2_2 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t40;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t40;
+    const double t39 = chi*z2_2 - z1_2;
+    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t39;
+    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t39;
     /* Phi along tau1 */
     const double carried_z1_3_by_z10 = t13*v1_2_on_boundary_by_z10 + t7*z1_2_on_boundary_by_z10 + t8*z2_2_on_boundary_by_z10;
     const double carried_z1_3_by_z20 = t13*v1_2_on_boundary_by_z20 + t7*z1_2_on_boundary_by_z20 + t8*z2_2_on_boundary_by_z20;
@@ -3466,37 +3392,37 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     const double carried_v2_3_by_z10 = t15*v1_2_on_boundary_by_z10 + t23*z1_2_on_boundary_by_z10 + t24*z2_2_on_boundary_by_z10;
     const double carried_v2_3_by_z20 = t15*v1_2_on_boundary_by_z20 + t23*z1_2_on_boundary_by_z20 + t24*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t41 = chi*z2_3;
-    const double rate_3 = t41 - z1_3;
+    const double t40 = chi*z2_3;
+    const double rate_3 = t40 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t42 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t42;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t42;
+    const double t41 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t41;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t41;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t43 = eta*z1_3;
-    const double t44 = chi*t43 - eta*t41;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t44;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t44;
+    const double t42 = eta*z1_3;
+    const double t43 = chi*t42 - eta*t40;
+    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t43;
+    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t43;
     /* Phi along tau2 */
     const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t26*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20;
-    const double t45 = omega3*z1_3_on_boundary_by_z10;
-    const double t46 = omega3*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t45 - sin_omega3_tau2*t46;
-    const double t47 = omega3*z1_3_on_boundary_by_z20;
-    const double t48 = omega3*z2_3_on_boundary_by_z20;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t47 - sin_omega3_tau2*t48;
+    const double t44 = omega3*z1_3_on_boundary_by_z10;
+    const double t45 = omega3*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t44 - sin_omega3_tau2*t45;
+    const double t46 = omega3*z1_3_on_boundary_by_z20;
+    const double t47 = omega3*z2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t46 - sin_omega3_tau2*t47;
     /* rate of the exit boundary after tau2 */
-    const double t49 = eta*z1_4;
-    const double t50 = eta*z2_4;
-    const double rate_4 = chi*t49 - chi*t50;
+    const double t48 = eta*z1_4;
+    const double t49 = eta*z2_4;
+    const double rate_4 = chi*t48 - chi*t49;
     /* derivatives of the time to the boundary after tau2 */
-    const double t51 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t51;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t51;
+    const double t50 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t50;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t50;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z2_4_on_boundary_by_z20 = carried_z2_4_by_z20 + delay_tau2_by_z20*v2_4;
@@ -3518,30 +3444,30 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
         omega3_by_chi = spectrum_derivatives[12*lanes + lane],
         omega3_by_eta = spectrum_derivatives[13*lanes + lane];
     /* back through: rate of the exit boundary after tau2 */
-    const double t52 = (1.0/(rate_4*rate_4));
-    const double slope_by_rate_4 = V*carried_v2_4_by_z10*t52 + carried_v2_4_by_z20*t52*v2_4;
+    const double t51 = (1.0/(rate_4*rate_4));
+    const double slope_by_rate_4 = V*carried_v2_4_by_z10*t51 + carried_v2_4_by_z20*t51*v2_4;
     /* back through: Phi along tau2 */
-    const double slope_by_carried_v2_4_by_z20 = -t51*v2_4;
-    const double slope_by_carried_v2_4_by_z10 = -V*t51;
+    const double slope_by_carried_v2_4_by_z20 = -t50*v2_4;
+    const double slope_by_carried_v2_4_by_z10 = -V*t50;
     /* back through: perturbation on the boundary after tau1 */
     const double slope_by_v2_3_on_boundary_by_z20 = cos_omega3_tau2*slope_by_carried_v2_4_by_z20 + t28;
     const double slope_by_v2_3_on_boundary_by_z10 = cos_omega3_tau2*slope_by_carried_v2_4_by_z10;
-    const double t53 = omega3*sin_omega3_tau2;
-    const double t54 = -cos_omega3_tau2 + slope_by_carried_v2_4_by_z20*t53;
-    const double slope_by_z2_3_on_boundary_by_z20 = -t54;
-    const double t55 = slope_by_carried_v2_4_by_z10*t53;
-    const double slope_by_z2_3_on_boundary_by_z10 = -t55;
-    const double slope_by_z1_3_on_boundary_by_z20 = t54 + 1;
-    const double slope_by_z1_3_on_boundary_by_z10 = t55 + 1;
+    const double t52 = omega3*sin_omega3_tau2;
+    const double t53 = -cos_omega3_tau2 + slope_by_carried_v2_4_by_z20*t52;
+    const double slope_by_z2_3_on_boundary_by_z20 = -t53;
+    const double t54 = slope_by_carried_v2_4_by_z10*t52;
+    const double slope_by_z2_3_on_boundary_by_z10 = -t54;
+    const double slope_by_z1_3_on_boundary_by_z20 = t53 + 1;
+    const double slope_by_z1_3_on_boundary_by_z10 = t54 + 1;
     /* back through: derivatives of the time to the boundary after tau1 */
-    const double slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t44 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3;
-    const double slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t44 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3;
+    const double slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t43 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3;
+    const double slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t43 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3;
     /* back through: rate of the exit boundary after tau1 */
-    const double t56 = (1.0/(rate_3*rate_3));
-    const double slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t56 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t56;
+    const double t55 = (1.0/(rate_3*rate_3));
+    const double slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t55 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t55;
     /* back through: Phi along tau1 */
-    const double slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t42;
-    const double slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t42;
+    const double slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t41;
+    const double slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t41;
     /* back through: perturbation on the boundary after tau */
     const double slope_by_v1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t7 + slope_by_v2_3_on_boundary_by_z20*t15 + slope_by_z1_3_on_boundary_by_z20*t13 + slope_by_z2_3_on_boundary_by_z20*t17;
     const double slope_by_v1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t7 + slope_by_v2_3_on_boundary_by_z10*t15 + slope_by_z1_3_on_boundary_by_z10*t13 + slope_by_z2_3_on_boundary_by_z10*t17;
@@ -3550,140 +3476,139 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_trace_in_lane(
     const double slope_by_z1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t21 + slope_by_v2_3_on_boundary_by_z20*t23 + slope_by_z1_3_on_boundary_by_z20*t7 + slope_by_z2_3_on_boundary_by_z20*t15;
     const double slope_by_z1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t21 + slope_by_v2_3_on_boundary_by_z10*t23 + slope_by_z1_3_on_boundary_by_z10*t7 + slope_by_z2_3_on_boundary_by_z10*t15;
     /* back through: derivatives of the time to the boundary after tau */
-    const double slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t40 + slope_by_z1_2_on_boundary_by_z20*v1_2;
-    const double slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t40 + slope_by_z1_2_on_boundary_by_z10*v1_2;
+    const double slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t39 + slope_by_z1_2_on_boundary_by_z20*v1_2;
+    const double slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t39 + slope_by_z1_2_on_boundary_by_z10*v1_2;
     /* back through: rate of the exit boundary after tau */
-    const double t57 = (1.0/(rate_2*rate_2));
-    const double slope_by_rate_2 = -slope_by_delay_tau_by_z10*t37*t57 - slope_by_delay_tau_by_z20*t39*t57;
+    const double t56 = (1.0/(rate_2*rate_2));
+    const double slope_by_rate_2 = -slope_by_delay_tau_by_z10*t36*t56 - slope_by_delay_tau_by_z20*t38*t56;
     /* back through: Phi along tau */
-    const double t58 = chi*t35;
-    const double t59 = slope_by_delay_tau_by_z20*t58;
-    const double slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t59;
-    const double t60 = slope_by_delay_tau_by_z10*t58;
-    const double slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t60;
+    const double t57 = chi*t34;
+    const double t58 = slope_by_delay_tau_by_z20*t57;
+    const double slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t58;
+    const double t59 = slope_by_delay_tau_by_z10*t57;
+    const double slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t59;
     /* back through: perturbation on the boundary after ta */
-    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t1 + slope_by_v1_2_on_boundary_by_z20*t2 + slope_by_z2_2_on_boundary_by_z20 - t59;
-    const double slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t1 + slope_by_v1_2_on_boundary_by_z10*t2 + slope_by_z2_2_on_boundary_by_z10 - t60;
-    const double t61 = sin_tau*slope_by_v1_2_on_boundary_by_z20;
-    const double slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t61;
-    const double t62 = sin_tau*slope_by_v1_2_on_boundary_by_z10;
-    const double slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t62;
+    const double slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t1 + slope_by_v1_2_on_boundary_by_z20*t2 + slope_by_z2_2_on_boundary_by_z20 - t58;
+    const double slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t1 + slope_by_v1_2_on_boundary_by_z10*t2 + slope_by_z2_2_on_boundary_by_z10 - t59;
+    const double t60 = sin_tau*slope_by_v1_2_on_boundary_by_z20;
+    const double slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t60;
+    const double t61 = sin_tau*slope_by_v1_2_on_boundary_by_z10;
+    const double slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t61;
     /* back through: derivatives of the time to the boundary after ta */
     const double slope_by_delay_ta_by_z20 = V*slope_by_z1_1_on_boundary_by_z20 + V*slope_by_z2_1_on_boundary_by_z20;
     const double slope_by_delay_ta_by_z10 = V*slope_by_z1_1_on_boundary_by_z10 + V*slope_by_z2_1_on_boundary_by_z10;
     /* back through: rate of the exit boundary after ta */
-    const double t63 = (1.0/(rate_1*rate_1));
-    const double slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t63 + slope_by_delay_ta_by_z10*t63;
+    const double t62 = (1.0/(rate_1*rate_1));
+    const double slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t62 + slope_by_delay_ta_by_z10*t62;
     /* back through: stick-slip for tau2, until second-reaches-belt */
-    const double t64 = chi*eta;
-    const double t65 = slope_by_rate_4*t64;
-    const double slope_by_z2_4 = -t65;
-    const double slope_by_z1_4 = t65;
+    const double t63 = chi*eta;
+    const double slope_by_z1_4 = slope_by_rate_4*t63;
+    const double slope_by_z2_4 = -slope_by_z1_4;
     /* back through: functions of tau2 in stick-slip */
-    const double slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t30 - t31) + slope_by_carried_v2_4_by_z10*(t45 - t46) + slope_by_carried_v2_4_by_z20*(t47 - t48) + slope_by_z2_4*(-V*t27 + t27*v2_3) + t27*v2_3_on_boundary_by_z20;
+    const double slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t30 - t31) + slope_by_carried_v2_4_by_z10*(t44 - t45) + slope_by_carried_v2_4_by_z20*(t46 - t47) + slope_by_z2_4*(-V*t27 + t27*v2_3) + t27*v2_3_on_boundary_by_z20;
     const double slope_by_cos_omega3_tau2 = delay_tau2_by_z20*(-V + v2_3) + slope_by_carried_v2_4_by_z10*v2_3_on_boundary_by_z10 + slope_by_carried_v2_4_by_z20*v2_3_on_boundary_by_z20 + slope_by_z2_4*(-z1_3 + z2_3) - z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20;
     /* back through: slip-slip for tau1, until first-reaches-belt */
     const double slope_by_v2_3 = cos_omega3_tau2*delay_tau2_by_z20 + delay_tau1_by_z10*slope_by_z2_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z2_3_on_boundary_by_z20 + slope_by_z2_4*t28;
     const double slope_by_v1_3 = delay_tau1_by_z10*slope_by_z1_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z1_3_on_boundary_by_z20;
-    const double t66 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10;
-    const double t67 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20;
-    const double t68 = delay_tau2_by_z20*t53 + t64*t66 + t64*t67;
-    const double slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t68;
-    const double slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t26 + t68;
+    const double t64 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10;
+    const double t65 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20;
+    const double t66 = delay_tau2_by_z20*t52 + t63*t64 + t63*t65;
+    const double slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t66;
+    const double slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t26 + t66;
     /* back through: functions of tau1 in slip-slip */
-    const double t69 = p3*z1_2_on_boundary_by_z20;
-    const double t70 = p1*z2_2_on_boundary_by_z20;
-    const double t71 = p3*z1_2_on_boundary_by_z10;
-    const double t72 = p1*z2_2_on_boundary_by_z10;
-    const double t73 = p2*z2_2_on_boundary_by_z20;
-    const double t74 = t6*z1_2_on_boundary_by_z20;
-    const double t75 = p2*z2_2_on_boundary_by_z10;
-    const double t76 = t6*z1_2_on_boundary_by_z10;
-    const double t77 = p3*z1_2;
-    const double t78 = p1*z2_2;
-    const double t79 = p2*z2_2;
-    const double t80 = t6*z1_2;
-    const double t81 = V*p1;
-    const double t82 = p3*v1_2;
-    const double t83 = V*p2;
-    const double t84 = t11*t6;
-    const double t85 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10;
-    const double t86 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20;
-    const double t87 = p3*v1_2_on_boundary_by_z10;
-    const double t88 = slope_by_z2_3_on_boundary_by_z10*t87;
-    const double t89 = p3*v1_2_on_boundary_by_z20;
-    const double t90 = slope_by_z2_3_on_boundary_by_z20*t89;
-    const double slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t75 - omega2*t76) + slope_by_carried_v1_3_by_z20*(omega2*t73 - omega2*t74) + slope_by_v1_3*(omega2*t79 - omega2*t80) + slope_by_v2_3*(omega2*t77 - omega2*t78) + slope_by_v2_3_on_boundary_by_z10*(omega2*t71 - omega2*t72) + slope_by_v2_3_on_boundary_by_z20*(omega2*t69 - omega2*t70) + slope_by_z1_3*(t11*t6*v1_2 - t11*t83) + slope_by_z2_3*(t11*t81 - t11*t82) - t11*t88 - t11*t90 + t84*t85 + t84*t86;
-    const double t91 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10;
-    const double t92 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20;
-    const double t93 = slope_by_v2_3_on_boundary_by_z10*t87;
-    const double t94 = slope_by_v2_3_on_boundary_by_z20*t89;
-    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t6*v1_2 - t83) + slope_by_v2_3*(t81 - t82) + slope_by_z1_3*(t6*z1_2 - t79) + slope_by_z1_3_on_boundary_by_z10*(t6*z1_2_on_boundary_by_z10 - t75) + slope_by_z1_3_on_boundary_by_z20*(t6*z1_2_on_boundary_by_z20 - t73) + slope_by_z2_3*(p1*z2_2 - t77) + slope_by_z2_3_on_boundary_by_z10*(p1*z2_2_on_boundary_by_z10 - t71) + slope_by_z2_3_on_boundary_by_z20*(p1*z2_2_on_boundary_by_z20 - t69) + t6*t91 + t6*t92 - t93 - t94;
-    const double t95 = t6*z2_2_on_boundary_by_z20;
-    const double t96 = t6*z2_2_on_boundary_by_z10;
-    const double t97 = p1*z1_2_on_boundary_by_z20;
-    const double t98 = p1*z1_2_on_boundary_by_z10;
-    const double t99 = t6*z2_2;
-    const double t100 = p1*z1_2;
-    const double t101 = V*t6;
-    const double t102 = p1*v1_2;
-    const double t103 = p1*t9;
-    const double slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t75 - omega1*t98) + slope_by_carried_v1_3_by_z20*(-omega1*t73 - omega1*t97) + slope_by_v1_3*(-omega1*t100 - omega1*t79) + slope_by_v2_3*(-omega1*t77 - omega1*t99) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t71 - omega1*t96) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t69 - omega1*t95) + slope_by_z1_3*(t102*t9 + t83*t9) + slope_by_z2_3*(t101*t9 + t82*t9) + t103*t85 + t103*t86 + t88*t9 + t9*t90;
-    const double slope_by_cos_omega1_tau1 = p1*t91 + p1*t92 + slope_by_v1_3*(t102 + t83) + slope_by_v2_3*(t101 + t82) + slope_by_z1_3*(t100 + t79) + slope_by_z1_3_on_boundary_by_z10*(t75 + t98) + slope_by_z1_3_on_boundary_by_z20*(t73 + t97) + slope_by_z2_3*(t77 + t99) + slope_by_z2_3_on_boundary_by_z10*(t71 + t96) + slope_by_z2_3_on_boundary_by_z20*(t69 + t95) + t93 + t94;
+    const double t67 = p3*z1_2_on_boundary_by_z20;
+    const double t68 = p1*z2_2_on_boundary_by_z20;
+    const double t69 = p3*z1_2_on_boundary_by_z10;
+    const double t70 = p1*z2_2_on_boundary_by_z10;
+    const double t71 = p2*z2_2_on_boundary_by_z20;
+    const double t72 = t6*z1_2_on_boundary_by_z20;
+    const double t73 = p2*z2_2_on_boundary_by_z10;
+    const double t74 = t6*z1_2_on_boundary_by_z10;
+    const double t75 = p3*z1_2;
+    const double t76 = p1*z2_2;
+    const double t77 = p2*z2_2;
+    const double t78 = t6*z1_2;
+    const double t79 = V*p1;
+    const double t80 = p3*v1_2;
+    const double t81 = V*p2;
+    const double t82 = t11*t6;
+    const double t83 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10;
+    const double t84 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20;
+    const double t85 = p3*v1_2_on_boundary_by_z10;
+    const double t86 = slope_by_z2_3_on_boundary_by_z10*t85;
+    const double t87 = p3*v1_2_on_boundary_by_z20;
+    const double t88 = slope_by_z2_3_on_boundary_by_z20*t87;
+    const double slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t73 - omega2*t74) + slope_by_carried_v1_3_by_z20*(omega2*t71 - omega2*t72) + slope_by_v1_3*(omega2*t77 - omega2*t78) + slope_by_v2_3*(omega2*t75 - omega2*t76) + slope_by_v2_3_on_boundary_by_z10*(omega2*t69 - omega2*t70) + slope_by_v2_3_on_boundary_by_z20*(omega2*t67 - omega2*t68) + slope_by_z1_3*(t11*t6*v1_2 - t11*t81) + slope_by_z2_3*(t11*t79 - t11*t80) - t11*t86 - t11*t88 + t82*t83 + t82*t84;
+    const double t89 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10;
+    const double t90 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20;
+    const double t91 = slope_by_v2_3_on_boundary_by_z10*t85;
+    const double t92 = slope_by_v2_3_on_boundary_by_z20*t87;
+    const double slope_by_cos_omega2_tau1 = slope_by_v1_3*(t6*v1_2 - t81) + slope_by_v2_3*(t79 - t80) + slope_by_z1_3*(t6*z1_2 - t77) + slope_by_z1_3_on_boundary_by_z10*(t6*z1_2_on_boundary_by_z10 - t73) + slope_by_z1_3_on_boundary_by_z20*(t6*z1_2_on_boundary_by_z20 - t71) + slope_by_z2_3*(p1*z2_2 - t75) + slope_by_z2_3_on_boundary_by_z10*(p1*z2_2_on_boundary_by_z10 - t69) + slope_by_z2_3_on_boundary_by_z20*(p1*z2_2_on_boundary_by_z20 - t67) + t6*t89 + t6*t90 - t91 - t92;
+    const double t93 = t6*z2_2_on_boundary_by_z20;
+    const double t94 = t6*z2_2_on_boundary_by_z10;
+    const double t95 = p1*z1_2_on_boundary_by_z20;
+    const double t96 = p1*z1_2_on_boundary_by_z10;
+    const double t97 = t6*z2_2;
+    const double t98 = p1*z1_2;
+    const double t99 = V*t6;
+    const double t100 = p1*v1_2;
+    const double t101 = p1*t9;
+    const double slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t73 - omega1*t96) + slope_by_carried_v1_3_by_z20*(-omega1*t71 - omega1*t95) + slope_by_v1_3*(-omega1*t77 - omega1*t98) + slope_by_v2_3*(-omega1*t75 - omega1*t97) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t69 - omega1*t94) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t67 - omega1*t93) + slope_by_z1_3*(t100*t9 + t81*t9) + slope_by_z2_3*(t80*t9 + t9*t99) + t101*t83 + t101*t84 + t86*t9 + t88*t9;
+    const double slope_by_cos_omega1_tau1 = p1*t89 + p1*t90 + slope_by_v1_3*(t100 + t81) + slope_by_v2_3*(t80 + t99) + slope_by_z1_3*(t77 + t98) + slope_by_z1_3_on_boundary_by_z10*(t73 + t96) + slope_by_z1_3_on_boundary_by_z20*(t71 + t95) + slope_by_z2_3*(t75 + t97) + slope_by_z2_3_on_boundary_by_z10*(t69 + t94) + slope_by_z2_3_on_boundary_by_z20*(t67 + t93) + t91 + t92;
     /* back through: slip-stick for tau, until second-breaks-forward */
-    const double t104 = chi*slope_by_rate_2;
-    const double slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t7 + slope_by_v2_3*t15 + slope_by_z1_3*t13 + slope_by_z2_3*t17 - t104;
-    const double t105 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10;
-    const double t106 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20;
-    const double slope_by_z2_2 = chi*t105 + chi*t106 + slope_by_v1_3*t22 + slope_by_v2_3*t24 + slope_by_z1_3*t8 + slope_by_z2_3*t16;
-    const double slope_by_z1_2 = slope_by_v1_3*t21 + slope_by_v2_3*t23 + slope_by_z1_3*t7 + slope_by_z2_3*t15 - t105 - t106;
+    const double t102 = chi*slope_by_rate_2;
+    const double slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t7 + slope_by_v2_3*t15 + slope_by_z1_3*t13 + slope_by_z2_3*t17 - t102;
+    const double t103 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10;
+    const double t104 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20;
+    const double slope_by_z2_2 = chi*t103 + chi*t104 + slope_by_v1_3*t22 + slope_by_v2_3*t24 + slope_by_z1_3*t8 + slope_by_z2_3*t16;
+    const double slope_by_z1_2 = slope_by_v1_3*t21 + slope_by_v2_3*t23 + slope_by_z1_3*t7 + slope_by_z2_3*t15 - t103 - t104;
     /* back through: functions of tau in slip-stick */
-    const double t107 = t38 - z1_1_on_boundary_by_z20;
-    const double t108 = t36 - z1_1_on_boundary_by_z10;
-    const double t109 = chi*z20 - z10;
-    const double slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t109 + slope_by_v1_2_on_boundary_by_z10*t108 + slope_by_v1_2_on_boundary_by_z20*t107;
-    const double slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t108 - slope_by_carried_z1_2_by_z20*t107 - slope_by_z1_2*t109;
+    const double t105 = t37 - z1_1_on_boundary_by_z20;
+    const double t106 = t35 - z1_1_on_boundary_by_z10;
+    const double t107 = chi*z20 - z10;
+    const double slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t107 + slope_by_v1_2_on_boundary_by_z10*t106 + slope_by_v1_2_on_boundary_by_z20*t105;
+    const double slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t106 - slope_by_carried_z1_2_by_z20*t105 - slope_by_z1_2*t107;
     /* trace_gradient */
-    const double t110 = cos_omega2_tau1*slope_by_sin_omega2_tau1;
-    const double t111 = cos_omega1_tau1*slope_by_sin_omega1_tau1;
-    const double t112 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
-    const double t113 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
-    const double t114 = cos_omega3_tau2*slope_by_sin_omega3_tau2;
-    const double t115 = sin_omega3_tau2*slope_by_cos_omega3_tau2;
-    const double t116 = sin_omega3_tau2/(omega3*omega3);
-    const double t117 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t116 - t116*v2_3) + t114*tau2 - t115*tau2 - t116*v2_3_on_boundary_by_z20;
-    const double t118 = -t19 + t20;
-    const double t119 = cos_omega1_tau1 - cos_omega2_tau1;
-    const double t120 = t118*z1_2_on_boundary_by_z20 + t119*v1_2_on_boundary_by_z20;
-    const double t121 = t118*z1_2_on_boundary_by_z10 + t119*v1_2_on_boundary_by_z10;
-    const double t122 = t10 - t12;
-    const double t123 = t119*z1_2_on_boundary_by_z20 + t122*v1_2_on_boundary_by_z20;
-    const double t124 = t119*z1_2_on_boundary_by_z10 + t122*v1_2_on_boundary_by_z10;
-    const double t125 = t118*z1_2 + t119*v1_2;
-    const double t126 = t119*z1_2 + t122*v1_2;
-    const double t127 = slope_by_v2_3*t125 + slope_by_v2_3_on_boundary_by_z10*t121 + slope_by_v2_3_on_boundary_by_z20*t120 + slope_by_z2_3*t126 + slope_by_z2_3_on_boundary_by_z10*t124 + slope_by_z2_3_on_boundary_by_z20*t123;
-    const double t128 = slope_by_carried_v1_3_by_z10*t118*z2_2_on_boundary_by_z10 + slope_by_carried_v1_3_by_z20*t118*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t119 + t118*z2_2) + slope_by_z1_3*(V*t122 + t119*z2_2) + slope_by_z1_3_on_boundary_by_z10*t119*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t119*z2_2_on_boundary_by_z20;
-    const double t129 = slope_by_carried_v1_3_by_z10*t121 + slope_by_carried_v1_3_by_z20*t120 + slope_by_v1_3*t125 + slope_by_v2_3*(-V*t119 - t118*z2_2) - slope_by_v2_3_on_boundary_by_z10*t118*z2_2_on_boundary_by_z10 - slope_by_v2_3_on_boundary_by_z20*t118*z2_2_on_boundary_by_z20 + slope_by_z1_3*t126 + slope_by_z1_3_on_boundary_by_z10*t124 + slope_by_z1_3_on_boundary_by_z20*t123 + slope_by_z2_3*(-V*t122 - t119*z2_2) - slope_by_z2_3_on_boundary_by_z10*t119*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t119*z2_2_on_boundary_by_z20;
-    const double t130 = (1.0/(omega2*omega2));
-    const double t131 = sin_omega2_tau1*t130;
-    const double t132 = t131*t6;
-    const double t133 = slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t75 - sin_omega2_tau1*t76) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t73 - sin_omega2_tau1*t74) + slope_by_v1_3*(sin_omega2_tau1*t79 - sin_omega2_tau1*t80) + slope_by_v2_3*(sin_omega2_tau1*t77 - sin_omega2_tau1*t78) + slope_by_v2_3_on_boundary_by_z10*(sin_omega2_tau1*t71 - sin_omega2_tau1*t72) + slope_by_v2_3_on_boundary_by_z20*(sin_omega2_tau1*t69 - sin_omega2_tau1*t70) + slope_by_z1_3*(-t131*t6*v1_2 + t131*t83) + slope_by_z2_3*(p3*sin_omega2_tau1*t130*v1_2 - t131*t81) + t110*tau1 - t112*tau1 + t131*t88 + t131*t90 - t132*t85 - t132*t86;
-    const double t134 = sin_omega1_tau1/(omega1*omega1);
-    const double t135 = p1*t134;
-    const double t136 = slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t75 - sin_omega1_tau1*t98) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t73 - sin_omega1_tau1*t97) + slope_by_v1_3*(-sin_omega1_tau1*t100 - sin_omega1_tau1*t79) + slope_by_v2_3*(-sin_omega1_tau1*t77 - sin_omega1_tau1*t99) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t71 - sin_omega1_tau1*t96) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t69 - sin_omega1_tau1*t95) + slope_by_z1_3*(-t102*t134 - t134*t83) + slope_by_z2_3*(-t101*t134 - t134*t82) + t111*tau1 - t113*tau1 - t134*t88 - t134*t90 - t135*t85 - t135*t86;
-    const double t137 = 1 - cos_tau;
-    const double t138 = -eta*z2_3 + t43;
-    const double t139 = chi*z1_3 - t41;
+    const double t108 = cos_omega2_tau1*slope_by_sin_omega2_tau1;
+    const double t109 = cos_omega1_tau1*slope_by_sin_omega1_tau1;
+    const double t110 = sin_omega2_tau1*slope_by_cos_omega2_tau1;
+    const double t111 = sin_omega1_tau1*slope_by_cos_omega1_tau1;
+    const double t112 = cos_omega3_tau2*slope_by_sin_omega3_tau2;
+    const double t113 = sin_omega3_tau2*slope_by_cos_omega3_tau2;
+    const double t114 = sin_omega3_tau2/(omega3*omega3);
+    const double t115 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t114 - t114*v2_3) + t112*tau2 - t113*tau2 - t114*v2_3_on_boundary_by_z20;
+    const double t116 = -t19 + t20;
+    const double t117 = cos_omega1_tau1 - cos_omega2_tau1;
+    const double t118 = t116*z1_2_on_boundary_by_z20 + t117*v1_2_on_boundary_by_z20;
+    const double t119 = t116*z1_2_on_boundary_by_z10 + t117*v1_2_on_boundary_by_z10;
+    const double t120 = t10 - t12;
+    const double t121 = t117*z1_2_on_boundary_by_z20 + t120*v1_2_on_boundary_by_z20;
+    const double t122 = t117*z1_2_on_boundary_by_z10 + t120*v1_2_on_boundary_by_z10;
+    const double t123 = t116*z1_2 + t117*v1_2;
+    const double t124 = t117*z1_2 + t120*v1_2;
+    const double t125 = slope_by_v2_3*t123 + slope_by_v2_3_on_boundary_by_z10*t119 + slope_by_v2_3_on_boundary_by_z20*t118 + slope_by_z2_3*t124 + slope_by_z2_3_on_boundary_by_z10*t122 + slope_by_z2_3_on_boundary_by_z20*t121;
+    const double t126 = slope_by_carried_v1_3_by_z10*t116*z2_2_on_boundary_by_z10 + slope_by_carried_v1_3_by_z20*t116*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t117 + t116*z2_2) + slope_by_z1_3*(V*t120 + t117*z2_2) + slope_by_z1_3_on_boundary_by_z10*t117*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t117*z2_2_on_boundary_by_z20;
+    const double t127 = slope_by_carried_v1_3_by_z10*t119 + slope_by_carried_v1_3_by_z20*t118 + slope_by_v1_3*t123 + slope_by_v2_3*(-V*t117 - t116*z2_2) - slope_by_v2_3_on_boundary_by_z10*t116*z2_2_on_boundary_by_z10 - slope_by_v2_3_on_boundary_by_z20*t116*z2_2_on_boundary_by_z20 + slope_by_z1_3*t124 + slope_by_z1_3_on_boundary_by_z10*t122 + slope_by_z1_3_on_boundary_by_z20*t121 + slope_by_z2_3*(-V*t120 - t117*z2_2) - slope_by_z2_3_on_boundary_by_z10*t117*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t117*z2_2_on_boundary_by_z20;
+    const double t128 = (1.0/(omega2*omega2));
+    const double t129 = sin_omega2_tau1*t128;
+    const double t130 = t129*t6;
+    const double t131 = slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t73 - sin_omega2_tau1*t74) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t71 - sin_omega2_tau1*t72) + slope_by_v1_3*(sin_omega2_tau1*t77 - sin_omega2_tau1*t78) + slope_by_v2_3*(sin_omega2_tau1*t75 - sin_omega2_tau1*t76) + slope_by_v2_3_on_boundary_by_z10*(sin_omega2_tau1*t69 - sin_omega2_tau1*t70) + slope_by_v2_3_on_boundary_by_z20*(sin_omega2_tau1*t67 - sin_omega2_tau1*t68) + slope_by_z1_3*(-t129*t6*v1_2 + t129*t81) + slope_by_z2_3*(p3*sin_omega2_tau1*t128*v1_2 - t129*t79) + t108*tau1 - t110*tau1 + t129*t86 + t129*t88 - t130*t83 - t130*t84;
+    const double t132 = sin_omega1_tau1/(omega1*omega1);
+    const double t133 = p1*t132;
+    const double t134 = slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t73 - sin_omega1_tau1*t96) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t71 - sin_omega1_tau1*t95) + slope_by_v1_3*(-sin_omega1_tau1*t77 - sin_omega1_tau1*t98) + slope_by_v2_3*(-sin_omega1_tau1*t75 - sin_omega1_tau1*t97) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t69 - sin_omega1_tau1*t94) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t67 - sin_omega1_tau1*t93) + slope_by_z1_3*(-t100*t132 - t132*t81) + slope_by_z2_3*(-t132*t80 - t132*t99) + t109*tau1 - t111*tau1 - t132*t86 - t132*t88 - t133*t83 - t133*t84;
+    const double t135 = 1 - cos_tau;
+    const double t136 = -eta*z2_3 + t42;
+    const double t137 = chi*z1_3 - t40;
     if (trace_gradient) {
         trace_gradient[lane] = cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2;
         trace_gradient[1*lanes + lane] = slope_by_v1_2*t2 + slope_by_z1_2*t1 + slope_by_z2_2;
         trace_gradient[2*lanes + lane] = V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t32;
-        trace_gradient[3*lanes + lane] = omega1*t111 - omega1*t113 + omega2*t110 - omega2*t112;
-        trace_gradient[4*lanes + lane] = V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t114 - omega3*t115;
+        trace_gradient[3*lanes + lane] = omega1*t109 - omega1*t111 + omega2*t108 - omega2*t110;
+        trace_gradient[4*lanes + lane] = V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t112 - omega3*t113;
         trace_gradient[5*lanes + lane] = 0;
-        trace_gradient[6*lanes + lane] = -V*slope_by_rate_1 + omega1_by_chi*t136 + omega2_by_chi*t133 + omega3_by_chi*t117 + p1_by_chi*t129 + p2_by_chi*t128 + p3_by_chi*t127 + slope_by_carried_z1_2_by_z10*t137*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t137*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t33 + slope_by_delay_tau_by_z10*t35*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t35*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t49 - t50) + slope_by_v1_2*(V*t137 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t137*z20) + t105*z2_2 + t106*z2_2 + t138*t66 + t138*t67 + t61*z2_1_on_boundary_by_z20 + t62*z2_1_on_boundary_by_z10;
-        trace_gradient[7*lanes + lane] = omega1_by_eta*t136 + omega2_by_eta*t133 + omega3_by_eta*t117 + p1_by_eta*t129 + p2_by_eta*t128 + p3_by_eta*t127 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t139*t66 + t139*t67;
-        trace_gradient[8*lanes + lane] = delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t26 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t0) + slope_by_v1_3*t8 + slope_by_v2_3*t16 + slope_by_z1_2*(sin_tau + t3) + slope_by_z1_3*t14 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t18 + slope_by_z2_4*t29 + t104;
+        trace_gradient[6*lanes + lane] = -V*slope_by_rate_1 + omega1_by_chi*t134 + omega2_by_chi*t131 + omega3_by_chi*t115 + p1_by_chi*t127 + p2_by_chi*t126 + p3_by_chi*t125 + slope_by_carried_z1_2_by_z10*t135*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t135*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t33 + slope_by_delay_tau_by_z10*t34*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t34*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t48 - t49) + slope_by_v1_2*(V*t135 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t135*z20) + t103*z2_2 + t104*z2_2 + t136*t64 + t136*t65 + t60*z2_1_on_boundary_by_z20 + t61*z2_1_on_boundary_by_z10;
+        trace_gradient[7*lanes + lane] = omega1_by_eta*t134 + omega2_by_eta*t131 + omega3_by_eta*t115 + p1_by_eta*t127 + p2_by_eta*t126 + p3_by_eta*t125 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t137*t64 + t137*t65;
+        trace_gradient[8*lanes + lane] = delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t26 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t0) + slope_by_v1_3*t8 + slope_by_v2_3*t16 + slope_by_z1_2*(sin_tau + t3) + slope_by_z1_3*t14 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t18 + slope_by_z2_4*t29 + t102;
         trace_gradient[9*lanes + lane] = 0;
     }
 }
@@ -3842,7 +3767,7 @@ void dry_friction_solution_ii_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 479. Intermediate terms: 180. */
+ * Operations: 476. Intermediate terms: 169. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_linearisation(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
@@ -3858,124 +3783,123 @@ void dry_friction_solution_ii_linearisation(
     const double sin_tau = sin(tau);
     /* slip-stick for tau, until second-breaks-forward */
     const double t0 = chi*cos_tau;
-    const double t1 = chi - t0;
-    const double t2 = chi*tau;
-    const double t3 = chi*sin_tau;
-    const double t4 = t2 - t3;
-    const double z1_2 = V*sin_tau + V*t4 + cos_tau*z10 + t1*z20;
+    const double phi_2_23 = chi - t0;
+    const double t1 = chi*tau;
+    const double t2 = chi*sin_tau;
+    const double phi_2_03 = t1 - t2;
+    const double z1_2 = V*phi_2_03 + V*sin_tau + cos_tau*z10 + phi_2_23*z20;
     const double z2_2 = V*tau + z20;
-    const double v1_2 = V*cos_tau + V*t1 - sin_tau*z10 + t3*z20;
+    const double v1_2 = V*cos_tau + V*phi_2_23 - sin_tau*z10 + t2*z20;
     /* functions of tau1 in slip-slip */
-    const double t5 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t5);
-    const double sin_omega1_tau1 = sin(t5);
-    const double t6 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t6);
-    const double sin_omega2_tau1 = sin(t6);
+    const double t3 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t3);
+    const double sin_omega1_tau1 = sin(t3);
+    const double t4 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t4);
+    const double sin_omega2_tau1 = sin(t4);
     /* slip-slip for tau1, until first-reaches-belt */
-    const double t7 = 1 - p1;
-    const double t8 = cos_omega1_tau1*p1 + cos_omega2_tau1*t7;
-    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double t10 = sin_omega1_tau1/omega1;
-    const double t11 = sin_omega2_tau1/omega2;
-    const double t12 = p1*t10 + t11*t7;
-    const double t13 = p2*t10 - p2*t11;
-    const double z1_3 = V*t13 + t12*v1_2 + t8*z1_2 + t9*z2_2;
-    const double t14 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t15 = cos_omega1_tau1*t7 + cos_omega2_tau1*p1;
-    const double t16 = p3*t10 - p3*t11;
-    const double t17 = p1*t11 + t10*t7;
-    const double z2_3 = V*t17 + t14*z1_2 + t15*z2_2 + t16*v1_2;
-    const double t18 = omega1*sin_omega1_tau1;
-    const double t19 = omega2*sin_omega2_tau1;
-    const double t20 = -p1*t18 - t19*t7;
-    const double t21 = -p2*t18 + p2*t19;
-    const double v1_3 = V*t9 + t20*z1_2 + t21*z2_2 + t8*v1_2;
-    const double t22 = -p3*t18 + p3*t19;
-    const double t23 = p1*t19;
-    const double t24 = t18*t7;
-    const double t25 = -t23 - t24;
-    const double v2_3 = V*t15 + t14*v1_2 + t22*z1_2 + t25*z2_2;
+    const double t5 = 1 - p1;
+    const double t6 = cos_omega1_tau1*p1 + cos_omega2_tau1*t5;
+    const double t7 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double t8 = sin_omega1_tau1/omega1;
+    const double t9 = sin_omega2_tau1/omega2;
+    const double t10 = p1*t8 + t5*t9;
+    const double t11 = p2*t8 - p2*t9;
+    const double z1_3 = V*t11 + t10*v1_2 + t6*z1_2 + t7*z2_2;
+    const double t12 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t13 = cos_omega1_tau1*t5 + cos_omega2_tau1*p1;
+    const double t14 = p3*t8 - p3*t9;
+    const double t15 = p1*t9 + t5*t8;
+    const double z2_3 = V*t15 + t12*z1_2 + t13*z2_2 + t14*v1_2;
+    const double t16 = omega1*sin_omega1_tau1;
+    const double t17 = omega2*sin_omega2_tau1;
+    const double t18 = -p1*t16 - t17*t5;
+    const double t19 = -p2*t16 + p2*t17;
+    const double v1_3 = V*t7 + t18*z1_2 + t19*z2_2 + t6*v1_2;
+    const double t20 = -p3*t16 + p3*t17;
+    const double t21 = p1*t17;
+    const double t22 = t16*t5;
+    const double t23 = -t21 - t22;
+    const double v2_3 = V*t13 + t12*v1_2 + t20*z1_2 + t23*z2_2;
     /* functions of tau2 in stick-slip */
-    const double t26 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t26);
-    const double sin_omega3_tau2 = sin(t26);
+    const double t24 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t24);
+    const double sin_omega3_tau2 = sin(t24);
     /* stick-slip for tau2, until second-reaches-belt */
     const double z1_4 = V*tau2 + z1_3;
-    const double t27 = 1 - cos_omega3_tau2;
-    const double t28 = sin_omega3_tau2/omega3;
-    const double z2_4 = V*(-t28 + tau2) + cos_omega3_tau2*z2_3 + t27*z1_3 + t28*v2_3;
-    const double t29 = omega3*sin_omega3_tau2;
-    const double v2_4 = V*t27 + cos_omega3_tau2*v2_3 + t29*z1_3 - t29*z2_3;
+    const double t25 = 1 - cos_omega3_tau2;
+    const double t26 = sin_omega3_tau2/omega3;
+    const double z2_4 = V*(-t26 + tau2) + cos_omega3_tau2*z2_3 + t25*z1_3 + t26*v2_3;
+    const double t27 = omega3*sin_omega3_tau2;
+    const double v2_4 = V*t25 + cos_omega3_tau2*v2_3 + t27*z1_3 - t27*z2_3;
     /* rate of the exit boundary after ta */
-    const double t30 = V*chi;
-    const double rate_1 = V - t30;
+    const double t28 = V*chi;
+    const double rate_1 = V - t28;
     /* derivatives of the time to the boundary after ta */
-    const double t31 = (1.0/(rate_1));
-    const double delay_ta_by_z10 = -t31;
-    const double delay_ta_by_z20 = chi*t31;
+    const double t29 = (1.0/(rate_1));
+    const double delay_ta_by_z10 = -t29;
+    const double delay_ta_by_z20 = chi*t29;
     /* perturbation on the boundary after ta */
-    const double t32 = V*delay_ta_by_z10;
-    const double z1_1_on_boundary_by_z10 = t32 + 1;
+    const double z2_1_on_boundary_by_z10 = V*delay_ta_by_z10;
+    const double z1_1_on_boundary_by_z10 = z2_1_on_boundary_by_z10 + 1;
     const double z1_1_on_boundary_by_z20 = V*delay_ta_by_z20;
-    const double z2_1_on_boundary_by_z10 = t32;
     const double z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1;
     /* Phi along tau */
-    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t1*z2_1_on_boundary_by_z10;
-    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t1*z2_1_on_boundary_by_z20;
-    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10;
-    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20;
+    const double carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + phi_2_23*z2_1_on_boundary_by_z10;
+    const double carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + phi_2_23*z2_1_on_boundary_by_z20;
+    const double carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t2*z2_1_on_boundary_by_z10;
+    const double carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t2*z2_1_on_boundary_by_z20;
     /* rate of the exit boundary after tau */
-    const double rate_2 = -chi*v1_2 + t30;
+    const double rate_2 = -chi*v1_2 + t28;
     /* derivatives of the time to the boundary after tau */
-    const double t33 = (1.0/(rate_2));
-    const double delay_tau_by_z10 = t33*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
-    const double delay_tau_by_z20 = t33*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
+    const double t30 = (1.0/(rate_2));
+    const double delay_tau_by_z10 = t30*(carried_z1_2_by_z10*chi - chi*z2_1_on_boundary_by_z10);
+    const double delay_tau_by_z20 = t30*(carried_z1_2_by_z20*chi - chi*z2_1_on_boundary_by_z20);
     /* perturbation on the boundary after tau */
     const double z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2;
     const double z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2;
     const double z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10;
     const double z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20;
-    const double t34 = chi*z2_2;
-    const double t35 = t34 - z1_2;
-    const double v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t35;
-    const double v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t35;
+    const double t31 = chi*z2_2;
+    const double before_v1_2 = t31 - z1_2;
+    const double v1_2_on_boundary_by_z10 = before_v1_2*delay_tau_by_z10 + carried_v1_2_by_z10;
+    const double v1_2_on_boundary_by_z20 = before_v1_2*delay_tau_by_z20 + carried_v1_2_by_z20;
     /* Phi along tau1 */
-    const double carried_z1_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t8*z1_2_on_boundary_by_z10 + t9*z2_2_on_boundary_by_z10;
-    const double carried_z1_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t8*z1_2_on_boundary_by_z20 + t9*z2_2_on_boundary_by_z20;
-    const double carried_z2_3_by_z10 = t14*z1_2_on_boundary_by_z10 + t15*z2_2_on_boundary_by_z10 + t16*v1_2_on_boundary_by_z10;
-    const double carried_z2_3_by_z20 = t14*z1_2_on_boundary_by_z20 + t15*z2_2_on_boundary_by_z20 + t16*v1_2_on_boundary_by_z20;
-    const double carried_v1_3_by_z10 = t20*z1_2_on_boundary_by_z10 + t21*z2_2_on_boundary_by_z10 + t8*v1_2_on_boundary_by_z10;
-    const double carried_v1_3_by_z20 = t20*z1_2_on_boundary_by_z20 + t21*z2_2_on_boundary_by_z20 + t8*v1_2_on_boundary_by_z20;
-    const double carried_v2_3_by_z10 = t14*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t25*z2_2_on_boundary_by_z10;
-    const double carried_v2_3_by_z20 = t14*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t25*z2_2_on_boundary_by_z20;
+    const double carried_z1_3_by_z10 = t10*v1_2_on_boundary_by_z10 + t6*z1_2_on_boundary_by_z10 + t7*z2_2_on_boundary_by_z10;
+    const double carried_z1_3_by_z20 = t10*v1_2_on_boundary_by_z20 + t6*z1_2_on_boundary_by_z20 + t7*z2_2_on_boundary_by_z20;
+    const double carried_z2_3_by_z10 = t12*z1_2_on_boundary_by_z10 + t13*z2_2_on_boundary_by_z10 + t14*v1_2_on_boundary_by_z10;
+    const double carried_z2_3_by_z20 = t12*z1_2_on_boundary_by_z20 + t13*z2_2_on_boundary_by_z20 + t14*v1_2_on_boundary_by_z20;
+    const double carried_v1_3_by_z10 = t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10 + t6*v1_2_on_boundary_by_z10;
+    const double carried_v1_3_by_z20 = t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20 + t6*v1_2_on_boundary_by_z20;
+    const double carried_v2_3_by_z10 = t12*v1_2_on_boundary_by_z10 + t20*z1_2_on_boundary_by_z10 + t23*z2_2_on_boundary_by_z10;
+    const double carried_v2_3_by_z20 = t12*v1_2_on_boundary_by_z20 + t20*z1_2_on_boundary_by_z20 + t23*z2_2_on_boundary_by_z20;
     /* rate of the exit boundary after tau1 */
-    const double t36 = chi*z2_3;
-    const double rate_3 = t36 - z1_3;
+    const double t32 = chi*z2_3;
+    const double rate_3 = t32 - z1_3;
     /* derivatives of the time to the boundary after tau1 */
-    const double t37 = (1.0/(rate_3));
-    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t37;
-    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t37;
+    const double t33 = (1.0/(rate_3));
+    const double delay_tau1_by_z10 = -carried_v1_3_by_z10*t33;
+    const double delay_tau1_by_z20 = -carried_v1_3_by_z20*t33;
     /* perturbation on the boundary after tau1 */
     const double z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3;
     const double z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3;
     const double z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3;
     const double z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3;
-    const double t38 = chi*eta;
-    const double t39 = -eta*t36 + t38*z1_3;
-    const double v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t39;
-    const double v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t39;
+    const double t34 = chi*eta;
+    const double before_v2_3 = -eta*t32 + t34*z1_3;
+    const double v2_3_on_boundary_by_z10 = before_v2_3*delay_tau1_by_z10 + carried_v2_3_by_z10;
+    const double v2_3_on_boundary_by_z20 = before_v2_3*delay_tau1_by_z20 + carried_v2_3_by_z20;
     /* Phi along tau2 */
-    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 + t28*v2_3_on_boundary_by_z10;
-    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 + t28*v2_3_on_boundary_by_z20;
-    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t29*z1_3_on_boundary_by_z10 - t29*z2_3_on_boundary_by_z10;
-    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t29*z1_3_on_boundary_by_z20 - t29*z2_3_on_boundary_by_z20;
+    const double carried_z2_4_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z10 + t25*z1_3_on_boundary_by_z10 + t26*v2_3_on_boundary_by_z10;
+    const double carried_z2_4_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20 + t25*z1_3_on_boundary_by_z20 + t26*v2_3_on_boundary_by_z20;
+    const double carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + t27*z1_3_on_boundary_by_z10 - t27*z2_3_on_boundary_by_z10;
+    const double carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + t27*z1_3_on_boundary_by_z20 - t27*z2_3_on_boundary_by_z20;
     /* rate of the exit boundary after tau2 */
-    const double rate_4 = t38*z1_4 - t38*z2_4;
+    const double rate_4 = t34*z1_4 - t34*z2_4;
     /* derivatives of the time to the boundary after tau2 */
-    const double t40 = (1.0/(rate_4));
-    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t40;
-    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t40;
+    const double t35 = (1.0/(rate_4));
+    const double delay_tau2_by_z10 = -carried_v2_4_by_z10*t35;
+    const double delay_tau2_by_z20 = -carried_v2_4_by_z20*t35;
     /* perturbation on the boundary after tau2 */
     const double z1_4_on_boundary_by_z10 = V*delay_tau2_by_z10 + z1_3_on_boundary_by_z10;
     const double z1_4_on_boundary_by_z20 = V*delay_tau2_by_z20 + z1_3_on_boundary_by_z20;
@@ -3992,27 +3916,19 @@ void dry_friction_solution_ii_linearisation(
     /* vector fields at transition 1 */
     const double behind_v1_1 = chi*z20 - z10;
     /* vector fields at transition 2 */
-    const double before_v1_2 = t35;
-    const double behind_v1_2 = t35;
-    const double behind_v2_2 = -eta*t34 + t38*z1_2;
-    /* vector fields at transition 3 */
-    const double before_v1_3 = rate_3;
-    const double before_v2_3 = t39;
-    const double behind_v2_3 = t39;
-    /* vector fields at transition 4 */
-    const double before_v2_4 = rate_4;
+    const double behind_v2_2 = -eta*t31 + t34*z1_2;
     /* saltations */
-    const double t41 = behind_v1_1/rate_1;
-    const double t42 = -chi*t41;
-    const double t43 = -before_v1_2 + behind_v1_2;
-    const double t44 = (1.0/(rate_2));
-    const double t45 = chi*t44;
-    const double t46 = t43*t45;
-    const double t47 = behind_v2_2*t45;
-    const double t48 = (1.0/(before_v1_3));
-    const double t49 = t48*(V - v1_3);
-    const double t50 = t48*(-before_v2_3 + behind_v2_3);
-    const double t51 = (V - v2_4)/before_v2_4;
+    const double saltation_1_20 = behind_v1_1/rate_1;
+    const double saltation_1_21 = -chi*saltation_1_20;
+    const double t36 = 0;
+    const double t37 = (1.0/(rate_2));
+    const double t38 = chi*t37;
+    const double t39 = t36*t38;
+    const double t40 = behind_v2_2*t38;
+    const double t41 = (1.0/(rate_3));
+    const double t42 = t41*(V - v1_3);
+    const double t43 = 0;
+    const double t44 = (V - v2_4)/rate_4;
     if (saltations) {
         static const unsigned char nonsmooth_saltations_places[] = {
             0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
@@ -4022,81 +3938,76 @@ void dry_friction_solution_ii_linearisation(
         double nonsmooth_saltations_values[11];
         nonsmooth_saltations_values[0] = 1;
         nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = t41;
-        nonsmooth_saltations_values[3] = t42;
-        nonsmooth_saltations_values[4] = -t46;
-        nonsmooth_saltations_values[5] = t46;
-        nonsmooth_saltations_values[6] = -t47;
-        nonsmooth_saltations_values[7] = t47;
-        nonsmooth_saltations_values[8] = t49;
-        nonsmooth_saltations_values[9] = t50;
-        nonsmooth_saltations_values[10] = t51;
+        nonsmooth_saltations_values[2] = saltation_1_20;
+        nonsmooth_saltations_values[3] = saltation_1_21;
+        nonsmooth_saltations_values[4] = -t39;
+        nonsmooth_saltations_values[5] = t39;
+        nonsmooth_saltations_values[6] = -t40;
+        nonsmooth_saltations_values[7] = t40;
+        nonsmooth_saltations_values[8] = t42;
+        nonsmooth_saltations_values[9] = t43;
+        nonsmooth_saltations_values[10] = t44;
         for (int i = 0; i < 64; ++i)
             saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
     }
     if (!monodromy)
         return;
-    /* saltation of phase 1 */
-    const double saltation_1_20 = t41;
-    const double saltation_1_21 = t42;
     /* Phi of phase 2 */
     const double phi_2_00 = cos_tau + saltation_1_20*sin_tau;
     const double phi_2_01 = chi + saltation_1_21*sin_tau - t0;
-    const double phi_2_03 = t4;
     const double phi_2_20 = cos_tau*saltation_1_20 - sin_tau;
-    const double phi_2_21 = cos_tau*saltation_1_21 + t3;
-    const double phi_2_23 = t1;
+    const double phi_2_21 = cos_tau*saltation_1_21 + t2;
     /* saltation of phase 2 */
-    const double saltation_2_20 = -phi_2_00*t46 + phi_2_20;
-    const double saltation_2_21 = -phi_2_01*t46 + phi_2_21 + t46;
-    const double t52 = t43*t44;
-    const double saltation_2_22 = cos_tau - t3*t52;
-    const double saltation_2_23 = -phi_2_03*t46 + phi_2_23 + t2*t52;
-    const double saltation_2_30 = -phi_2_00*t47;
-    const double saltation_2_31 = -phi_2_01*t47 + t47;
-    const double t53 = behind_v2_2*t44;
-    const double saltation_2_32 = -t3*t53;
-    const double saltation_2_33 = -phi_2_03*t47 + t2*t53 + 1;
+    const double saltation_2_20 = -phi_2_00*t39 + phi_2_20;
+    const double saltation_2_21 = -phi_2_01*t39 + phi_2_21 + t39;
+    const double t45 = t36*t37;
+    const double saltation_2_22 = cos_tau - t2*t45;
+    const double saltation_2_23 = -phi_2_03*t39 + phi_2_23 + t1*t45;
+    const double saltation_2_30 = -phi_2_00*t40;
+    const double saltation_2_31 = -phi_2_01*t40 + t40;
+    const double t46 = behind_v2_2*t37;
+    const double saltation_2_32 = -t2*t46;
+    const double saltation_2_33 = -phi_2_03*t40 + t1*t46 + 1;
     /* Phi of phase 3 */
-    const double phi_3_00 = phi_2_00*t8 + saltation_2_20*t12 + saltation_2_30*t13;
-    const double phi_3_01 = phi_2_01*t8 + saltation_2_21*t12 + saltation_2_31*t13 + t9;
-    const double phi_3_02 = saltation_2_22*t12 + saltation_2_32*t13 + sin_tau*t8;
-    const double phi_3_03 = phi_2_03*t8 + saltation_2_23*t12 + saltation_2_33*t13 + t9*tau;
-    const double phi_3_10 = phi_2_00*t14 + saltation_2_20*t16 + saltation_2_30*t17;
-    const double phi_3_11 = phi_2_01*t14 + saltation_2_21*t16 + saltation_2_31*t17 + t15;
-    const double phi_3_12 = saltation_2_22*t16 + saltation_2_32*t17 + sin_tau*t14;
-    const double phi_3_13 = phi_2_03*t14 + saltation_2_23*t16 + saltation_2_33*t17 + t15*tau;
-    const double phi_3_20 = phi_2_00*t20 + saltation_2_20*t8 + saltation_2_30*t9;
-    const double phi_3_21 = phi_2_01*t20 + saltation_2_21*t8 + saltation_2_31*t9 + t21;
-    const double phi_3_22 = saltation_2_22*t8 + saltation_2_32*t9 + sin_tau*t20;
-    const double phi_3_23 = phi_2_03*t20 + saltation_2_23*t8 + saltation_2_33*t9 + t21*tau;
-    const double phi_3_30 = phi_2_00*t22 + saltation_2_20*t14 + saltation_2_30*t15;
-    const double phi_3_31 = phi_2_01*t22 + saltation_2_21*t14 + saltation_2_31*t15 - t23 - t24;
-    const double phi_3_32 = saltation_2_22*t14 + saltation_2_32*t15 + sin_tau*t22;
-    const double phi_3_33 = phi_2_03*t22 + saltation_2_23*t14 + saltation_2_33*t15 + t25*tau;
+    const double phi_3_00 = phi_2_00*t6 + saltation_2_20*t10 + saltation_2_30*t11;
+    const double phi_3_01 = phi_2_01*t6 + saltation_2_21*t10 + saltation_2_31*t11 + t7;
+    const double phi_3_02 = saltation_2_22*t10 + saltation_2_32*t11 + sin_tau*t6;
+    const double phi_3_03 = phi_2_03*t6 + saltation_2_23*t10 + saltation_2_33*t11 + t7*tau;
+    const double phi_3_10 = phi_2_00*t12 + saltation_2_20*t14 + saltation_2_30*t15;
+    const double phi_3_11 = phi_2_01*t12 + saltation_2_21*t14 + saltation_2_31*t15 + t13;
+    const double phi_3_12 = saltation_2_22*t14 + saltation_2_32*t15 + sin_tau*t12;
+    const double phi_3_13 = phi_2_03*t12 + saltation_2_23*t14 + saltation_2_33*t15 + t13*tau;
+    const double phi_3_20 = phi_2_00*t18 + saltation_2_20*t6 + saltation_2_30*t7;
+    const double phi_3_21 = phi_2_01*t18 + saltation_2_21*t6 + saltation_2_31*t7 + t19;
+    const double phi_3_22 = saltation_2_22*t6 + saltation_2_32*t7 + sin_tau*t18;
+    const double phi_3_23 = phi_2_03*t18 + saltation_2_23*t6 + saltation_2_33*t7 + t19*tau;
+    const double phi_3_30 = phi_2_00*t20 + saltation_2_20*t12 + saltation_2_30*t13;
+    const double phi_3_31 = phi_2_01*t20 + saltation_2_21*t12 + saltation_2_31*t13 - t21 - t22;
+    const double phi_3_32 = saltation_2_22*t12 + saltation_2_32*t13 + sin_tau*t20;
+    const double phi_3_33 = phi_2_03*t20 + saltation_2_23*t12 + saltation_2_33*t13 + t23*tau;
     /* saltation of phase 3 */
-    const double saltation_3_00 = phi_3_00 + phi_3_20*t49;
-    const double saltation_3_01 = phi_3_01 + phi_3_21*t49;
-    const double saltation_3_02 = phi_3_02 + phi_3_22*t49;
-    const double saltation_3_03 = phi_3_03 + phi_3_23*t49;
-    const double saltation_3_30 = phi_3_20*t50 + phi_3_30;
-    const double saltation_3_31 = phi_3_21*t50 + phi_3_31;
-    const double saltation_3_32 = phi_3_22*t50 + phi_3_32;
-    const double saltation_3_33 = phi_3_23*t50 + phi_3_33;
+    const double saltation_3_00 = phi_3_00 + phi_3_20*t42;
+    const double saltation_3_01 = phi_3_01 + phi_3_21*t42;
+    const double saltation_3_02 = phi_3_02 + phi_3_22*t42;
+    const double saltation_3_03 = phi_3_03 + phi_3_23*t42;
+    const double saltation_3_30 = phi_3_20*t43 + phi_3_30;
+    const double saltation_3_31 = phi_3_21*t43 + phi_3_31;
+    const double saltation_3_32 = phi_3_22*t43 + phi_3_32;
+    const double saltation_3_33 = phi_3_23*t43 + phi_3_33;
     /* Phi of phase 4 */
-    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t27 + saltation_3_30*t28;
-    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t27 + saltation_3_31*t28;
-    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t27 + saltation_3_32*t28;
-    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t27 + saltation_3_33*t28;
-    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t29 + saltation_3_00*t29;
-    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t29 + saltation_3_01*t29;
-    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t29 + saltation_3_02*t29;
-    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t29 + saltation_3_03*t29;
+    const double phi_4_10 = cos_omega3_tau2*phi_3_10 + saltation_3_00*t25 + saltation_3_30*t26;
+    const double phi_4_11 = cos_omega3_tau2*phi_3_11 + saltation_3_01*t25 + saltation_3_31*t26;
+    const double phi_4_12 = cos_omega3_tau2*phi_3_12 + saltation_3_02*t25 + saltation_3_32*t26;
+    const double phi_4_13 = cos_omega3_tau2*phi_3_13 + saltation_3_03*t25 + saltation_3_33*t26;
+    const double phi_4_30 = cos_omega3_tau2*saltation_3_30 - phi_3_10*t27 + saltation_3_00*t27;
+    const double phi_4_31 = cos_omega3_tau2*saltation_3_31 - phi_3_11*t27 + saltation_3_01*t27;
+    const double phi_4_32 = cos_omega3_tau2*saltation_3_32 - phi_3_12*t27 + saltation_3_02*t27;
+    const double phi_4_33 = cos_omega3_tau2*saltation_3_33 - phi_3_13*t27 + saltation_3_03*t27;
     /* saltation of phase 4 */
-    const double saltation_4_10 = phi_4_10 + phi_4_30*t51;
-    const double saltation_4_11 = phi_4_11 + phi_4_31*t51;
-    const double saltation_4_12 = phi_4_12 + phi_4_32*t51;
-    const double saltation_4_13 = phi_4_13 + phi_4_33*t51;
+    const double saltation_4_10 = phi_4_10 + phi_4_30*t44;
+    const double saltation_4_11 = phi_4_11 + phi_4_31*t44;
+    const double saltation_4_12 = phi_4_12 + phi_4_32*t44;
+    const double saltation_4_13 = phi_4_13 + phi_4_33*t44;
     if (monodromy) {
         for (int i = 0; i < 16; ++i)
             monodromy[i] = 0.0;
@@ -4120,15 +4031,14 @@ void dry_friction_solution_ii_flow_slip_stick(
 {
     const double chi = parameters[0];
     (void)spectrum;
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = sin(t);
+    const double t0 = sin(time);
     const double t1 = chi*t0;
-    const double t2 = cos(t);
+    const double t2 = cos(time);
     const double t3 = -chi*t2 + chi;
-    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*t - t1);
-    state_after[1] = t*v2 + z2;
+    state_after[0] = t0*v1 + t2*z1 + t3*z2 + v2*(chi*time - t1);
+    state_after[1] = time*v2 + z2;
     state_after[2] = -t0*z1 + t1*z2 + t2*v1 + t3*v2;
     state_after[3] = v2;
 }
@@ -4143,13 +4053,12 @@ void dry_friction_solution_ii_flow_slip_slip(
     (void)parameters;
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = 1 - p1;
@@ -4176,23 +4085,22 @@ void dry_friction_solution_ii_flow_stick_slip(
 {
     (void)parameters;
     const double omega3 = spectrum[6];
-    const double t = time;
     const double z1 = state[0], z2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega3*t;
+    const double t0 = omega3*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega3;
     const double t3 = cos(t0);
     const double t4 = 1 - t3;
     const double t5 = omega3*t1;
-    state_after[0] = t*v1 + z1;
-    state_after[1] = t2*v2 + t3*z2 + t4*z1 + v1*(t - t2);
+    state_after[0] = time*v1 + z1;
+    state_after[1] = t2*v2 + t3*z2 + t4*z1 + v1*(-t2 + time);
     state_after[2] = v1;
     state_after[3] = t3*v2 + t4*v1 + t5*z1 - t5*z2;
 }
 
 /* All unknowns from the reduced ones; the equations for these and their derivatives.
- * Operations: 295. Intermediate terms: 103. */
+ * Operations: 295. Intermediate terms: 100. */
 static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_fixed_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, double *fixed)
 {
@@ -4204,13 +4112,13 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_fixed_in_lane(
     /* tau2: first return */
     const double t22 = (1.0/(omega3));
     /* d/dtau of: slip-stick for tau */
-    const double t28 = V*chi;
-    const double t29 = V - t28;
+    const double t26 = V*chi;
+    const double t27 = V - t26;
     fixed[lane] = t1;
     fixed[1*lanes + lane] = t8;
     fixed[2*lanes + lane] = t22;
-    fixed[3*lanes + lane] = t28;
-    fixed[4*lanes + lane] = t29;
+    fixed[3*lanes + lane] = t26;
+    fixed[4*lanes + lane] = t27;
 }
 
 static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
@@ -4223,7 +4131,7 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
         p1 = spectrum[3*lanes + lane], p2 = spectrum[4*lanes + lane], p3 = spectrum[5*lanes + lane],
         omega3 = spectrum[6*lanes + lane];
     const double t1 = fixed[lane], t8 = fixed[1*lanes + lane], t22 = fixed[2*lanes + lane],
-        t28 = fixed[3*lanes + lane], t29 = fixed[4*lanes + lane];
+        t26 = fixed[3*lanes + lane], t27 = fixed[4*lanes + lane];
     const double tau = reduced[lane], tau1 = reduced[1*lanes + lane], e1 = reduced[2*lanes + lane];
     /* functions of tau in slip-stick */
     const nonsmooth_wave wave_0 = nonsmooth_wave_of(lanes, tau);
@@ -4275,11 +4183,11 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
     const double sin_tau2_return = -cosine_part_tau2*t21;
     const double tau2 = t22*nonsmooth_angle(sin_tau2_return, cos_tau2_return);
     /* unknowns */
-    const double t23 = V*tau2 + sine_part_tau2*t22 + z2_3;
-    const double t24 = -amplitude_tau2*t22 + t23;
+    const double z1_5 = V*tau2 + sine_part_tau2*t22 + z2_3;
+    const double z2_5 = -amplitude_tau2*t22 + z1_5;
     if (unknowns) {
-        unknowns[lane] = t23;
-        unknowns[1*lanes + lane] = t24;
+        unknowns[lane] = z1_5;
+        unknowns[1*lanes + lane] = z2_5;
         unknowns[2*lanes + lane] = tau;
         unknowns[3*lanes + lane] = tau1;
         unknowns[4*lanes + lane] = tau2;
@@ -4288,12 +4196,9 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
     if (!reduced_residual && !reduced_jacobian)
         return;
     /* slip-slip for tau1 */
-    const double t25 = -p1*t17 - t18*t8;
-    const double t26 = -p2*t17 + p2*t18;
-    const double v1_3 = V*t10 + t25*z1_2 + t26*z2_2 + t9*v1_2;
-    /* stick-stick for no time */
-    const double z1_5 = t23;
-    const double z2_5 = t24;
+    const double t23 = -p1*t17 - t18*t8;
+    const double t24 = -p2*t17 + p2*t18;
+    const double v1_3 = V*t10 + t23*z1_2 + t24*z2_2 + t9*v1_2;
     if (reduced_residual) {
         reduced_residual[lane] = -V + v1_3;
         reduced_residual[1*lanes + lane] = -chi*z2_5 - e1 + z1_5;
@@ -4303,31 +4208,30 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
         return;
     /* d/dtau of: functions of tau in slip-stick */
     const double cos_tau_by_tau = -sin_tau;
-    const double sin_tau_by_tau = cos_tau;
     /* d/dtau of: z2_1: linear in second-breaks-forward */
-    const double t27 = cos_tau_by_tau*e1;
-    const double z2_1_by_tau = V*sin_tau_by_tau - V - t1*t27;
+    const double t25 = cos_tau_by_tau*e1;
+    const double z2_1_by_tau = V*cos_tau - V - t1*t25;
     /* d/de1 of: z2_1: linear in second-breaks-forward */
     const double z2_1_by_e1 = -t2;
-    const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t29 + t27 + t28;
+    const double z1_2_by_tau = chi*z2_1_by_tau + cos_tau*t27 + t25 + t26;
     const double z2_2_by_tau = V + z2_1_by_tau;
-    const double v1_2_by_tau = cos_tau_by_tau*t29 - e1*sin_tau_by_tau;
+    const double v1_2_by_tau = -cos_tau*e1 + cos_tau_by_tau*t27;
     /* d/de1 of: slip-stick for tau */
     const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
     const double v1_2_by_e1 = -sin_tau;
     /* d/dtau of: slip-slip for tau1 */
     const double z1_3_by_tau = t10*z2_2_by_tau + t13*v1_2_by_tau + t9*z1_2_by_tau;
     const double z2_3_by_tau = t14*z1_2_by_tau + t15*z2_2_by_tau + t16*v1_2_by_tau;
-    const double v1_3_by_tau = t25*z1_2_by_tau + t26*z2_2_by_tau + t9*v1_2_by_tau;
+    const double v1_3_by_tau = t23*z1_2_by_tau + t24*z2_2_by_tau + t9*v1_2_by_tau;
     const double v2_3_by_tau = t14*v1_2_by_tau + t19*z1_2_by_tau + t20*z2_2_by_tau;
     /* d/dtau1 of: slip-slip for tau1 */
-    const double t30 = chi*z2_3;
-    const double v1_3_by_tau1 = t30 - z1_3;
-    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t30;
+    const double t28 = chi*z2_3;
+    const double v1_3_by_tau1 = t28 - z1_3;
+    const double v2_3_by_tau1 = chi*eta*z1_3 - eta*t28;
     /* d/de1 of: slip-slip for tau1 */
     const double z1_3_by_e1 = t10*z2_1_by_e1 + t13*v1_2_by_e1 + t9*z1_2_by_e1;
     const double z2_3_by_e1 = t14*z1_2_by_e1 + t15*z2_1_by_e1 + t16*v1_2_by_e1;
-    const double v1_3_by_e1 = t25*z1_2_by_e1 + t26*z2_1_by_e1 + t9*v1_2_by_e1;
+    const double v1_3_by_e1 = t23*z1_2_by_e1 + t24*z2_1_by_e1 + t9*v1_2_by_e1;
     const double v2_3_by_e1 = t14*v1_2_by_e1 + t19*z1_2_by_e1 + t20*z2_1_by_e1;
     /* d/dtau of: first return of tau2 */
     const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
@@ -4336,36 +4240,36 @@ static NONSMOOTH_INLINE void dry_friction_solution_ii_reduced_in_lane(
     /* d/de1 of: first return of tau2 */
     const double sine_part_tau2_by_e1 = omega3*z1_3_by_e1 - omega3*z2_3_by_e1;
     /* d/dtau of: first return of tau2 */
-    const double t31 = 2*cosine_part_tau2;
-    const double t32 = 2*sine_part_tau2;
-    const double t33 = (1.0/2.0)*t21;
-    const double amplitude_tau2_by_tau = t33*(sine_part_tau2_by_tau*t32 + t31*v2_3_by_tau);
+    const double t29 = 2*cosine_part_tau2;
+    const double t30 = 2*sine_part_tau2;
+    const double t31 = (1.0/2.0)*t21;
+    const double amplitude_tau2_by_tau = t31*(sine_part_tau2_by_tau*t30 + t29*v2_3_by_tau);
     /* d/dtau1 of: first return of tau2 */
-    const double amplitude_tau2_by_tau1 = t33*(sine_part_tau2_by_tau1*t32 + t31*v2_3_by_tau1);
+    const double amplitude_tau2_by_tau1 = t31*(sine_part_tau2_by_tau1*t30 + t29*v2_3_by_tau1);
     /* d/de1 of: first return of tau2 */
-    const double amplitude_tau2_by_e1 = t33*(sine_part_tau2_by_e1*t32 + t31*v2_3_by_e1);
+    const double amplitude_tau2_by_e1 = t31*(sine_part_tau2_by_e1*t30 + t29*v2_3_by_e1);
     /* d/dtau of: first return of tau2 */
-    const double t34 = (1.0/(amplitude_tau2*amplitude_tau2));
-    const double t35 = amplitude_tau2_by_tau*t34;
-    const double cos_tau2_return_by_tau = -sine_part_tau2*t35 + sine_part_tau2_by_tau*t21;
-    const double sin_tau2_return_by_tau = cosine_part_tau2*t35 - t21*v2_3_by_tau;
+    const double t32 = (1.0/(amplitude_tau2*amplitude_tau2));
+    const double t33 = amplitude_tau2_by_tau*t32;
+    const double cos_tau2_return_by_tau = -sine_part_tau2*t33 + sine_part_tau2_by_tau*t21;
+    const double sin_tau2_return_by_tau = cosine_part_tau2*t33 - t21*v2_3_by_tau;
     /* d/dtau1 of: first return of tau2 */
-    const double t36 = amplitude_tau2_by_tau1*t34;
-    const double cos_tau2_return_by_tau1 = -sine_part_tau2*t36 + sine_part_tau2_by_tau1*t21;
-    const double sin_tau2_return_by_tau1 = cosine_part_tau2*t36 - t21*v2_3_by_tau1;
+    const double t34 = amplitude_tau2_by_tau1*t32;
+    const double cos_tau2_return_by_tau1 = -sine_part_tau2*t34 + sine_part_tau2_by_tau1*t21;
+    const double sin_tau2_return_by_tau1 = cosine_part_tau2*t34 - t21*v2_3_by_tau1;
     /* d/de1 of: first return of tau2 */
-    const double t37 = amplitude_tau2_by_e1*t34;
-    const double cos_tau2_return_by_e1 = -sine_part_tau2*t37 + sine_part_tau2_by_e1*t21;
-    const double sin_tau2_return_by_e1 = cosine_part_tau2*t37 - t21*v2_3_by_e1;
+    const double t35 = amplitude_tau2_by_e1*t32;
+    const double cos_tau2_return_by_e1 = -sine_part_tau2*t35 + sine_part_tau2_by_e1*t21;
+    const double sin_tau2_return_by_e1 = cosine_part_tau2*t35 - t21*v2_3_by_e1;
     /* d/dtau of: tau2: first return */
-    const double t38 = t22/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
-    const double t39 = cos_tau2_return*t38;
-    const double t40 = sin_tau2_return*t38;
-    const double tau2_by_tau = -cos_tau2_return_by_tau*t40 + sin_tau2_return_by_tau*t39;
+    const double t36 = t22/((cos_tau2_return*cos_tau2_return) + (sin_tau2_return*sin_tau2_return));
+    const double t37 = cos_tau2_return*t36;
+    const double t38 = sin_tau2_return*t36;
+    const double tau2_by_tau = -cos_tau2_return_by_tau*t38 + sin_tau2_return_by_tau*t37;
     /* d/dtau1 of: tau2: first return */
-    const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t40 + sin_tau2_return_by_tau1*t39;
+    const double tau2_by_tau1 = -cos_tau2_return_by_tau1*t38 + sin_tau2_return_by_tau1*t37;
     /* d/de1 of: tau2: first return */
-    const double tau2_by_e1 = -cos_tau2_return_by_e1*t40 + sin_tau2_return_by_e1*t39;
+    const double tau2_by_e1 = -cos_tau2_return_by_e1*t38 + sin_tau2_return_by_e1*t37;
     /* d/dtau of: stick-stick for no time */
     const double z1_5_by_tau = V*tau2_by_tau + sine_part_tau2_by_tau*t22 + z2_3_by_tau;
     const double z2_5_by_tau = -amplitude_tau2_by_tau*t22 + z1_5_by_tau;
@@ -4400,7 +4304,7 @@ void dry_friction_solution_ii_reduced(
 }
 
 /* Map [N, c] of a turn; the start that follows from the dwell times; compatibility and switching conditions. The start among the unknowns is not read.
- * Operations: 243. Intermediate terms: 78. */
+ * Operations: 243. Intermediate terms: 76. */
 NONSMOOTH_UNMERGED
 void dry_friction_solution_ii_period_map(
     const double parameters[4], const double spectrum[7], const double unknowns[6],
@@ -4415,73 +4319,71 @@ void dry_friction_solution_ii_period_map(
     const double sin_tau = sin(tau);
     /* slip-stick after tau, by the start */
     const double z1_2_by_z20 = -chi*cos_tau + chi;
-    const double t0 = chi*sin_tau;
-    const double z1_2_by_v20 = chi*tau - t0;
+    const double v1_2_by_z20 = chi*sin_tau;
+    const double z1_2_by_v20 = chi*tau - v1_2_by_z20;
     const double v1_2_by_z10 = -sin_tau;
-    const double v1_2_by_z20 = t0;
-    const double v1_2_by_v20 = z1_2_by_z20;
     /* functions of tau1 in slip-slip */
-    const double t1 = omega1*tau1;
-    const double cos_omega1_tau1 = cos(t1);
-    const double sin_omega1_tau1 = sin(t1);
-    const double t2 = omega2*tau1;
-    const double cos_omega2_tau1 = cos(t2);
-    const double sin_omega2_tau1 = sin(t2);
+    const double t0 = omega1*tau1;
+    const double cos_omega1_tau1 = cos(t0);
+    const double sin_omega1_tau1 = sin(t0);
+    const double t1 = omega2*tau1;
+    const double cos_omega2_tau1 = cos(t1);
+    const double sin_omega2_tau1 = sin(t1);
     /* slip-slip after tau1, by the start */
-    const double t3 = 1 - p1;
-    const double t4 = cos_omega1_tau1*p1 + cos_omega2_tau1*t3;
-    const double t5 = cos_tau*t4;
-    const double t6 = sin_omega1_tau1/omega1;
-    const double t7 = sin_omega2_tau1/omega2;
-    const double t8 = p1*t6 + t3*t7;
-    const double z1_3_by_z10 = t5 + t8*v1_2_by_z10;
-    const double t9 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
-    const double z1_3_by_z20 = t4*z1_2_by_z20 + t8*v1_2_by_z20 + t9;
-    const double z1_3_by_v10 = cos_tau*t8 + sin_tau*t4;
-    const double z1_3_by_v20 = p2*t6 - p2*t7 + t4*z1_2_by_v20 + t8*v1_2_by_v20 + t9*tau;
-    const double t10 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
-    const double t11 = cos_tau*t10;
-    const double t12 = p3*t6 - p3*t7;
-    const double z2_3_by_z10 = t11 + t12*v1_2_by_z10;
-    const double t13 = cos_omega1_tau1*t3 + cos_omega2_tau1*p1;
-    const double z2_3_by_z20 = t10*z1_2_by_z20 + t12*v1_2_by_z20 + t13;
-    const double z2_3_by_v10 = cos_tau*t12 + sin_tau*t10;
-    const double z2_3_by_v20 = p1*t7 + t10*z1_2_by_v20 + t12*v1_2_by_v20 + t13*tau + t3*t6;
-    const double t14 = omega1*sin_omega1_tau1;
-    const double t15 = omega2*sin_omega2_tau1;
-    const double t16 = -p1*t14 - t15*t3;
-    const double v1_3_by_z10 = cos_tau*t16 + t4*v1_2_by_z10;
-    const double t17 = -p2*t14 + p2*t15;
-    const double v1_3_by_z20 = t16*z1_2_by_z20 + t17 + t4*v1_2_by_z20;
-    const double v1_3_by_v10 = sin_tau*t16 + t5;
-    const double v1_3_by_v20 = t16*z1_2_by_v20 + t17*tau + t4*v1_2_by_v20 + t9;
-    const double t18 = -p3*t14 + p3*t15;
-    const double v2_3_by_z10 = cos_tau*t18 + t10*v1_2_by_z10;
-    const double t19 = p1*t15 + t14*t3;
-    const double v2_3_by_z20 = t10*v1_2_by_z20 + t18*z1_2_by_z20 - t19;
-    const double v2_3_by_v10 = sin_tau*t18 + t11;
-    const double v2_3_by_v20 = t10*v1_2_by_v20 + t13 + t18*z1_2_by_v20 - t19*tau;
+    const double t2 = 1 - p1;
+    const double t3 = cos_omega1_tau1*p1 + cos_omega2_tau1*t2;
+    const double t4 = cos_tau*t3;
+    const double t5 = sin_omega1_tau1/omega1;
+    const double t6 = sin_omega2_tau1/omega2;
+    const double t7 = p1*t5 + t2*t6;
+    const double z1_3_by_z10 = t4 + t7*v1_2_by_z10;
+    const double t8 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+    const double z1_3_by_z20 = t3*z1_2_by_z20 + t7*v1_2_by_z20 + t8;
+    const double z1_3_by_v10 = cos_tau*t7 + sin_tau*t3;
+    const double z1_3_by_v20 = p2*t5 - p2*t6 + t3*z1_2_by_v20 + t7*z1_2_by_z20 + t8*tau;
+    const double t9 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+    const double t10 = cos_tau*t9;
+    const double t11 = p3*t5 - p3*t6;
+    const double z2_3_by_z10 = t10 + t11*v1_2_by_z10;
+    const double t12 = cos_omega1_tau1*t2 + cos_omega2_tau1*p1;
+    const double z2_3_by_z20 = t11*v1_2_by_z20 + t12 + t9*z1_2_by_z20;
+    const double z2_3_by_v10 = cos_tau*t11 + sin_tau*t9;
+    const double z2_3_by_v20 = p1*t6 + t11*z1_2_by_z20 + t12*tau + t2*t5 + t9*z1_2_by_v20;
+    const double t13 = omega1*sin_omega1_tau1;
+    const double t14 = omega2*sin_omega2_tau1;
+    const double t15 = -p1*t13 - t14*t2;
+    const double v1_3_by_z10 = cos_tau*t15 + t3*v1_2_by_z10;
+    const double t16 = -p2*t13 + p2*t14;
+    const double v1_3_by_z20 = t15*z1_2_by_z20 + t16 + t3*v1_2_by_z20;
+    const double v1_3_by_v10 = sin_tau*t15 + t4;
+    const double v1_3_by_v20 = t15*z1_2_by_v20 + t16*tau + t3*z1_2_by_z20 + t8;
+    const double t17 = -p3*t13 + p3*t14;
+    const double v2_3_by_z10 = cos_tau*t17 + t9*v1_2_by_z10;
+    const double t18 = p1*t14 + t13*t2;
+    const double v2_3_by_z20 = t17*z1_2_by_z20 - t18 + t9*v1_2_by_z20;
+    const double v2_3_by_v10 = sin_tau*t17 + t10;
+    const double v2_3_by_v20 = t12 + t17*z1_2_by_v20 - t18*tau + t9*z1_2_by_z20;
     /* functions of tau2 in stick-slip */
-    const double t20 = omega3*tau2;
-    const double cos_omega3_tau2 = cos(t20);
-    const double sin_omega3_tau2 = sin(t20);
+    const double t19 = omega3*tau2;
+    const double cos_omega3_tau2 = cos(t19);
+    const double sin_omega3_tau2 = sin(t19);
     /* stick-slip after tau2, by the start */
     const double z1_4_by_z10 = tau2*v1_3_by_z10 + z1_3_by_z10;
     const double z1_4_by_z20 = tau2*v1_3_by_z20 + z1_3_by_z20;
     const double z1_4_by_v10 = tau2*v1_3_by_v10 + z1_3_by_v10;
     const double z1_4_by_v20 = tau2*v1_3_by_v20 + z1_3_by_v20;
-    const double t21 = 1 - cos_omega3_tau2;
-    const double t22 = sin_omega3_tau2/omega3;
-    const double t23 = -t22 + tau2;
-    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t21*z1_3_by_z10 + t22*v2_3_by_z10 + t23*v1_3_by_z10;
-    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t21*z1_3_by_z20 + t22*v2_3_by_z20 + t23*v1_3_by_z20;
-    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t21*z1_3_by_v10 + t22*v2_3_by_v10 + t23*v1_3_by_v10;
-    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t21*z1_3_by_v20 + t22*v2_3_by_v20 + t23*v1_3_by_v20;
-    const double t24 = omega3*sin_omega3_tau2;
-    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t21*v1_3_by_z10 + t24*z1_3_by_z10 - t24*z2_3_by_z10;
-    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t21*v1_3_by_z20 + t24*z1_3_by_z20 - t24*z2_3_by_z20;
-    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t21*v1_3_by_v10 + t24*z1_3_by_v10 - t24*z2_3_by_v10;
-    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t21*v1_3_by_v20 + t24*z1_3_by_v20 - t24*z2_3_by_v20;
+    const double t20 = 1 - cos_omega3_tau2;
+    const double t21 = sin_omega3_tau2/omega3;
+    const double t22 = -t21 + tau2;
+    const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t20*z1_3_by_z10 + t21*v2_3_by_z10 + t22*v1_3_by_z10;
+    const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t20*z1_3_by_z20 + t21*v2_3_by_z20 + t22*v1_3_by_z20;
+    const double z2_4_by_v10 = cos_omega3_tau2*z2_3_by_v10 + t20*z1_3_by_v10 + t21*v2_3_by_v10 + t22*v1_3_by_v10;
+    const double z2_4_by_v20 = cos_omega3_tau2*z2_3_by_v20 + t20*z1_3_by_v20 + t21*v2_3_by_v20 + t22*v1_3_by_v20;
+    const double t23 = omega3*sin_omega3_tau2;
+    const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t20*v1_3_by_z10 + t23*z1_3_by_z10 - t23*z2_3_by_z10;
+    const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t20*v1_3_by_z20 + t23*z1_3_by_z20 - t23*z2_3_by_z20;
+    const double v2_4_by_v10 = cos_omega3_tau2*v2_3_by_v10 + t20*v1_3_by_v10 + t23*z1_3_by_v10 - t23*z2_3_by_v10;
+    const double v2_4_by_v20 = cos_omega3_tau2*v2_3_by_v20 + t20*v1_3_by_v20 + t23*z1_3_by_v20 - t23*z2_3_by_v20;
     if (period_map) {
         for (int i = 0; i < 20; ++i)
             period_map[i] = 0.0;
@@ -4516,9 +4418,9 @@ void dry_friction_solution_ii_period_map(
     const double numerator1 = coefficient22*right1 - right2*z1_4_by_z20;
     const double numerator2 = coefficient11*right2 - right1*z2_4_by_z10;
     /* z10, z20 by Cramer's rule */
-    const double t25 = (1.0/(determinant));
-    const double z1_0 = numerator1*t25;
-    const double z2_0 = numerator2*t25;
+    const double t24 = (1.0/(determinant));
+    const double z1_0 = numerator1*t24;
+    const double z2_0 = numerator2*t24;
     if (linear_start) {
         linear_start[0] = z1_0;
         linear_start[1] = z2_0;

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 1ddee22da7d00c72 */
+ * SymPy 1.14.0, derivation ffd8353536f706ba */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "nonsmooth_trigonometry.h"
 
 /* Frequencies and projector coefficients, with their derivatives by the parameters.
- * Operations: 177. Intermediate terms: 70. */
+ * Operations: 177. Intermediate terms: 69. */
 static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
     int lanes, int lane, const double *parameters, double *spectrum, double *spectrum_derivatives)
 {
@@ -106,7 +106,6 @@ static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
     const double t35 = gap1_by_k2*t23;
     const double p2_by_k2 = t1*t35;
     const double p3_by_k2 = t26*t35;
-    const double omega3_by_k2 = omega3_by_k1;
     if (spectrum_derivatives) {
         spectrum_derivatives[lane] = gap1_by_m1;
         spectrum_derivatives[1*lanes + lane] = gap1_by_m2;
@@ -135,7 +134,7 @@ static NONSMOOTH_INLINE void rigid_stop_spectrum_in_lane(
         spectrum_derivatives[24*lanes + lane] = 0;
         spectrum_derivatives[25*lanes + lane] = omega3_by_m2;
         spectrum_derivatives[26*lanes + lane] = omega3_by_k1;
-        spectrum_derivatives[27*lanes + lane] = omega3_by_k2;
+        spectrum_derivatives[27*lanes + lane] = omega3_by_k1;
     }
 }
 
@@ -154,13 +153,12 @@ void rigid_stop_flow_free(
     (void)parameters;
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
-    const double t0 = omega1*t;
+    const double t0 = omega1*time;
     const double t1 = sin(t0);
     const double t2 = t1/omega1;
-    const double t3 = omega2*t;
+    const double t3 = omega2*time;
     const double t4 = sin(t3);
     const double t5 = t4/omega2;
     const double t6 = 1 - p1;
@@ -186,19 +184,18 @@ void rigid_stop_flow_contact(
 {
     const double k1 = parameters[2], k2 = parameters[3];
     const double omega3 = spectrum[6];
-    const double t = time;
     const double x1 = state[0], x2 = state[1], v1 = state[2], v2 = state[3];
     /* state_after */
     const double t0 = (1.0/((k1 + k2)));
     const double t1 = k1*t0;
-    const double t2 = omega3*t;
+    const double t2 = omega3*time;
     const double t3 = sin(t2);
     const double t4 = t3/omega3;
     const double t5 = cos(t2);
     const double t6 = k1*t0 - t1*t5;
     const double t7 = omega3*t3;
-    state_after[0] = t*v1 + x1;
-    state_after[1] = t4*v2 + t5*x2 + t6*x1 + v1*(t*t1 - t1*t4);
+    state_after[0] = time*v1 + x1;
+    state_after[1] = t4*v2 + t5*x2 + t6*x1 + v1*(-t1*t4 + t1*time);
     state_after[2] = v1;
     state_after[3] = t1*t7*x1 + t5*v2 + t6*v1 - t7*x2;
 }
@@ -478,7 +475,7 @@ void rigid_stop_one_impact_equations(
 }
 
 /* Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by the parameters.
- * Operations: 367. Intermediate terms: 102. */
+ * Operations: 367. Intermediate terms: 95. */
 static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
     int lanes, int lane, const double *parameters, const double *spectrum, const double *unknowns,
     const double *spectrum_derivatives, double *trace, double *trace_gradient)
@@ -504,48 +501,43 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
     const double t4 = p1 - 1;
     const double t5 = (1.0/(omega2));
     const double t6 = sin_omega2_T*t5;
-    const double t7 = p1*t3 - t4*t6;
-    const double t8 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t9 = cos_omega1_T*p1 - cos_omega2_T*t4;
-    const double x1_1 = t7*u + t8*y + t9;
-    const double t10 = p3*t3 - p3*t6;
-    const double t11 = -cos_omega1_T*t4 + cos_omega2_T*p1;
-    const double t12 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t10*u + t11*y + t12;
-    const double t13 = omega2*sin_omega2_T;
-    const double t14 = omega1*sin_omega1_T;
-    const double t15 = p2*t13 - p2*t14;
-    const double t16 = omega1*p1;
-    const double t17 = -omega2*t4;
-    const double v1_1 = -sin_omega1_T*t16 - sin_omega2_T*t17 + t15*y + t9*u;
-    const double t18 = -p1*t13 + t14*t4;
-    const double t19 = omega2*p3;
-    const double t20 = omega1*p3;
-    const double v2_1 = -sin_omega1_T*t20 + sin_omega2_T*t19 + t12*u + t18*y;
+    const double carried_x1_1_by_u = p1*t3 - t4*t6;
+    const double carried_x1_1_by_y = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double carried_v1_1_by_u = cos_omega1_T*p1 - cos_omega2_T*t4;
+    const double x1_1 = carried_v1_1_by_u + carried_x1_1_by_u*u + carried_x1_1_by_y*y;
+    const double t7 = p3*t3 - p3*t6;
+    const double carried_x2_1_by_y = -cos_omega1_T*t4 + cos_omega2_T*p1;
+    const double t8 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = carried_x2_1_by_y*y + t7*u + t8;
+    const double t9 = omega2*sin_omega2_T;
+    const double t10 = omega1*sin_omega1_T;
+    const double t11 = -p2*t10 + p2*t9;
+    const double t12 = omega1*p1;
+    const double t13 = -omega2*t4;
+    const double v1_1 = carried_v1_1_by_u*u - sin_omega1_T*t12 - sin_omega2_T*t13 + t11*y;
+    const double t14 = -p1*t9 + t10*t4;
+    const double t15 = omega2*p3;
+    const double t16 = omega1*p3;
+    const double v2_1 = -sin_omega1_T*t16 + sin_omega2_T*t15 + t14*y + t8*u;
     /* Phi along T */
-    const double carried_x1_1_by_y = t8;
-    const double carried_x1_1_by_u = t7;
     const double carried_x1_1_by_w = p2*t3 - p2*t6;
-    const double carried_x2_1_by_y = t11;
-    const double carried_v1_1_by_u = t9;
-    const double carried_v2_1_by_w = t11;
     /* derivatives of the time to the boundary after T */
-    const double t21 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t21;
-    const double delay_T_by_u = -carried_x1_1_by_u*t21;
-    const double delay_T_by_w = -carried_x1_1_by_w*t21;
+    const double t17 = (1.0/(v1_1));
+    const double delay_T_by_y = -carried_x1_1_by_y*t17;
+    const double delay_T_by_u = -carried_x1_1_by_u*t17;
+    const double delay_T_by_w = -carried_x1_1_by_w*t17;
     /* perturbation on the boundary after T */
     const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
-    const double t22 = (1.0/(m1));
-    const double t23 = t22*x1_1;
-    const double t24 = -k1*t22*x2_1 + k1*t23;
-    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t24;
-    const double t25 = (1.0/(m2));
-    const double t26 = t25*x1_1;
-    const double t27 = k1 + k2;
-    const double t28 = t25*x2_1;
-    const double t29 = k1*t26 - t27*t28;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t29;
+    const double t18 = (1.0/(m1));
+    const double t19 = t18*x1_1;
+    const double slope_by_delay_T_by_u = -k1*t18*x2_1 + k1*t19;
+    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*slope_by_delay_T_by_u;
+    const double t20 = (1.0/(m2));
+    const double t21 = t20*x1_1;
+    const double t22 = k1 + k2;
+    const double t23 = t20*x2_1;
+    const double slope_by_delay_T_by_w = k1*t21 - t22*t23;
+    const double v2_1_on_boundary_by_w = carried_x2_1_by_y + delay_T_by_w*slope_by_delay_T_by_w;
     if (trace) {
         trace[lane] = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y;
     }
@@ -571,71 +563,68 @@ static NONSMOOTH_INLINE void rigid_stop_one_impact_trace_in_lane(
         p3_by_m2 = spectrum_derivatives[21*lanes + lane],
         p3_by_k1 = spectrum_derivatives[22*lanes + lane],
         p3_by_k2 = spectrum_derivatives[23*lanes + lane];
-    /* back through: derivatives of the time to the boundary after T */
-    const double slope_by_delay_T_by_w = t29;
-    const double slope_by_delay_T_by_u = t24;
     /* back through: Phi along T */
-    const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t21;
-    const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t21;
-    const double slope_by_carried_x1_1_by_y = -t21*v2_1;
+    const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t17;
+    const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t17;
+    const double slope_by_carried_x1_1_by_y = -t17*v2_1;
     /* back through: free for T, until first-reaches-stop */
-    const double t30 = (1.0/(v1_1*v1_1));
-    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t30 + carried_x1_1_by_w*slope_by_delay_T_by_w*t30 + carried_x1_1_by_y*t30*v2_1;
-    const double t31 = delay_T_by_u*k1*t22;
-    const double t32 = delay_T_by_w*t25;
-    const double slope_by_x2_1 = -t27*t32 - t31;
-    const double slope_by_x1_1 = k1*t32 + t31;
+    const double t24 = (1.0/(v1_1*v1_1));
+    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t24 + carried_x1_1_by_w*slope_by_delay_T_by_w*t24 + carried_x1_1_by_y*t24*v2_1;
+    const double t25 = delay_T_by_u*k1*t18;
+    const double t26 = delay_T_by_w*t20;
+    const double slope_by_x2_1 = -t22*t26 - t25;
+    const double slope_by_x1_1 = k1*t26 + t25;
     /* back through: functions of T in free */
-    const double t33 = p1*y;
-    const double t34 = p2*y;
-    const double t35 = -t4*t5;
-    const double t36 = p2*slope_by_carried_x1_1_by_w;
-    const double t37 = slope_by_x1_1*u;
-    const double t38 = p3*u;
-    const double t39 = slope_by_x2_1*t38;
-    const double slope_by_sin_omega2_T = delay_T_by_y*(-omega2*t33 + t19) + slope_by_carried_x1_1_by_u*t35 + slope_by_v1_1*(omega2*t34 - t17) + t35*t37 - t36*t5 - t39*t5;
-    const double t40 = 3*p1;
-    const double t41 = p2*slope_by_carried_x1_1_by_y;
-    const double t42 = slope_by_v1_1*u;
-    const double t43 = delay_T_by_y*t38;
-    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t34 - t4) + slope_by_x2_1*(p1*y - p3) - t4*t42 + t40 - t41 - t43 - 1;
-    const double t44 = -t4*y;
-    const double t45 = p1*t2;
-    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t44 - t20) + slope_by_carried_x1_1_by_u*t45 + slope_by_v1_1*(-omega1*t34 - t16) + t2*t36 + t2*t39 + t37*t45;
-    const double slope_by_cos_omega1_T = p1*t42 + slope_by_x1_1*(p1 + t34) + slope_by_x2_1*(p3 + t44) - t40 + t41 + t43 + 2;
+    const double t27 = p1*y;
+    const double t28 = p2*y;
+    const double t29 = -t4*t5;
+    const double t30 = p2*slope_by_carried_x1_1_by_w;
+    const double t31 = slope_by_x1_1*u;
+    const double t32 = p3*u;
+    const double t33 = slope_by_x2_1*t32;
+    const double slope_by_sin_omega2_T = delay_T_by_y*(-omega2*t27 + t15) + slope_by_carried_x1_1_by_u*t29 + slope_by_v1_1*(omega2*t28 - t13) + t29*t31 - t30*t5 - t33*t5;
+    const double t34 = 3*p1;
+    const double t35 = p2*slope_by_carried_x1_1_by_y;
+    const double t36 = slope_by_v1_1*u;
+    const double t37 = delay_T_by_y*t32;
+    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t28 - t4) + slope_by_x2_1*(p1*y - p3) + t34 - t35 - t36*t4 - t37 - 1;
+    const double t38 = -t4*y;
+    const double t39 = p1*t2;
+    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t38 - t16) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(-omega1*t28 - t12) + t2*t30 + t2*t33 + t31*t39;
+    const double slope_by_cos_omega1_T = p1*t36 + slope_by_x1_1*(p1 + t28) + slope_by_x2_1*(p3 + t38) - t34 + t35 + t37 + 2;
     /* trace_gradient */
-    const double t46 = cos_omega1_T - cos_omega2_T;
-    const double t47 = t13 - t14;
-    const double t48 = t46*u + t47;
-    const double t49 = t3 - t6;
-    const double t50 = t46 + t49*u;
-    const double t51 = delay_T_by_y*t48 + slope_by_x2_1*t50;
-    const double t52 = slope_by_carried_x1_1_by_w*t49 + slope_by_carried_x1_1_by_y*t46 + slope_by_v1_1*t47*y + slope_by_x1_1*t46*y;
-    const double t53 = -3*cos_omega1_T + 3*cos_omega2_T - delay_T_by_y*t47*y + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*t48 + slope_by_x1_1*t50 - slope_by_x2_1*t46*y;
-    const double t54 = p3*sin_omega2_T;
-    const double t55 = -sin_omega2_T*t4;
-    const double t56 = cos_omega2_T*slope_by_sin_omega2_T;
-    const double t57 = sin_omega2_T*slope_by_cos_omega2_T;
-    const double t58 = (1.0/(omega2*omega2));
-    const double t59 = t55*t58;
-    const double t60 = slope_by_x2_1*u;
-    const double t61 = T*t56 - T*t57 + delay_T_by_y*(-sin_omega2_T*t33 + t54) + sin_omega2_T*t36*t58 - slope_by_carried_x1_1_by_u*t59 + slope_by_v1_1*(sin_omega2_T*t34 - t55) - t37*t59 + t54*t58*t60;
-    const double t62 = p3*sin_omega1_T;
-    const double t63 = p1*sin_omega1_T;
-    const double t64 = sin_omega1_T*slope_by_cos_omega1_T;
-    const double t65 = (1.0/(omega1*omega1));
-    const double t66 = t63*t65;
-    const double t67 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t64 + delay_T_by_y*(-sin_omega1_T*t44 - t62) - sin_omega1_T*t36*t65 - slope_by_carried_x1_1_by_u*t66 + slope_by_v1_1*(-sin_omega1_T*t34 - t63) - t37*t66 - t60*t62*t65;
-    const double t68 = k1/(m1*m1);
-    const double t69 = (1.0/(m2*m2));
+    const double t40 = cos_omega1_T - cos_omega2_T;
+    const double t41 = -t10 + t9;
+    const double t42 = t40*u + t41;
+    const double t43 = t3 - t6;
+    const double t44 = t40 + t43*u;
+    const double t45 = delay_T_by_y*t42 + slope_by_x2_1*t44;
+    const double t46 = slope_by_carried_x1_1_by_w*t43 + slope_by_carried_x1_1_by_y*t40 + slope_by_v1_1*t41*y + slope_by_x1_1*t40*y;
+    const double t47 = -3*cos_omega1_T + 3*cos_omega2_T - delay_T_by_y*t41*y + slope_by_carried_x1_1_by_u*t43 + slope_by_v1_1*t42 + slope_by_x1_1*t44 - slope_by_x2_1*t40*y;
+    const double t48 = p3*sin_omega2_T;
+    const double t49 = -sin_omega2_T*t4;
+    const double t50 = cos_omega2_T*slope_by_sin_omega2_T;
+    const double t51 = sin_omega2_T*slope_by_cos_omega2_T;
+    const double t52 = (1.0/(omega2*omega2));
+    const double t53 = t49*t52;
+    const double t54 = slope_by_x2_1*u;
+    const double t55 = T*t50 - T*t51 + delay_T_by_y*(-sin_omega2_T*t27 + t48) + sin_omega2_T*t30*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(sin_omega2_T*t28 - t49) - t31*t53 + t48*t52*t54;
+    const double t56 = p3*sin_omega1_T;
+    const double t57 = p1*sin_omega1_T;
+    const double t58 = sin_omega1_T*slope_by_cos_omega1_T;
+    const double t59 = (1.0/(omega1*omega1));
+    const double t60 = t57*t59;
+    const double t61 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t58 + delay_T_by_y*(-sin_omega1_T*t38 - t56) - sin_omega1_T*t30*t59 - slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*(-sin_omega1_T*t28 - t57) - t31*t60 - t54*t56*t59;
+    const double t62 = k1/(m1*m1);
+    const double t63 = (1.0/(m2*m2));
     if (trace_gradient) {
-        trace_gradient[lane] = delay_T_by_y*t18 + slope_by_v1_1*t15 + slope_by_x1_1*t8 + slope_by_x2_1*t11;
-        trace_gradient[1*lanes + lane] = delay_T_by_y*t12 + slope_by_v1_1*t9 + slope_by_x1_1*t7 + slope_by_x2_1*t10;
-        trace_gradient[2*lanes + lane] = -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t67 + omega2_by_m1*t61 + p1_by_m1*t53 + p2_by_m1*t52 + p3_by_m1*t51;
-        trace_gradient[3*lanes + lane] = delay_T_by_w*(-k1*t69*x1_1 + t27*t69*x2_1) + omega1_by_m2*t67 + omega2_by_m2*t61 + p1_by_m2*t53 + p2_by_m2*t52 + p3_by_m2*t51;
-        trace_gradient[4*lanes + lane] = -delay_T_by_u*(t22*x2_1 - t23) + delay_T_by_w*(t26 - t28) + omega1_by_k1*t67 + omega2_by_k1*t61 + p1_by_k1*t53 + p2_by_k1*t52 + p3_by_k1*t51;
-        trace_gradient[5*lanes + lane] = -delay_T_by_w*t28 + omega1_by_k2*t67 + omega2_by_k2*t61 + p1_by_k2*t53 + p2_by_k2*t52 + p3_by_k2*t51;
-        trace_gradient[6*lanes + lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T - omega1*t64 + omega2*t56 - omega2*t57;
+        trace_gradient[lane] = carried_x1_1_by_y*slope_by_x1_1 + carried_x2_1_by_y*slope_by_x2_1 + delay_T_by_y*t14 + slope_by_v1_1*t11;
+        trace_gradient[1*lanes + lane] = carried_v1_1_by_u*slope_by_v1_1 + carried_x1_1_by_u*slope_by_x1_1 + delay_T_by_y*t8 + slope_by_x2_1*t7;
+        trace_gradient[2*lanes + lane] = -delay_T_by_u*(t62*x1_1 - t62*x2_1) + omega1_by_m1*t61 + omega2_by_m1*t55 + p1_by_m1*t47 + p2_by_m1*t46 + p3_by_m1*t45;
+        trace_gradient[3*lanes + lane] = delay_T_by_w*(-k1*t63*x1_1 + t22*t63*x2_1) + omega1_by_m2*t61 + omega2_by_m2*t55 + p1_by_m2*t47 + p2_by_m2*t46 + p3_by_m2*t45;
+        trace_gradient[4*lanes + lane] = -delay_T_by_u*(t18*x2_1 - t19) + delay_T_by_w*(t21 - t23) + omega1_by_k1*t61 + omega2_by_k1*t55 + p1_by_k1*t47 + p2_by_k1*t46 + p3_by_k1*t45;
+        trace_gradient[5*lanes + lane] = -delay_T_by_w*t23 + omega1_by_k2*t61 + omega2_by_k2*t55 + p1_by_k2*t47 + p2_by_k2*t46 + p3_by_k2*t45;
+        trace_gradient[6*lanes + lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T - omega1*t58 + omega2*t50 - omega2*t51;
     }
 }
 
@@ -713,7 +702,7 @@ void rigid_stop_one_impact_passage(
 }
 
 /* Jacobian of the Poincare map in the section's coordinates; saltation matrices, one below the other; monodromy matrix.
- * Operations: 139. Intermediate terms: 90. */
+ * Operations: 137. Intermediate terms: 61. */
 NONSMOOTH_UNMERGED
 void rigid_stop_one_impact_linearisation(
     const double parameters[5], const double spectrum[7], const double unknowns[2],
@@ -735,54 +724,44 @@ void rigid_stop_one_impact_linearisation(
     const double t2 = sin_omega1_T/omega1;
     const double t3 = 1 - p1;
     const double t4 = sin_omega2_T/omega2;
-    const double t5 = p1*t2 + t3*t4;
-    const double t6 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t7 = cos_omega1_T*p1 + cos_omega2_T*t3;
-    const double x1_1 = t5*u + t6*y + t7;
-    const double t8 = p3*t2 - p3*t4;
-    const double t9 = cos_omega1_T*t3 + cos_omega2_T*p1;
-    const double t10 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t10 + t8*u + t9*y;
-    const double t11 = omega2*sin_omega2_T;
-    const double t12 = omega1*sin_omega1_T;
-    const double t13 = p2*t11 - p2*t12;
-    const double t14 = p1*t12 + t11*t3;
-    const double v1_1 = t13*y - t14 + t7*u;
-    const double t15 = -p1*t11 - t12*t3;
-    const double t16 = p3*t11 - p3*t12;
-    const double v2_1 = t10*u + t15*y + t16;
+    const double carried_x1_1_by_u = p1*t2 + t3*t4;
+    const double carried_x1_1_by_y = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double carried_v1_1_by_u = cos_omega1_T*p1 + cos_omega2_T*t3;
+    const double x1_1 = carried_v1_1_by_u + carried_x1_1_by_u*u + carried_x1_1_by_y*y;
+    const double carried_x2_1_by_u = p3*t2 - p3*t4;
+    const double carried_x2_1_by_y = cos_omega1_T*t3 + cos_omega2_T*p1;
+    const double carried_v2_1_by_u = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = carried_v2_1_by_u + carried_x2_1_by_u*u + carried_x2_1_by_y*y;
+    const double t5 = omega2*sin_omega2_T;
+    const double t6 = omega1*sin_omega1_T;
+    const double carried_v1_1_by_y = p2*t5 - p2*t6;
+    const double t7 = p1*t6 + t3*t5;
+    const double v1_1 = carried_v1_1_by_u*u + carried_v1_1_by_y*y - t7;
+    const double carried_v2_1_by_y = -p1*t5 - t3*t6;
+    const double phi_1_30 = p3*t5 - p3*t6;
+    const double v2_1 = carried_v2_1_by_u*u + carried_v2_1_by_y*y + phi_1_30;
     /* Phi along T */
-    const double carried_x1_1_by_y = t6;
-    const double carried_x1_1_by_u = t5;
     const double carried_x1_1_by_w = p2*t2 - p2*t4;
-    const double carried_x2_1_by_y = t9;
-    const double carried_x2_1_by_u = t8;
     const double carried_x2_1_by_w = p1*t4 + t2*t3;
-    const double carried_v1_1_by_y = t13;
-    const double carried_v1_1_by_u = t7;
-    const double carried_v1_1_by_w = t6;
-    const double carried_v2_1_by_y = t15;
-    const double carried_v2_1_by_u = t10;
-    const double carried_v2_1_by_w = t9;
     /* derivatives of the time to the boundary after T */
-    const double t17 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t17;
-    const double delay_T_by_u = -carried_x1_1_by_u*t17;
-    const double delay_T_by_w = -carried_x1_1_by_w*t17;
+    const double t8 = (1.0/(v1_1));
+    const double delay_T_by_y = -carried_x1_1_by_y*t8;
+    const double delay_T_by_u = -carried_x1_1_by_u*t8;
+    const double delay_T_by_w = -carried_x1_1_by_w*t8;
     /* perturbation on the boundary after T */
     const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1;
     const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1;
     const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1;
-    const double t18 = (1.0/(m1));
-    const double t19 = -k1*t18*x1_1 + k1*t18*x2_1;
-    const double v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t19;
-    const double v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t19;
-    const double v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t19;
-    const double t20 = (1.0/(m2));
-    const double t21 = k1*t20*x1_1 - t20*x2_1*(k1 + k2);
-    const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t21;
-    const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t21;
-    const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t21;
+    const double t9 = (1.0/(m1));
+    const double before_v1_1 = -k1*t9*x1_1 + k1*t9*x2_1;
+    const double v1_1_on_boundary_by_y = -before_v1_1*delay_T_by_y - carried_v1_1_by_y;
+    const double v1_1_on_boundary_by_u = -before_v1_1*delay_T_by_u - carried_v1_1_by_u;
+    const double v1_1_on_boundary_by_w = -before_v1_1*delay_T_by_w - carried_x1_1_by_y;
+    const double t10 = (1.0/(m2));
+    const double before_v2_1 = k1*t10*x1_1 - t10*x2_1*(k1 + k2);
+    const double v2_1_on_boundary_by_y = before_v2_1*delay_T_by_y + carried_v2_1_by_y;
+    const double v2_1_on_boundary_by_u = before_v2_1*delay_T_by_u + carried_v2_1_by_u;
+    const double v2_1_on_boundary_by_w = before_v2_1*delay_T_by_w + carried_x2_1_by_y;
     if (poincare_jacobian) {
         poincare_jacobian[0] = x2_1_on_boundary_by_y;
         poincare_jacobian[1] = x2_1_on_boundary_by_u;
@@ -798,66 +777,46 @@ void rigid_stop_one_impact_linearisation(
         return;
     /* transition to free */
     const double v1_1_reset = -v1_1;
-    /* vector fields at transition 1 */
-    const double before_v1_1 = t19;
-    const double before_v2_1 = t21;
-    const double behind_v1_1 = t19;
-    const double behind_v2_1 = t21;
     /* saltations */
-    const double t22 = t17*(-v1_1 + v1_1_reset) + 1;
-    const double t23 = before_v1_1 + behind_v1_1;
-    const double t24 = t17*(-before_v2_1 + behind_v2_1);
+    const double t11 = t8*(-v1_1 + v1_1_reset) + 1;
+    const double t12 = 2*before_v1_1;
+    const double t13 = 0;
     if (saltations) {
         for (int i = 0; i < 16; ++i)
             saltations[i] = 0.0;
-        saltations[0] = t22;
+        saltations[0] = t11;
         saltations[5] = 1;
-        saltations[8] = t17*t23;
+        saltations[8] = t12*t8;
         saltations[10] = -1;
-        saltations[12] = t24;
+        saltations[12] = t13;
         saltations[15] = 1;
     }
     if (!monodromy)
         return;
     /* Phi of phase 1 */
-    const double phi_1_00 = t7;
-    const double phi_1_01 = t6;
-    const double phi_1_02 = t5;
-    const double phi_1_03 = carried_x1_1_by_w;
-    const double phi_1_10 = t10;
-    const double phi_1_11 = t9;
-    const double phi_1_12 = t8;
-    const double phi_1_13 = carried_x2_1_by_w;
-    const double phi_1_20 = -t14;
-    const double phi_1_21 = t13;
-    const double phi_1_22 = t7;
-    const double phi_1_23 = t6;
-    const double phi_1_30 = t16;
-    const double phi_1_31 = t15;
-    const double phi_1_32 = t10;
-    const double phi_1_33 = t9;
+    const double phi_1_20 = -t7;
     /* saltation of phase 1 */
-    const double saltation_1_00 = phi_1_00*t22;
-    const double saltation_1_01 = phi_1_01*t22;
-    const double saltation_1_02 = phi_1_02*t22;
-    const double saltation_1_03 = phi_1_03*t22;
-    const double saltation_1_20 = phi_1_00*t17*t23 - phi_1_20;
-    const double saltation_1_21 = phi_1_01*t17*t23 - phi_1_21;
-    const double saltation_1_22 = phi_1_02*t17*t23 - phi_1_22;
-    const double saltation_1_23 = phi_1_03*t17*t23 - phi_1_23;
-    const double saltation_1_30 = phi_1_00*t24 + phi_1_30;
-    const double saltation_1_31 = phi_1_01*t24 + phi_1_31;
-    const double saltation_1_32 = phi_1_02*t24 + phi_1_32;
-    const double saltation_1_33 = phi_1_03*t24 + phi_1_33;
+    const double saltation_1_00 = carried_v1_1_by_u*t11;
+    const double saltation_1_01 = carried_x1_1_by_y*t11;
+    const double saltation_1_02 = carried_x1_1_by_u*t11;
+    const double saltation_1_03 = carried_x1_1_by_w*t11;
+    const double saltation_1_20 = carried_v1_1_by_u*t12*t8 - phi_1_20;
+    const double saltation_1_21 = -carried_v1_1_by_y + carried_x1_1_by_y*t12*t8;
+    const double saltation_1_22 = -carried_v1_1_by_u + carried_x1_1_by_u*t12*t8;
+    const double saltation_1_23 = carried_x1_1_by_w*t12*t8 - carried_x1_1_by_y;
+    const double saltation_1_30 = carried_v1_1_by_u*t13 + phi_1_30;
+    const double saltation_1_31 = carried_v2_1_by_y + carried_x1_1_by_y*t13;
+    const double saltation_1_32 = carried_v2_1_by_u + carried_x1_1_by_u*t13;
+    const double saltation_1_33 = carried_x1_1_by_w*t13 + carried_x2_1_by_y;
     if (monodromy) {
         monodromy[0] = saltation_1_00;
         monodromy[1] = saltation_1_01;
         monodromy[2] = saltation_1_02;
         monodromy[3] = saltation_1_03;
-        monodromy[4] = phi_1_10;
-        monodromy[5] = phi_1_11;
-        monodromy[6] = phi_1_12;
-        monodromy[7] = phi_1_13;
+        monodromy[4] = carried_v2_1_by_u;
+        monodromy[5] = carried_x2_1_by_y;
+        monodromy[6] = carried_x2_1_by_u;
+        monodromy[7] = carried_x2_1_by_w;
         monodromy[8] = saltation_1_20;
         monodromy[9] = saltation_1_21;
         monodromy[10] = saltation_1_22;

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 1ddee22da7d00c72
+# SymPy 1.14.0, derivation ffd8353536f706ba
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "1ddee22da7d00c72"
+DERIVATION = "ffd8353536f706ba"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",
@@ -122,7 +122,7 @@ def spectrum(parameters, *, lib, outputs=2):
     Takes parameters (4): m1, m2, k1, k2.
     Gives spectrum (7).
     Gives spectrum_derivatives (7, 4).
-    Operations: 177. Intermediate terms: 70.
+    Operations: 177. Intermediate terms: 69.
     """
     [m1, m2, k1, k2] = parameters
     # spectrum
@@ -202,8 +202,7 @@ def spectrum(parameters, *, lib, outputs=2):
     t35 = gap1_by_k2*t23
     p2_by_k2 = t1*t35
     p3_by_k2 = t26*t35
-    omega3_by_k2 = omega3_by_k1
-    spectrum_derivatives = [[gap1_by_m1, gap1_by_m2, gap1_by_k1, gap1_by_k2], [omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2], [omega2_by_m1, omega2_by_m2, omega2_by_k1, omega2_by_k2], [p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2], [p2_by_m1, p2_by_m2, p2_by_k1, p2_by_k2], [p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2], [0, omega3_by_m2, omega3_by_k1, omega3_by_k2]]
+    spectrum_derivatives = [[gap1_by_m1, gap1_by_m2, gap1_by_k1, gap1_by_k2], [omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2], [omega2_by_m1, omega2_by_m2, omega2_by_k1, omega2_by_k2], [p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2], [p2_by_m1, p2_by_m2, p2_by_k1, p2_by_k2], [p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2], [0, omega3_by_m2, omega3_by_k1, omega3_by_k1]]
     return spectrum, spectrum_derivatives
 
 
@@ -218,13 +217,12 @@ def flow_free(parameters, spectrum, time, state, *, lib):
     Operations: 77. Intermediate terms: 15.
     """
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
-    t = time
     [x1, x2, v1, v2] = state
     # state_after
-    t0 = omega1*t
+    t0 = omega1*time
     t1 = lib.sin(t0)
     t2 = t1/omega1
-    t3 = omega2*t
+    t3 = omega2*time
     t4 = lib.sin(t3)
     t5 = t4/omega2
     t6 = 1 - p1
@@ -251,18 +249,17 @@ def flow_contact(parameters, spectrum, time, state, *, lib):
     """
     [_, _, k1, k2, _] = parameters
     [_, _, _, _, _, _, omega3] = spectrum
-    t = time
     [x1, x2, v1, v2] = state
     # state_after
     t0 = 1/(k1 + k2)
     t1 = k1*t0
-    t2 = omega3*t
+    t2 = omega3*time
     t3 = lib.sin(t2)
     t4 = t3/omega3
     t5 = lib.cos(t2)
     t6 = k1*t0 - t1*t5
     t7 = omega3*t3
-    return [t*v1 + x1, t4*v2 + t5*x2 + t6*x1 + v1*(t*t1 - t1*t4), v1, t1*t7*x1 + t5*v2 + t6*v1 - t7*x2]
+    return [time*v1 + x1, t4*v2 + t5*x2 + t6*x1 + v1*(-t1*t4 + t1*time), v1, t1*t7*x1 + t5*v2 + t6*v1 - t7*x2]
 
 
 def fields(parameters, *, lib):
@@ -443,7 +440,7 @@ def one_impact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, 
         omega3_by_m2, omega3_by_k1, omega3_by_k2, for trace_gradient.
     Gives trace.
     Gives trace_gradient (7).
-    Operations: 367. Intermediate terms: 102.
+    Operations: 367. Intermediate terms: 95.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -461,110 +458,102 @@ def one_impact_trace(parameters, spectrum, unknowns, spectrum_derivatives=None, 
     t4 = p1 - 1
     t5 = 1/omega2
     t6 = sin_omega2_T*t5
-    t7 = p1*t3 - t4*t6
-    t8 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t9 = cos_omega1_T*p1 - cos_omega2_T*t4
-    x1_1 = t7*u + t8*y + t9
-    t10 = p3*t3 - p3*t6
-    t11 = -cos_omega1_T*t4 + cos_omega2_T*p1
-    t12 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t10*u + t11*y + t12
-    t13 = omega2*sin_omega2_T
-    t14 = omega1*sin_omega1_T
-    t15 = p2*t13 - p2*t14
-    t16 = omega1*p1
-    t17 = -omega2*t4
-    v1_1 = -sin_omega1_T*t16 - sin_omega2_T*t17 + t15*y + t9*u
-    t18 = -p1*t13 + t14*t4
-    t19 = omega2*p3
-    t20 = omega1*p3
-    v2_1 = -sin_omega1_T*t20 + sin_omega2_T*t19 + t12*u + t18*y
+    carried_x1_1_by_u = p1*t3 - t4*t6
+    carried_x1_1_by_y = cos_omega1_T*p2 - cos_omega2_T*p2
+    carried_v1_1_by_u = cos_omega1_T*p1 - cos_omega2_T*t4
+    x1_1 = carried_v1_1_by_u + carried_x1_1_by_u*u + carried_x1_1_by_y*y
+    t7 = p3*t3 - p3*t6
+    carried_x2_1_by_y = -cos_omega1_T*t4 + cos_omega2_T*p1
+    t8 = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = carried_x2_1_by_y*y + t7*u + t8
+    t9 = omega2*sin_omega2_T
+    t10 = omega1*sin_omega1_T
+    t11 = -p2*t10 + p2*t9
+    t12 = omega1*p1
+    t13 = -omega2*t4
+    v1_1 = carried_v1_1_by_u*u - sin_omega1_T*t12 - sin_omega2_T*t13 + t11*y
+    t14 = -p1*t9 + t10*t4
+    t15 = omega2*p3
+    t16 = omega1*p3
+    v2_1 = -sin_omega1_T*t16 + sin_omega2_T*t15 + t14*y + t8*u
     # Phi along T
-    carried_x1_1_by_y = t8
-    carried_x1_1_by_u = t7
     carried_x1_1_by_w = p2*t3 - p2*t6
-    carried_x2_1_by_y = t11
-    carried_v1_1_by_u = t9
-    carried_v2_1_by_w = t11
     # derivatives of the time to the boundary after T
-    t21 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t21
-    delay_T_by_u = -carried_x1_1_by_u*t21
-    delay_T_by_w = -carried_x1_1_by_w*t21
+    t17 = 1/v1_1
+    delay_T_by_y = -carried_x1_1_by_y*t17
+    delay_T_by_u = -carried_x1_1_by_u*t17
+    delay_T_by_w = -carried_x1_1_by_w*t17
     # perturbation on the boundary after T
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
-    t22 = 1/m1
-    t23 = t22*x1_1
-    t24 = -k1*t22*x2_1 + k1*t23
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*t24
-    t25 = 1/m2
-    t26 = t25*x1_1
-    t27 = k1 + k2
-    t28 = t25*x2_1
-    t29 = k1*t26 - t27*t28
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t29
+    t18 = 1/m1
+    t19 = t18*x1_1
+    slope_by_delay_T_by_u = -k1*t18*x2_1 + k1*t19
+    v1_1_on_boundary_by_u = -carried_v1_1_by_u + delay_T_by_u*slope_by_delay_T_by_u
+    t20 = 1/m2
+    t21 = t20*x1_1
+    t22 = k1 + k2
+    t23 = t20*x2_1
+    slope_by_delay_T_by_w = k1*t21 - t22*t23
+    v2_1_on_boundary_by_w = carried_x2_1_by_y + delay_T_by_w*slope_by_delay_T_by_w
     trace = v1_1_on_boundary_by_u + v2_1_on_boundary_by_w + x2_1_on_boundary_by_y
     if outputs == 1:
         return trace
     [[_, _, _, _], [omega1_by_m1, omega1_by_m2, omega1_by_k1, omega1_by_k2], [omega2_by_m1, omega2_by_m2, omega2_by_k1, omega2_by_k2], [p1_by_m1, p1_by_m2, p1_by_k1, p1_by_k2], [p2_by_m1, p2_by_m2, p2_by_k1, p2_by_k2], [p3_by_m1, p3_by_m2, p3_by_k1, p3_by_k2], [_, _, _, _]] = spectrum_derivatives
-    # back through: derivatives of the time to the boundary after T
-    slope_by_delay_T_by_w = t29
-    slope_by_delay_T_by_u = t24
     # back through: Phi along T
-    slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t21
-    slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t21
-    slope_by_carried_x1_1_by_y = -t21*v2_1
+    slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t17
+    slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t17
+    slope_by_carried_x1_1_by_y = -t17*v2_1
     # back through: free for T, until first-reaches-stop
-    t30 = 1/v1_1**2
-    slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t30 + carried_x1_1_by_w*slope_by_delay_T_by_w*t30 + carried_x1_1_by_y*t30*v2_1
-    t31 = delay_T_by_u*k1*t22
-    t32 = delay_T_by_w*t25
-    slope_by_x2_1 = -t27*t32 - t31
-    slope_by_x1_1 = k1*t32 + t31
+    t24 = 1/v1_1**2
+    slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t24 + carried_x1_1_by_w*slope_by_delay_T_by_w*t24 + carried_x1_1_by_y*t24*v2_1
+    t25 = delay_T_by_u*k1*t18
+    t26 = delay_T_by_w*t20
+    slope_by_x2_1 = -t22*t26 - t25
+    slope_by_x1_1 = k1*t26 + t25
     # back through: functions of T in free
-    t33 = p1*y
-    t34 = p2*y
-    t35 = -t4*t5
-    t36 = p2*slope_by_carried_x1_1_by_w
-    t37 = slope_by_x1_1*u
-    t38 = p3*u
-    t39 = slope_by_x2_1*t38
-    slope_by_sin_omega2_T = delay_T_by_y*(-omega2*t33 + t19) + slope_by_carried_x1_1_by_u*t35 + slope_by_v1_1*(omega2*t34 - t17) + t35*t37 - t36*t5 - t39*t5
-    t40 = 3*p1
-    t41 = p2*slope_by_carried_x1_1_by_y
-    t42 = slope_by_v1_1*u
-    t43 = delay_T_by_y*t38
-    slope_by_cos_omega2_T = slope_by_x1_1*(-t34 - t4) + slope_by_x2_1*(p1*y - p3) - t4*t42 + t40 - t41 - t43 - 1
-    t44 = -t4*y
-    t45 = p1*t2
-    slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t44 - t20) + slope_by_carried_x1_1_by_u*t45 + slope_by_v1_1*(-omega1*t34 - t16) + t2*t36 + t2*t39 + t37*t45
-    slope_by_cos_omega1_T = p1*t42 + slope_by_x1_1*(p1 + t34) + slope_by_x2_1*(p3 + t44) - t40 + t41 + t43 + 2
+    t27 = p1*y
+    t28 = p2*y
+    t29 = -t4*t5
+    t30 = p2*slope_by_carried_x1_1_by_w
+    t31 = slope_by_x1_1*u
+    t32 = p3*u
+    t33 = slope_by_x2_1*t32
+    slope_by_sin_omega2_T = delay_T_by_y*(-omega2*t27 + t15) + slope_by_carried_x1_1_by_u*t29 + slope_by_v1_1*(omega2*t28 - t13) + t29*t31 - t30*t5 - t33*t5
+    t34 = 3*p1
+    t35 = p2*slope_by_carried_x1_1_by_y
+    t36 = slope_by_v1_1*u
+    t37 = delay_T_by_y*t32
+    slope_by_cos_omega2_T = slope_by_x1_1*(-t28 - t4) + slope_by_x2_1*(p1*y - p3) + t34 - t35 - t36*t4 - t37 - 1
+    t38 = -t4*y
+    t39 = p1*t2
+    slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t38 - t16) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(-omega1*t28 - t12) + t2*t30 + t2*t33 + t31*t39
+    slope_by_cos_omega1_T = p1*t36 + slope_by_x1_1*(p1 + t28) + slope_by_x2_1*(p3 + t38) - t34 + t35 + t37 + 2
     # trace_gradient
-    t46 = cos_omega1_T - cos_omega2_T
-    t47 = t13 - t14
-    t48 = t46*u + t47
-    t49 = t3 - t6
-    t50 = t46 + t49*u
-    t51 = delay_T_by_y*t48 + slope_by_x2_1*t50
-    t52 = slope_by_carried_x1_1_by_w*t49 + slope_by_carried_x1_1_by_y*t46 + slope_by_v1_1*t47*y + slope_by_x1_1*t46*y
-    t53 = -3*cos_omega1_T + 3*cos_omega2_T - delay_T_by_y*t47*y + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*t48 + slope_by_x1_1*t50 - slope_by_x2_1*t46*y
-    t54 = p3*sin_omega2_T
-    t55 = -sin_omega2_T*t4
-    t56 = cos_omega2_T*slope_by_sin_omega2_T
-    t57 = sin_omega2_T*slope_by_cos_omega2_T
-    t58 = 1/omega2**2
-    t59 = t55*t58
-    t60 = slope_by_x2_1*u
-    t61 = T*t56 - T*t57 + delay_T_by_y*(-sin_omega2_T*t33 + t54) + sin_omega2_T*t36*t58 - slope_by_carried_x1_1_by_u*t59 + slope_by_v1_1*(sin_omega2_T*t34 - t55) - t37*t59 + t54*t58*t60
-    t62 = p3*sin_omega1_T
-    t63 = p1*sin_omega1_T
-    t64 = sin_omega1_T*slope_by_cos_omega1_T
-    t65 = 1/omega1**2
-    t66 = t63*t65
-    t67 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t64 + delay_T_by_y*(-sin_omega1_T*t44 - t62) - sin_omega1_T*t36*t65 - slope_by_carried_x1_1_by_u*t66 + slope_by_v1_1*(-sin_omega1_T*t34 - t63) - t37*t66 - t60*t62*t65
-    t68 = k1/m1**2
-    t69 = 1/m2**2
-    trace_gradient = [delay_T_by_y*t18 + slope_by_v1_1*t15 + slope_by_x1_1*t8 + slope_by_x2_1*t11, delay_T_by_y*t12 + slope_by_v1_1*t9 + slope_by_x1_1*t7 + slope_by_x2_1*t10, -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t67 + omega2_by_m1*t61 + p1_by_m1*t53 + p2_by_m1*t52 + p3_by_m1*t51, delay_T_by_w*(-k1*t69*x1_1 + t27*t69*x2_1) + omega1_by_m2*t67 + omega2_by_m2*t61 + p1_by_m2*t53 + p2_by_m2*t52 + p3_by_m2*t51, -delay_T_by_u*(t22*x2_1 - t23) + delay_T_by_w*(t26 - t28) + omega1_by_k1*t67 + omega2_by_k1*t61 + p1_by_k1*t53 + p2_by_k1*t52 + p3_by_k1*t51, -delay_T_by_w*t28 + omega1_by_k2*t67 + omega2_by_k2*t61 + p1_by_k2*t53 + p2_by_k2*t52 + p3_by_k2*t51, cos_omega1_T*omega1*slope_by_sin_omega1_T - omega1*t64 + omega2*t56 - omega2*t57]
+    t40 = cos_omega1_T - cos_omega2_T
+    t41 = -t10 + t9
+    t42 = t40*u + t41
+    t43 = t3 - t6
+    t44 = t40 + t43*u
+    t45 = delay_T_by_y*t42 + slope_by_x2_1*t44
+    t46 = slope_by_carried_x1_1_by_w*t43 + slope_by_carried_x1_1_by_y*t40 + slope_by_v1_1*t41*y + slope_by_x1_1*t40*y
+    t47 = -3*cos_omega1_T + 3*cos_omega2_T - delay_T_by_y*t41*y + slope_by_carried_x1_1_by_u*t43 + slope_by_v1_1*t42 + slope_by_x1_1*t44 - slope_by_x2_1*t40*y
+    t48 = p3*sin_omega2_T
+    t49 = -sin_omega2_T*t4
+    t50 = cos_omega2_T*slope_by_sin_omega2_T
+    t51 = sin_omega2_T*slope_by_cos_omega2_T
+    t52 = 1/omega2**2
+    t53 = t49*t52
+    t54 = slope_by_x2_1*u
+    t55 = T*t50 - T*t51 + delay_T_by_y*(-sin_omega2_T*t27 + t48) + sin_omega2_T*t30*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(sin_omega2_T*t28 - t49) - t31*t53 + t48*t52*t54
+    t56 = p3*sin_omega1_T
+    t57 = p1*sin_omega1_T
+    t58 = sin_omega1_T*slope_by_cos_omega1_T
+    t59 = 1/omega1**2
+    t60 = t57*t59
+    t61 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t58 + delay_T_by_y*(-sin_omega1_T*t38 - t56) - sin_omega1_T*t30*t59 - slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*(-sin_omega1_T*t28 - t57) - t31*t60 - t54*t56*t59
+    t62 = k1/m1**2
+    t63 = 1/m2**2
+    trace_gradient = [carried_x1_1_by_y*slope_by_x1_1 + carried_x2_1_by_y*slope_by_x2_1 + delay_T_by_y*t14 + slope_by_v1_1*t11, carried_v1_1_by_u*slope_by_v1_1 + carried_x1_1_by_u*slope_by_x1_1 + delay_T_by_y*t8 + slope_by_x2_1*t7, -delay_T_by_u*(t62*x1_1 - t62*x2_1) + omega1_by_m1*t61 + omega2_by_m1*t55 + p1_by_m1*t47 + p2_by_m1*t46 + p3_by_m1*t45, delay_T_by_w*(-k1*t63*x1_1 + t22*t63*x2_1) + omega1_by_m2*t61 + omega2_by_m2*t55 + p1_by_m2*t47 + p2_by_m2*t46 + p3_by_m2*t45, -delay_T_by_u*(t18*x2_1 - t19) + delay_T_by_w*(t21 - t23) + omega1_by_k1*t61 + omega2_by_k1*t55 + p1_by_k1*t47 + p2_by_k1*t46 + p3_by_k1*t45, -delay_T_by_w*t23 + omega1_by_k2*t61 + omega2_by_k2*t55 + p1_by_k2*t47 + p2_by_k2*t46 + p3_by_k2*t45, cos_omega1_T*omega1*slope_by_sin_omega1_T - omega1*t58 + omega2*t50 - omega2*t51]
     return trace, trace_gradient
 
 
@@ -629,7 +618,7 @@ def one_impact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
     Gives poincare_jacobian (3, 3).
     Gives saltations (4, 4).
     Gives monodromy (4, 4).
-    Operations: 139. Intermediate terms: 90.
+    Operations: 137. Intermediate terms: 61.
     """
     [m1, m2, k1, k2, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -645,102 +634,72 @@ def one_impact_linearisation(parameters, spectrum, unknowns, *, lib, outputs=3):
     t2 = sin_omega1_T/omega1
     t3 = 1 - p1
     t4 = sin_omega2_T/omega2
-    t5 = p1*t2 + t3*t4
-    t6 = cos_omega1_T*p2 - cos_omega2_T*p2
-    t7 = cos_omega1_T*p1 + cos_omega2_T*t3
-    x1_1 = t5*u + t6*y + t7
-    t8 = p3*t2 - p3*t4
-    t9 = cos_omega1_T*t3 + cos_omega2_T*p1
-    t10 = cos_omega1_T*p3 - cos_omega2_T*p3
-    x2_1 = t10 + t8*u + t9*y
-    t11 = omega2*sin_omega2_T
-    t12 = omega1*sin_omega1_T
-    t13 = p2*t11 - p2*t12
-    t14 = p1*t12 + t11*t3
-    v1_1 = t13*y - t14 + t7*u
-    t15 = -p1*t11 - t12*t3
-    t16 = p3*t11 - p3*t12
-    v2_1 = t10*u + t15*y + t16
+    carried_x1_1_by_u = p1*t2 + t3*t4
+    carried_x1_1_by_y = cos_omega1_T*p2 - cos_omega2_T*p2
+    carried_v1_1_by_u = cos_omega1_T*p1 + cos_omega2_T*t3
+    x1_1 = carried_v1_1_by_u + carried_x1_1_by_u*u + carried_x1_1_by_y*y
+    carried_x2_1_by_u = p3*t2 - p3*t4
+    carried_x2_1_by_y = cos_omega1_T*t3 + cos_omega2_T*p1
+    carried_v2_1_by_u = cos_omega1_T*p3 - cos_omega2_T*p3
+    x2_1 = carried_v2_1_by_u + carried_x2_1_by_u*u + carried_x2_1_by_y*y
+    t5 = omega2*sin_omega2_T
+    t6 = omega1*sin_omega1_T
+    carried_v1_1_by_y = p2*t5 - p2*t6
+    t7 = p1*t6 + t3*t5
+    v1_1 = carried_v1_1_by_u*u + carried_v1_1_by_y*y - t7
+    carried_v2_1_by_y = -p1*t5 - t3*t6
+    phi_1_30 = p3*t5 - p3*t6
+    v2_1 = carried_v2_1_by_u*u + carried_v2_1_by_y*y + phi_1_30
     # Phi along T
-    carried_x1_1_by_y = t6
-    carried_x1_1_by_u = t5
     carried_x1_1_by_w = p2*t2 - p2*t4
-    carried_x2_1_by_y = t9
-    carried_x2_1_by_u = t8
     carried_x2_1_by_w = p1*t4 + t2*t3
-    carried_v1_1_by_y = t13
-    carried_v1_1_by_u = t7
-    carried_v1_1_by_w = t6
-    carried_v2_1_by_y = t15
-    carried_v2_1_by_u = t10
-    carried_v2_1_by_w = t9
     # derivatives of the time to the boundary after T
-    t17 = 1/v1_1
-    delay_T_by_y = -carried_x1_1_by_y*t17
-    delay_T_by_u = -carried_x1_1_by_u*t17
-    delay_T_by_w = -carried_x1_1_by_w*t17
+    t8 = 1/v1_1
+    delay_T_by_y = -carried_x1_1_by_y*t8
+    delay_T_by_u = -carried_x1_1_by_u*t8
+    delay_T_by_w = -carried_x1_1_by_w*t8
     # perturbation on the boundary after T
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_T_by_y*v2_1
     x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_T_by_u*v2_1
     x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_T_by_w*v2_1
-    t18 = 1/m1
-    t19 = -k1*t18*x1_1 + k1*t18*x2_1
-    v1_1_on_boundary_by_y = -carried_v1_1_by_y - delay_T_by_y*t19
-    v1_1_on_boundary_by_u = -carried_v1_1_by_u - delay_T_by_u*t19
-    v1_1_on_boundary_by_w = -carried_v1_1_by_w - delay_T_by_w*t19
-    t20 = 1/m2
-    t21 = k1*t20*x1_1 - t20*x2_1*(k1 + k2)
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_T_by_y*t21
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_T_by_u*t21
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_T_by_w*t21
+    t9 = 1/m1
+    before_v1_1 = -k1*t9*x1_1 + k1*t9*x2_1
+    v1_1_on_boundary_by_y = -before_v1_1*delay_T_by_y - carried_v1_1_by_y
+    v1_1_on_boundary_by_u = -before_v1_1*delay_T_by_u - carried_v1_1_by_u
+    v1_1_on_boundary_by_w = -before_v1_1*delay_T_by_w - carried_x1_1_by_y
+    t10 = 1/m2
+    before_v2_1 = k1*t10*x1_1 - t10*x2_1*(k1 + k2)
+    v2_1_on_boundary_by_y = before_v2_1*delay_T_by_y + carried_v2_1_by_y
+    v2_1_on_boundary_by_u = before_v2_1*delay_T_by_u + carried_v2_1_by_u
+    v2_1_on_boundary_by_w = before_v2_1*delay_T_by_w + carried_x2_1_by_y
     poincare_jacobian = [[x2_1_on_boundary_by_y, x2_1_on_boundary_by_u, x2_1_on_boundary_by_w], [v1_1_on_boundary_by_y, v1_1_on_boundary_by_u, v1_1_on_boundary_by_w], [v2_1_on_boundary_by_y, v2_1_on_boundary_by_u, v2_1_on_boundary_by_w]]
     if outputs == 1:
         return poincare_jacobian
     # transition to free
     v1_1_reset = -v1_1
-    # vector fields at transition 1
-    before_v1_1 = t19
-    before_v2_1 = t21
-    behind_v1_1 = t19
-    behind_v2_1 = t21
     # saltations
-    t22 = t17*(-v1_1 + v1_1_reset) + 1
-    t23 = before_v1_1 + behind_v1_1
-    t24 = t17*(-before_v2_1 + behind_v2_1)
-    saltations = [[t22, 0, 0, 0], [0, 1, 0, 0], [t17*t23, 0, -1, 0], [t24, 0, 0, 1]]
+    t11 = t8*(-v1_1 + v1_1_reset) + 1
+    t12 = 2*before_v1_1
+    t13 = 0
+    saltations = [[t11, 0, 0, 0], [0, 1, 0, 0], [t12*t8, 0, -1, 0], [t13, 0, 0, 1]]
     if outputs == 2:
         return poincare_jacobian, saltations
     # Phi of phase 1
-    phi_1_00 = t7
-    phi_1_01 = t6
-    phi_1_02 = t5
-    phi_1_03 = carried_x1_1_by_w
-    phi_1_10 = t10
-    phi_1_11 = t9
-    phi_1_12 = t8
-    phi_1_13 = carried_x2_1_by_w
-    phi_1_20 = -t14
-    phi_1_21 = t13
-    phi_1_22 = t7
-    phi_1_23 = t6
-    phi_1_30 = t16
-    phi_1_31 = t15
-    phi_1_32 = t10
-    phi_1_33 = t9
+    phi_1_20 = -t7
     # saltation of phase 1
-    saltation_1_00 = phi_1_00*t22
-    saltation_1_01 = phi_1_01*t22
-    saltation_1_02 = phi_1_02*t22
-    saltation_1_03 = phi_1_03*t22
-    saltation_1_20 = phi_1_00*t17*t23 - phi_1_20
-    saltation_1_21 = phi_1_01*t17*t23 - phi_1_21
-    saltation_1_22 = phi_1_02*t17*t23 - phi_1_22
-    saltation_1_23 = phi_1_03*t17*t23 - phi_1_23
-    saltation_1_30 = phi_1_00*t24 + phi_1_30
-    saltation_1_31 = phi_1_01*t24 + phi_1_31
-    saltation_1_32 = phi_1_02*t24 + phi_1_32
-    saltation_1_33 = phi_1_03*t24 + phi_1_33
-    monodromy = [[saltation_1_00, saltation_1_01, saltation_1_02, saltation_1_03], [phi_1_10, phi_1_11, phi_1_12, phi_1_13], [saltation_1_20, saltation_1_21, saltation_1_22, saltation_1_23], [saltation_1_30, saltation_1_31, saltation_1_32, saltation_1_33]]
+    saltation_1_00 = carried_v1_1_by_u*t11
+    saltation_1_01 = carried_x1_1_by_y*t11
+    saltation_1_02 = carried_x1_1_by_u*t11
+    saltation_1_03 = carried_x1_1_by_w*t11
+    saltation_1_20 = carried_v1_1_by_u*t12*t8 - phi_1_20
+    saltation_1_21 = -carried_v1_1_by_y + carried_x1_1_by_y*t12*t8
+    saltation_1_22 = -carried_v1_1_by_u + carried_x1_1_by_u*t12*t8
+    saltation_1_23 = carried_x1_1_by_w*t12*t8 - carried_x1_1_by_y
+    saltation_1_30 = carried_v1_1_by_u*t13 + phi_1_30
+    saltation_1_31 = carried_v2_1_by_y + carried_x1_1_by_y*t13
+    saltation_1_32 = carried_v2_1_by_u + carried_x1_1_by_u*t13
+    saltation_1_33 = carried_x1_1_by_w*t13 + carried_x2_1_by_y
+    monodromy = [[saltation_1_00, saltation_1_01, saltation_1_02, saltation_1_03], [carried_v2_1_by_u, carried_x2_1_by_y, carried_x2_1_by_u, carried_x2_1_by_w], [saltation_1_20, saltation_1_21, saltation_1_22, saltation_1_23], [saltation_1_30, saltation_1_31, saltation_1_32, saltation_1_33]]
     return poincare_jacobian, saltations, monodromy
 
 

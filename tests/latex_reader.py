@@ -17,8 +17,8 @@ from nonsmooth import Orbit
 from nonsmooth.derive import EquationSystem, Itinerary, derive_equations
 from nonsmooth.derive.document.blocks import Document, Line
 from nonsmooth.derive.document.describe import describe_orbit
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.views.view import naming_of
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.view import naming_of
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration

@@ -16,33 +16,3 @@
 `growing`             systems whose configurations are made when they are visited
 ====================  =========================================================
 """
-
-from nonsmooth.derive.building.elements import (
-    Element,
-    Friction,
-    Harmonic,
-    Regions,
-    RigidStop,
-    Slider,
-    SoftStop,
-    Terms,
-)
-from nonsmooth.derive.building.matrices import chain_matrices, read_matrices
-from nonsmooth.derive.building.oscillator import oscillator
-from nonsmooth.derive.building.reduction import ReducedStructure, reduce_structure
-
-__all__ = [
-    "Element",
-    "Friction",
-    "Harmonic",
-    "ReducedStructure",
-    "Regions",
-    "RigidStop",
-    "Slider",
-    "SoftStop",
-    "Terms",
-    "chain_matrices",
-    "oscillator",
-    "read_matrices",
-    "reduce_structure",
-]

@@ -88,7 +88,7 @@ def oscillator(
 
     Examples
     --------
-    >>> from nonsmooth.derive.building import RigidStop, chain_matrices, oscillator
+    >>> from nonsmooth.derive import RigidStop, chain_matrices, oscillator
     >>> mass, stiffness, _ = chain_matrices([1, 2], [5, 1])
     >>> system = oscillator("two", ["x1", "x2"], mass, stiffness,
     ...                     elements=[RigidStop("x2", at=1, restitution=0.8, name="stop")])

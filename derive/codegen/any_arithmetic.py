@@ -138,9 +138,7 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
 
 
 def _unpack(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
-    if not argument.shape:
-        return [f"    {argument.symbols[0]} = {argument.name}"]
-    if not set(argument.symbols) & used:
+    if not argument.shape or not set(argument.symbols) & used:
         return []
     names = [str(s) if s in used else "_" for s in argument.symbols]
     if len(argument.shape) == 1:

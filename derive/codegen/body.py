@@ -143,14 +143,15 @@ def body_of(kernel: Kernel) -> Body:
 def _names(kernel: Kernel, symbols: Iterable[sp.Symbol]) -> dict[sp.Symbol, str]:
     """Different names of all symbols of a kernel, none of which is that of an array.
 
-    Symbols of a declaration keep theirs, unless no kernel can have them; those of the derivation
-    give way.
+    That of an argument without a shape has the argument's name. Symbols of a declaration keep
+    theirs, unless no kernel can have them; those of the derivation give way.
     """
     arrays = {*(a.name for a in kernel.arguments), *(o.name for o in kernel.outputs)}
-    names: dict[sp.Symbol, str] = {}
+    names = {a.symbols[0]: a.name for a in kernel.arguments if not a.shape}
     taken = set(arrays)
     for symbol in sorted(
-        symbols, key=lambda s: (meaning_of(s) != "", free_name(s.name, arrays) != s.name)
+        (s for s in symbols if s not in names),
+        key=lambda s: (meaning_of(s) != "", free_name(s.name, arrays) != s.name),
     ):
         names[symbol] = free_name(symbol.name, taken)
         taken.add(names[symbol])
@@ -206,6 +207,7 @@ def _eliminated(kernel: Kernel) -> Body:
     definitions = {s: e.xreplace(negatives) for s, e in common if s not in negatives}
     reduced = [e.xreplace(negatives) for e in reduced]
     renamed: dict[sp.Symbol, sp.Symbol] = {}
+    told: dict[sp.Symbol, sp.Symbol] = {}
     lines: list[Line] = []
     done: set[sp.Symbol] = set()
 
@@ -226,7 +228,12 @@ def _eliminated(kernel: Kernel) -> Body:
             lines.append(Line(symbol, definition))
         else:
             value = require(expression)
-            lines.append(Line(symbol, value))
+            if value.is_Symbol:  # it is known already, a common term from now on by this name
+                renamed[symbol] = value
+                if value in definitions:
+                    told.setdefault(value, symbol)
+            else:
+                lines.append(Line(symbol, value))
 
     def titled(begin: int, title: str) -> None:
         if len(lines) > begin:
@@ -253,7 +260,16 @@ def _eliminated(kernel: Kernel) -> Body:
         outputs.append(replace(output, expressions=tuple(map(require, expressions))))
         titled(begin, output.name)
         ends.append(len(lines))
-    return Body(kernel.arguments, tuple(lines), tuple(outputs), tuple(ends))
+
+    def final(expression: sp.Expr) -> sp.Expr:
+        return expression.xreplace(told)
+
+    return Body(
+        kernel.arguments,
+        tuple(Line(final(x.symbol), final(x.expression), x.title) for x in lines),
+        _of_outputs(outputs, final),
+        tuple(ends),
+    )
 
 
 def _check(kernel: Kernel, defined: Set[sp.Symbol]) -> None:

@@ -298,8 +298,10 @@ def _loads(argument: Argument, used: frozenset[sp.Symbol], *, lanes: bool) -> li
     """C statements that name the entries of an argument."""
     if not set(argument.symbols) & used:
         return [f"    (void){argument.name};"]
+    if not argument.shape:
+        return []
     named = (
-        f"{symbol} = {_entry(argument, position, lanes=lanes) if argument.shape else argument.name}"
+        f"{symbol} = {_entry(argument, position, lanes=lanes)}"
         for position, symbol in enumerate(argument.symbols)
         if symbol in used
     )

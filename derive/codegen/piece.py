@@ -19,14 +19,12 @@ import sympy as sp
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.python_file import system_table, text_hash
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.declaration.algebra import affine_terms
 from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 
 __all__ = ["emit_piece"]
 
-_Entries = dict[tuple[int, int], sp.Expr]
 _Conditions = Mapping[str, tuple[Sequence[sp.Expr], Sequence[sp.Expr]]]
 
 
@@ -44,7 +42,7 @@ def emit_piece(
     not positive in the regime, and those that vanish in it.
     """
     told = [f for part in conditions for both in part.values() for group in both for f in group]
-    form = SimulationForm(system, beside=(*told, sp.S.One))
+    form = SimulationForm(system, beside=(*told, sp.S.One), along=tuple(others.values()))
     starts = [
         {
             regime: tuple([form.row(f) for f in group] for group in both)
@@ -52,21 +50,13 @@ def emit_piece(
         }
         for part in conditions
     ]
-    size, (visited,) = len(system.states), system.configurations
-    dynamics = {visited.name: visited.dynamics, **others}
-    matrices = {
-        "fields": (len(dynamics) * size, _fields(system, dynamics.values())),
-        "rows": (len(form.rows), _rows(system, form.rows)),
-        "resets": (
-            len(form.resets) * size,
-            _rows(system, [entry for column in form.resets for entry in column]),
-        ),
-    }
-    shapes = {name: (count, size + 1) for name, (count, _) in matrices.items()}
+    (visited,) = system.configurations
+    shapes = {}
     numbers: dict[str, list[tuple[int, int, int, int]]] = {}
     places: dict[str, list[tuple[int, int]]] = {}
     functions = []
-    for name, (_, entries) in matrices.items():
+    for name, (count, entries) in form.matrices.items():
+        shapes[name] = (count, len(system.states) + 1)
         numbers[name] = [
             (i, j, int(e.p), int(e.q)) for (i, j), e in entries.items() if e.is_Rational
         ]
@@ -76,7 +66,7 @@ def emit_piece(
     tables = json.dumps(
         {
             "SYSTEM": system_table(form),
-            "FIELDS": list(dynamics),
+            "FIELDS": [visited.name, *others],
             "LED": list(led),
             "ONE": form.row(sp.S.One),
             "STARTS": starts,
@@ -94,27 +84,6 @@ def emit_piece(
         f'DERIVATION = "{derivation}"\n\n'
         f"globals().update(json.loads({tables!r}))\n\n\n{body}\n"
     )
-
-
-def _fields(system: System, dynamics: Iterable[Dynamics]) -> _Entries:
-    states, found = system.states, dict[tuple[int, int], sp.Expr]()
-    for place, each in enumerate(dynamics):
-        matrix, offset = each.field(states)
-        first = place * len(states)
-        found |= {(first + i, j): entry for (i, j), entry in matrix.todok().items()}
-        found |= {(first + i, len(states)): entry for (i, _), entry in offset.todok().items()}
-    return found
-
-
-def _rows(system: System, functions: Iterable[sp.Expr]) -> _Entries:
-    columns, known = {s: j for j, s in enumerate(system.states)}, frozenset(system.states)
-    found: _Entries = {}
-    for place, function in enumerate(functions):
-        slopes, constant = affine_terms(function, known)
-        found |= {(place, columns[s]): slope for s, slope in slopes.items() if slope != 0}
-        if constant != 0:
-            found[place, len(columns)] = constant
-    return found
 
 
 def _function(name: str, system: System, entries: tuple[sp.Expr, ...]) -> str:

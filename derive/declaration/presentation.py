@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
+from typing import Any
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.declaration.parameter import Parameter, exact, exact_rules, set_fields
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Presentation"]
@@ -107,13 +109,24 @@ class Presentation:
             matrix, offset = old.matrix.subs(values), old.offset.subs(values)
             return FirstOrder(matrix, (offset + matrix * origin).applyfunc(cancel))
 
+        def moved(value: Any) -> Any:
+            """A part of the declaration in these coordinates."""
+            if isinstance(value, sp.Expr):
+                return affine(value)
+            if isinstance(value, SecondOrder | FirstOrder):
+                return dynamics(value)
+            if isinstance(value, tuple):
+                return tuple(map(moved, value))
+            if isinstance(value, Mapping):
+                return {name: moved(part) for name, part in value.items()}
+            if isinstance(value, Configuration | Boundary | Condition | Contact):
+                return replace(value, **{n: moved(part) for n, part in vars(value).items()})
+            return value
+
         def transition(old: Transition) -> Transition:
             shifted = dict(zip(system.states, origin, strict=True))
-            return replace(
-                old,
-                conditions=tuple(replace(c, function=affine(c.function)) for c in old.conditions),
-                reset={names[s]: affine(e) - shifted[s] for s, e in old.reset.items()},
-            )
+            reset = {names[s]: affine(e) - shifted[s] for s, e in old.reset.items()}
+            return replace(old, conditions=moved(old.conditions), reset=reset)
 
         return replace(
             system,
@@ -122,25 +135,9 @@ class Presentation:
                 *(p for p in system.parameters if p.symbol not in values),
                 *self.parameters,
             ),
-            configurations=tuple(
-                replace(
-                    c,
-                    dynamics=dynamics(c.dynamics),
-                    boundaries=tuple(replace(b, function=affine(b.function)) for b in c.boundaries),
-                    constraints=tuple(map(affine, c.constraints)),
-                )
-                for c in system.configurations
-            ),
+            configurations=moved(system.configurations),
             transitions=tuple(map(transition, system.transitions)),
             constraints=tuple(sp.expand(c.subs(values)) for c in system.constraints),
-            contacts=tuple(
-                replace(
-                    c,
-                    velocity=affine(c.velocity),
-                    forces={name: affine(force) for name, force in c.forces.items()},
-                    surface=affine(c.surface),
-                )
-                for c in system.contacts
-            ),
+            contacts=moved(system.contacts),
             forcing=tuple((names[c], names[s]) for c, s in system.forcing),
         )

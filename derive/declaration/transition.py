@@ -103,13 +103,6 @@ class LawContact:
     slipping: sp.Expr = sp.S.Zero  # kinetic force on the oscillator along the direction
     overshooting: sp.Expr = sp.S.Zero  # kinetic force in the other sense of sliding
 
-    @property
-    def functions(self) -> tuple[sp.Expr, ...]:
-        """The affine functions of the contact in the order of the fields."""
-        return (
-            self.relative, self.gap, self.static, self.kinetic, self.slipping, self.overshooting,
-        )  # fmt: skip
-
 
 @dataclass(frozen=True)
 class ContactLaw:

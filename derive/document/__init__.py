@@ -5,8 +5,11 @@
 `hypertext`       documents as Markdown and HTML
 `describe`        documents of systems, orbits and itineraries
 `sections`        their sections, each a template of sentences and formulas
-`views`           what is described, prepared for it
-`notation`        letters, symbols, the order of terms, words
+`view`            an orbit: its equations, how they are written, saltation matrices
+`cycle`           an itinerary: the section at its start, transitions once each
+`wording`         words and lines that all sections share
+`printer`         expressions as LaTeX, in the order that a person would choose
+`symbols`         how symbols of the derivation are written, letters that none has
 `blocks`          headings, paragraphs, formulas, tables; where lines break
 ================  ==============================================================
 """

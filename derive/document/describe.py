@@ -19,14 +19,14 @@ from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.symbols import is_response
-from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
+from nonsmooth.derive.document.cycle import Cycle
+from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.sections.derivatives import derivative_section
 from nonsmooth.derive.document.sections.equations import (
     chain_section,
     cycle_equations,
     equation_section,
+    symmetry_section,
 )
 from nonsmooth.derive.document.sections.flows import flow_section
 from nonsmooth.derive.document.sections.itinerary import itinerary_section, phase_section
@@ -37,7 +37,6 @@ from nonsmooth.derive.document.sections.reduction import (
     reduction_section,
     solution_section,
 )
-from nonsmooth.derive.document.sections.symmetry import symmetry_section
 from nonsmooth.derive.document.sections.system import (
     contact_section,
     law_section,
@@ -55,8 +54,9 @@ from nonsmooth.derive.document.sections.transitions import (
     passing_section,
     stability_section,
 )
-from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import View, naming_of
+from nonsmooth.derive.document.symbols import is_response
+from nonsmooth.derive.document.view import View, naming_of
+from nonsmooth.derive.document.wording import Naming, enumeration, letters_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.reference import reference_orbit
 from nonsmooth.derive.equations.section import start_of

@@ -18,7 +18,13 @@ from nonsmooth.derive.equations.program import Equation
 from nonsmooth.derive.equations.section import Passage, passages_of
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["energy_of", "is_conservative", "keeps_volume", "without_redundant"]
+__all__ = [
+    "energy_of",
+    "is_conservative",
+    "keeps_volume",
+    "on_boundary",
+    "without_redundant",
+]
 
 
 def energy_of(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> sp.Expr | None:
@@ -46,10 +52,9 @@ def is_conservative(itinerary: Itinerary) -> bool:
         before, behind = energies[index], energies[index + 1]
         if before is None or behind is None:
             return False
-        on_boundary = _on_boundary(passage)
         image = passage.behind(sp.Matrix(states))
         after = behind.subs(dict(zip(states, image, strict=True)), simultaneous=True)
-        change = cancel(sp.expand((after - before).subs(on_boundary)))
+        change = cancel(sp.expand((after - before).subs(on_boundary(passage))))
         if change.free_symbols & set(states):
             return False
     return True
@@ -66,16 +71,16 @@ def keeps_volume(itinerary: Itinerary) -> bool:
         factor = cancel(passage.reset.det())
         if factor == 0:
             return False
-        state, jump = sp.Matrix([*passage.states, 1]), passage.jump
+        state, jump = sp.Matrix([*passage.states, 1]), passage.landing
         before = (passage.row * passage.field * state)[0]
         behind = (passage.row * jump.inv() * following.field * jump * state)[0]
         change = sp.expand(factor * behind - before)
-        if cancel(sp.expand(change.subs(_on_boundary(passage)))) != 0:
+        if cancel(sp.expand(change.subs(on_boundary(passage)))) != 0:
             return False
     return True
 
 
-def _on_boundary(passage: Passage) -> dict[sp.Symbol, sp.Expr]:
+def on_boundary(passage: Passage) -> dict[sp.Symbol, sp.Expr]:
     """A state by the others, where the boundary that ends a phase is reached."""
     boundary = passage.value(sp.Matrix(passage.states))
     fixed = next(s for s in passage.states if sp.diff(boundary, s) != 0)

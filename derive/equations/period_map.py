@@ -162,7 +162,7 @@ def derive_period_map(
 
 def _only_states_its_exit(link: Link) -> bool:
     """Whether a transition changes the state by multiples of its boundary's function alone."""
-    changes = link.jump - sp.eye(link.jump.rows)
+    changes = link.landing - sp.eye(link.landing.rows)
     return all(_vanishes_with(changes[i, :], link.row) for i in range(changes.rows))
 
 
@@ -181,7 +181,7 @@ def _tested(
     says that a phase or a transition changes it and none behind ends on it.
     """
     for index, link in reversed(list(enumerate(links))):
-        carried = relation * link.jump if index in resets else relation
+        carried = relation * link.landing if index in resets else relation
         if is_zero(carried):
             return None
         if _vanishes_with(carried, link.row):
@@ -206,7 +206,7 @@ def _turn(
         stages.append(name_functions(link.flow, link.dwell, link.dwell)[0])
         maps = [("state", (link.transfer, link.flow.offset(link.functions)))]
         if number - 1 in resets:
-            maps.append(("reset", (link.reset, link.jump[:-1, -1])))
+            maps.append(("reset", (link.reset, link.jump)))
         for meaning, (product, shift) in maps:
             behind = [Symbol(meaning, s, number) for s in states]
             what = meaning if meaning == "reset" else link.flow.configuration

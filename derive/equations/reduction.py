@@ -213,7 +213,7 @@ def _through(
     """State (N x 1) at the end of a phase, once its exit condition is used as far as possible."""
     dwell = passage.dwell
     draft.values[dwell] = dwell
-    along = flow.along(passage.normal, passage.row[-1], state)
+    along = flow.along(passage.normal, passage.constant, state)
     coefficients = dict(zip(flow.basis, along, strict=True))
     explicit = explicit_time(coefficients, dwell, draft.variables)
     if explicit is not None:

@@ -48,7 +48,7 @@ class Passage:
     # the dwell time in unknowns and parameters: itself, zero, or the rest of a given period
     duration: sp.Expr
     row: sp.Matrix  # 1 x (N + 1): the boundary's function
-    jump: sp.Matrix  # (N + 1) x (N + 1): the transition's reset
+    landing: sp.Matrix  # (N + 1) x (N + 1): the transition's reset
 
     @property
     def meaning(self) -> str:
@@ -61,9 +61,19 @@ class Passage:
         return self.row[:, :-1]
 
     @property
+    def constant(self) -> sp.Expr:
+        """Constant of the boundary's function."""
+        return self.row[-1]
+
+    @property
     def reset(self) -> sp.Matrix:
         """Linear part (N x N) of the transition's reset."""
-        return self.jump[:-1, :-1]
+        return self.landing[:-1, :-1]
+
+    @property
+    def jump(self) -> sp.Matrix:
+        """Constant part (N x 1) of the transition's reset."""
+        return self.landing[:-1, -1]
 
     @property
     def field(self) -> sp.Matrix:
@@ -72,14 +82,14 @@ class Passage:
 
     def value(self, state: sp.Matrix) -> sp.Expr:
         """Value of the boundary's function at a state (N x 1)."""
-        return (self.normal * state)[0] + self.row[-1]
+        return (self.normal * state)[0] + self.constant
 
     def behind(self, state: sp.Matrix) -> sp.Matrix:
         """State (N x 1) behind the transition."""
         return self.transition.reset_of(state, self.states)
 
 
-def passages_of(itinerary: Itinerary) -> list[Passage]:
+def passages_of(itinerary: Itinerary) -> tuple[Passage, ...]:
     """The passages of an itinerary in the coordinates of its presentation, in order."""
     system, found = itinerary.presented_system, []
     for index, phase in enumerate(itinerary.phases):
@@ -97,7 +107,7 @@ def passages_of(itinerary: Itinerary) -> list[Passage]:
                 bordered(*reset_matrix(transition.reset.items(), system.states)),
             )
         )
-    return found
+    return tuple(found)
 
 
 def row_of(function: sp.Expr, system: System) -> sp.Matrix:
@@ -194,7 +204,7 @@ def section_of(itinerary: Itinerary, phase: int = 0) -> Section:
     enforced = sp.Matrix.vstack(*rows)
     before = sp.Matrix.vstack(enforced[:, :-1], last.reset)
     behind = sp.Matrix.vstack(sp.zeros(len(rows), size), -sp.eye(size)[:, order])
-    right = -sp.Matrix.vstack(enforced[:, -1], last.jump[:-1, -1])
+    right = -sp.Matrix.vstack(enforced[:, -1], last.jump)
     augmented = sp.Matrix.hstack(before, behind, right).applyfunc(cancel)
     reduced, pivots = augmented.rref(simplify=cancel)
     if 2 * size in pivots:

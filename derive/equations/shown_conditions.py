@@ -86,7 +86,7 @@ def _positive(
     """
     yield passage.row, passage.configuration.name
     yield passage.row * passage.field, None
-    if not is_zero((passage.jump - sp.eye(passage.jump.rows)) * on_section):
+    if not is_zero((passage.landing - sp.eye(passage.landing.rows)) * on_section):
         return  # the next phase does not begin at the state that decides
     target = system.configuration(passage.transition.target)
     field = bordered(*target.dynamics.field(system.states), 0)

@@ -29,7 +29,7 @@ __all__ = [
     "end_conditions",
     "half_phases",
     "halfway",
-    "phase_starts",
+    "phase_ends",
     "required_values",
     "reversor_of",
     "vanishing_coordinates",
@@ -119,11 +119,15 @@ def phase_starts(itinerary: Itinerary, start: Section) -> list[sp.Matrix]:
     return states
 
 
+def phase_ends(itinerary: Itinerary, start: Section) -> list[sp.Matrix]:
+    """State (N x 1) at the end of each phase, the image of its start."""
+    jump, shift = reversor_of(itinerary)
+    return [jump * state + shift for state in phase_starts(itinerary, start)]
+
+
 def end_conditions(itinerary: Itinerary, start: Section) -> list[Equation]:
     """Exit conditions and closure of the reflected states, in the coordinates of the start."""
-    jump, shift = reversor_of(itinerary)
-    passages = passages_of(itinerary)
-    ends = [jump * state + shift for state in phase_starts(itinerary, start)]
+    passages, ends = passages_of(itinerary), phase_ends(itinerary, start)
     conditions = [(p.meaning, p.value(end)) for p, end in zip(passages, ends, strict=True)]
     image = passages[-1].behind(ends[-1])
     for coordinate, place in zip(start.coordinates, start.places, strict=True):

@@ -41,7 +41,7 @@ from nonsmooth.derive.document.describe import (
 )
 from nonsmooth.derive.document.hypertext import mathml, to_html, to_markdown
 from nonsmooth.derive.document.latex import compile_pdf, to_latex
-from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import impacts, one_mass, rattle, switching

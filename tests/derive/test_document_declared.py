@@ -26,11 +26,11 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.document.blocks import Document, Line, Paragraph, Table
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming, letters_of
-from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.wording import Naming, letters_of
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import (
@@ -230,7 +230,7 @@ def test_the_cycle_of_switched_damping() -> None:
         normal, before = numbers(passing.normal, {}), numbers(passing.before, values)
         phi, _ = flow(field, time)
         jacobian = (np.eye(2) - before @ normal / float(passing.rate.subs(values))) @ phi @ jacobian
-        monodromy = numbers(passing.saltation(system.states), values) @ phi @ monodromy
+        monodromy = numbers(passing.saltation, values) @ phi @ monodromy
     (multiplier,) = (inverse @ jacobian @ embedding).ravel()
     assert multiplier == pytest.approx(0.538924872, abs=5e-9)
     assert monodromy.trace() == pytest.approx(1 + multiplier, rel=1e-11)

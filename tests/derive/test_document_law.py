@@ -27,15 +27,15 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.describe import (
     closed_flows,
     describe_itinerary,
     describe_system,
     itinerary_naming,
 )
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming, letters_of
-from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.wording import Naming, letters_of
 from nonsmooth.runtime.orbits import orbit as solved_orbits
 from tests.documents import GALLERY, document_of, marked, names
 from tests.documents import declarations as all_declarations

@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.document.hypertext import mathml
-from nonsmooth.derive.document.notation.printer import Notation
+from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.symbols import Symbol, derivative
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Unreadable

@@ -4,9 +4,9 @@ import pytest
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Formula, Heading, Paragraph
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.sections.template import compose, sentence
+from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.systems import dry_friction
 
 _NAMING = Naming(Notation(dry_friction.system.states, ()), dry_friction.system)

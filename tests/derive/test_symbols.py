@@ -30,7 +30,7 @@ from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.codegen.kernels import orbit_kernels
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.derive.document.views.view import naming_of
+from nonsmooth.derive.document.view import naming_of
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.symbols import Symbol, derivative

@@ -10,7 +10,7 @@ import numpy as np
 
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
-from nonsmooth.derive.document.views.cycle import Cycle
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.runtime.orbits import orbit as solved_orbits
 from tests.formulas.latex import read_latex
 from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.notation.wording import Naming, letters_of
+from nonsmooth.derive.document.wording import Naming, letters_of
 from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain

@@ -7,15 +7,14 @@ from dataclasses import replace
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.sections.template import (
     by_entries,
     compose,
     relation,
     sentence,
 )
-from nonsmooth.derive.document.views.monodromy import saltations
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.equations.chain import Link
 from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
 
@@ -295,7 +294,7 @@ def _saltation(view: View) -> list[Block]:
         """,
         saltation=sentence(view, SALTATION, at="k", resets=_resets(view), **_LETTERS),
         resets=_resets(view),
-        jumps=any(m != k.reset for k, m in zip(view.links, saltations(view), strict=True)),
+        jumps=any(m != k.reset for k, m in zip(view.links, view.saltations, strict=True)),
         matrices=_saltation_matrices(view),
         neutral=neutral,
         phases=neutral > 2,
@@ -305,7 +304,7 @@ def _saltation(view: View) -> list[Block]:
 def _saltation_matrices(view: View) -> list[Line]:
     """Lines with the saltation matrices at the orbit."""
     lines: list[Line] = []
-    for k, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), start=1):
+    for k, (link, matrix) in enumerate(zip(view.links, view.saltations, strict=True), start=1):
         if matrix == link.reset and not _is_unit(link):
             lines.append(relation(view.naming, f"S_{{{k}}}", f"R_{{{k}}}"))
         else:

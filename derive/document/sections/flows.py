@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Line, Paragraph
-from nonsmooth.derive.document.notation.printer import Notation, with_signs
-from nonsmooth.derive.document.notation.symbols import is_response
-from nonsmooth.derive.document.notation.wording import Naming, enumeration, letters_of
+from nonsmooth.derive.document.printer import Notation, with_signs
 from nonsmooth.derive.document.sections.responses import response_flows
 from nonsmooth.derive.document.sections.template import (
     by_entries,
     compose,
     relation,
 )
+from nonsmooth.derive.document.symbols import is_response
+from nonsmooth.derive.document.wording import Naming, alike, enumeration, letters_of
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
 __all__ = ["flow_section"]
@@ -36,8 +35,9 @@ def flow_section(
 
     Those that are not among the `flows` have no closed form and are exponentials.
     """
-    closed = [flows[name] for name in names if name in flows]
-    entries = _entries(spectrum, closed)
+    closed = {name: flows[name] for name in names if name in flows}
+    others = {n: naming.system.configuration(n).dynamics for n in names if n not in flows}
+    entries = _entries(spectrum, closed.values())
     blocks = compose(
         naming,
         r"""
@@ -50,24 +50,21 @@ def flow_section(
         """,
         entries=[naming.equal(s, e, tidy=_single(e)) for s, e in entries],
         roots=any(_has_root(e) for _, e in entries),
-        meaning=_meaning(naming, closed, dict(entries)),
+        meaning=_meaning(naming, closed.values(), dict(entries)),
     )
-    numbers: dict[str, int] = {}
-    if any(map(is_response, closed)):
-        more, numbers = response_flows(naming, closed)
+    shared: dict[int, list[str]] = {}
+    if closed:
+        describe = response_flows if any(map(is_response, closed.values())) else _closed
+        more, shared = describe(naming, closed)
         blocks += more
-    elif closed:
-        more, numbers = _closed(naming, closed)
-        blocks += more
-    others = [naming.system.configuration(name) for name in names if name not in flows]
     if others:
-        more, further = _exponentials(naming, others, max(numbers.values(), default=0))
+        more, further = _exponentials(naming, others, len(shared) + 1)
         blocks += more
-        numbers |= further
-    return blocks, numbers
+        shared |= further
+    return blocks, {name: number for number, sharing in shared.items() for name in sharing}
 
 
-def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:
+def _entries(spectrum: Spectrum, flows: Iterable[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:
     """Entries of the spectrum that the flows need, directly or through others, in order."""
     needed: set[sp.Symbol] = set()
     for flow in flows:
@@ -82,7 +79,7 @@ def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol,
 
 
 def _meaning(
-    naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, sp.Expr]
+    naming: Naming, flows: Iterable[Flow], entries: Mapping[sp.Symbol, sp.Expr]
 ) -> list[str]:
     """What the spectrum's symbols are: frequencies, differences of eigenvalues, projectors."""
     oscillating = {s for f in flows for g in f.basis if g.has(sp.cos) for s in g.free_symbols}
@@ -110,18 +107,14 @@ def _single(expression: sp.Expr) -> bool:
     return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
 
 
-def _closed(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], dict[str, int]]:
-    """Blocks on flows in closed form, and the number of each configuration's flow.
+def _closed(naming: Naming, flows: Mapping[str, Flow]) -> tuple[list[Block], dict[int, list[str]]]:
+    """Blocks on flows in closed form, and by number the configurations of each.
 
     Flows with equal matrices share a number and are shown once.
     """
-    alike: dict[tuple[object, ...], list[Flow]] = {}
-    for flow in flows:
-        alike.setdefault((flow.basis, flow.matrices), []).append(flow)
-    shared = dict(enumerate(alike.values(), start=1))
-    numbers = {f.configuration: number for number, sharing in shared.items() for f in sharing}
-    functions = [g for f in flows for g in f.basis]
-    blocks = _centres(naming, flows, numbers)
+    shared = alike({name: (flow.basis, flow.matrices) for name, flow in flows.items()})
+    functions = [g for flow in flows.values() for g in flow.basis]
+    blocks = _centres(naming, flows, shared)
     blocks += compose(
         naming,
         r"""
@@ -138,18 +131,20 @@ def _closed(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], dict[st
             naming,
             r"$\Phi_{@number}$, @listed:",
             number=number,
-            listed=naming.flow_of([f.configuration for f in sharing]),
+            listed=naming.flow_of(sharing),
         )
-        blocks += _flow(naming, sharing[0], number, names)
-    return blocks, numbers
+        blocks += _flow(naming, flows[sharing[0]], number, names)
+    return blocks, shared
 
 
-def _centres(naming: Naming, flows: Sequence[Flow], numbers: Mapping[str, int]) -> list[Block]:
+def _centres(
+    naming: Naming, flows: Mapping[str, Flow], shared: Mapping[int, Sequence[str]]
+) -> list[Block]:
     """Blocks that show how each configuration maps a state: about a centre, or with an offset."""
     notation = naming.notation
-    centres = {f.configuration: centre_of(f) for f in flows}
+    centres = {name: centre_of(flow) for name, flow in flows.items()}
     centred = {name: c for name, c in centres.items() if c is not None and not c.is_zero_matrix}
-    drifting = [f for f in flows if centres[f.configuration] is None]
+    drifting = [name for name, centre in centres.items() if centre is None]
     blocks = compose(
         naming,
         r"""
@@ -169,16 +164,17 @@ def _centres(naming: Naming, flows: Sequence[Flow], numbers: Mapping[str, int]) 
             relation(naming, rf"d_{{\text{{{name}}}}}", centre) for name, centre in centred.items()
         ],
     )
-    for flow in drifting:
-        pieces = [rf"\Phi_{{{numbers[flow.configuration]}}}(t)\,{naming.state}(0)"]
-        for function, offset in zip(flow.basis, flow.offsets, strict=True):
+    for name in drifting:
+        number = next(k for k, sharing in shared.items() if name in sharing)
+        pieces = [rf"\Phi_{{{number}}}(t)\,{naming.state}(0)"]
+        for function, offset in zip(flows[name].basis, flows[name].offsets, strict=True):
             if not offset.is_zero_matrix:
                 scalar = "" if function == 1 else rf"{notation.latex(function)}\,"
                 pieces.append(f"+ {scalar}{notation.latex(offset.applyfunc(notation.tidy))}")
         blocks += compose(
             naming,
-            "*@flow.configuration* has no centre; there\n$$\n@state(t) &= @pieces\n$$",
-            flow=flow,
+            "*@name* has no centre; there\n$$\n@state(t) &= @pieces\n$$",
+            name=name,
             pieces=tuple(pieces),
         )
     return blocks
@@ -265,19 +261,16 @@ def _pieces(
 
 
 def _exponentials(
-    naming: Naming, chosen: Sequence[Configuration], known: int
-) -> tuple[list[Block], dict[str, int]]:
-    """Blocks that say how flows without a closed form are computed, and the number of each.
+    naming: Naming, motions: Mapping[str, Dynamics], first: int
+) -> tuple[list[Block], dict[int, list[str]]]:
+    """Blocks that say how flows without a closed form are computed, and whose each number is.
 
-    `known` is the number of flows that are written out already.
+    `first` is the first number that is not taken.
     """
-    letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
-    alike: dict[sp.Matrix, list[str]] = {}
-    for configuration in chosen:
-        matrix, _ = configuration.dynamics.field(naming.system.states)
-        alike.setdefault(matrix, []).append(configuration.name)
-    shared = dict(enumerate(alike.values(), start=known + 1))
-    second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
+    states = naming.system.states
+    letters = letters_of(naming, (*states, *naming.notation.constants))
+    shared = alike({name: motion.field(states)[0] for name, motion in motions.items()}, first)
+    second = [motion for motion in motions.values() if isinstance(motion, SecondOrder)]
     blocks = compose(
         naming,
         r"""
@@ -308,20 +301,20 @@ def _exponentials(
 
         @numbered
         """,
-        none=len(chosen) == len(naming.system.configurations) > 1,
-        listed=enumeration([f"*{c.name}*" for c in chosen]),
+        none=len(motions) == len(naming.system.configurations) > 1,
+        listed=enumeration([f"*{name}*" for name in motions]),
         second=second,
         held=any(d.held for d in second),
         numbered=[
             Paragraph(
-                rf"$\Phi_{{{number}}}$, {naming.flow_of(sharing)}: the {len(naming.system.states)}"
+                rf"$\Phi_{{{number}}}$, {naming.flow_of(sharing)}: the {len(states)}"
                 f" eigenvalues are found from the numbers of the matrix ${letters.matrix}$."
             )
             for number, sharing in shared.items()
         ],
         **vars(letters),
     )
-    return blocks, {name: number for number, sharing in shared.items() for name in sharing}
+    return blocks, shared
 
 
 def centre_of(flow: Flow) -> sp.Matrix | None:

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.itinerary import Phase, dwell_symbol
+from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Block, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, number
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.sections.template import compose, math, transposed, zeros
-from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import Described, View
+from nonsmooth.derive.document.view import Described, View
+from nonsmooth.derive.document.wording import Naming, count, number
+from nonsmooth.derive.equations.section import passages_of
 
 __all__ = ["itinerary_section", "phase_section"]
 
@@ -36,7 +37,7 @@ def itinerary_section(view: View) -> list[Block]:
             steps=view.links,
             repeated=False,
             passings=(),
-            table=_phase_table(view, view.itinerary.phases),
+            table=_phase_table(view),
         ),
         *_source_letters(view),
         *_dwell_times(view),
@@ -63,7 +64,7 @@ others leave of it.]
             steps=phases,
             repeated=not cycle.distinct,
             transitions=count(len(cycle.passings), "different transition"),
-            table=_phase_table(cycle, phases, () if cycle.distinct else numbers),
+            table=_phase_table(cycle, () if cycle.distinct else numbers),
             vanishing=zeros(cycle.naming, map(dwell_symbol, itinerary.vanishing)),
             solved=solved,
         ),
@@ -79,23 +80,21 @@ def _state_column(naming: Naming) -> str:
     return rf"\left({states}\right)^{{\mathsf{{T}}}}"
 
 
-def _phase_table(
-    shown: Described, phases: Sequence[Phase], transitions: Sequence[str] = ()
-) -> Table:
+def _phase_table(shown: Described, transitions: Sequence[str] = ()) -> Table:
     """Table of the phases, each with its boundary, or else its transition, in the last column."""
     rows = []
     naming = shown.naming
-    for index, phase in enumerate(phases, start=1):
-        dwell = naming.notation.symbol(dwell_symbol(phase.dwell_time))
-        boundary = naming.system.configuration(phase.configuration).boundary(phase.boundary)
+    for index, passage in enumerate(passages_of(shown.itinerary), start=1):
+        dwell, name = naming.notation.symbol(passage.dwell), passage.configuration.name
+        function = passage.value(sp.Matrix(passage.states))
         rows.append(
             (
                 str(index),
-                f"*{phase.configuration}*",
+                f"*{name}*",
                 f"${dwell}$",
-                rf"$\Phi_{{{shown.numbers[phase.configuration]}}}({dwell})$",
-                f"*{phase.boundary}*",
-                transitions[index - 1] if transitions else math(naming, boundary.function, " = 0"),
+                rf"$\Phi_{{{shown.numbers[name]}}}({dwell})$",
+                f"*{passage.boundary}*",
+                transitions[index - 1] if transitions else math(naming, function, " = 0"),
             )
         )
     last = "Transition" if transitions else "Where"

@@ -9,7 +9,6 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.document.blocks import Block, Line, Table
-from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.sections.template import (
     by_entries,
     compose,
@@ -17,6 +16,7 @@ from nonsmooth.derive.document.sections.template import (
     relation,
     zeros,
 )
+from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.symbols import Symbol
 
 __all__ = ["configuration_section"]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import count
 from nonsmooth.derive.document.sections.template import compose, relation
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import count
 from nonsmooth.derive.equations.period_map import PeriodMap
 from nonsmooth.derive.symbols import meaning_of
 

@@ -7,11 +7,11 @@ from itertools import groupby
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Table
-from nonsmooth.derive.document.notation.wording import Naming, count, enumeration
+from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.derive.document.sections.equations import cycle_end
 from nonsmooth.derive.document.sections.template import compose, sentence
-from nonsmooth.derive.document.views.cycle import Cycle
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View
+from nonsmooth.derive.document.wording import Naming, count, enumeration
 from nonsmooth.derive.equations.elimination import entry
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
 from nonsmooth.derive.equations.program import Stage
@@ -368,11 +368,8 @@ def _inward_rate(view: View) -> sp.Symbol | None:
     if len(view.links) > 1:
         return None
     (link,), start = view.links, view.equations.chain.start.state
-    (phase,) = view.itinerary.phases
-    boundary = view.naming.system.configuration(phase.configuration).boundary(phase.boundary)
-    row, constant = view.naming.system.gradient(boundary.function)
-    rate = sp.expand((row * link.flow.velocity(start))[0])
-    begins = sp.expand((row * start)[0] + constant) == 0
+    rate = sp.expand((link.normal * link.flow.velocity(start))[0])
+    begins = sp.expand(link.value(start)) == 0
     return rate if begins and rate.is_Symbol else None
 
 

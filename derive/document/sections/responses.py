@@ -8,10 +8,10 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.document.blocks import Block, Formula, Line
-from nonsmooth.derive.document.notation.printer import Notation, with_signs
-from nonsmooth.derive.document.notation.symbols import CONSTANT, Factors, Letters
-from nonsmooth.derive.document.notation.wording import Naming, letters_of
+from nonsmooth.derive.document.printer import Notation, with_signs
 from nonsmooth.derive.document.sections.template import compose, relation, summed
+from nonsmooth.derive.document.symbols import CONSTANT, Factors, Letters
+from nonsmooth.derive.document.wording import Naming, alike, letters_of
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 from nonsmooth.derive.symbols import Symbol
@@ -27,17 +27,14 @@ _REGIMES = (
 _Harmonics = dict[Factors, tuple[sp.Expr, sp.Expr]]
 
 
-def response_flows(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], dict[str, int]]:
-    """Blocks on flows in impulse responses, and the number of each configuration's flow."""
-    alike: dict[tuple[object, ...], list[Flow]] = {}
-    for flow in flows:
-        alike.setdefault((flow.basis, flow.matrices, flow.offsets), []).append(flow)
+def response_flows(
+    naming: Naming, flows: Mapping[str, Flow]
+) -> tuple[list[Block], dict[int, list[str]]]:
+    """Blocks on flows in impulse responses, and by number the configurations of each."""
+    shared = alike({name: (f.basis, f.matrices, f.offsets) for name, f in flows.items()})
     letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
     blocks = _definitions(naming, letters)
-    numbers: dict[str, int] = {}
-    for number, sharing in enumerate(alike.values(), start=1):
-        names = [f.configuration for f in sharing]
-        numbers |= dict.fromkeys(names, number)
+    for number, names in shared.items():
         blocks += compose(
             naming,
             r"""
@@ -48,9 +45,9 @@ def response_flows(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], 
             """,
             number=number,
             listed=naming.flow_of(names),
-            lines=_motion(naming, sharing[0]),
+            lines=_motion(naming, flows[names[0]]),
         )
-    return blocks + _steady_blocks(naming, letters, alike.values()), numbers
+    return blocks + _steady_blocks(naming, letters, flows, shared.values()), shared
 
 
 def _definitions(naming: Naming, letters: Letters) -> list[Block]:
@@ -102,7 +99,7 @@ def _polynomial_pieces(
 ) -> tuple[str, ...]:
     """LaTeX of the terms of a monic polynomial, the highest power first."""
     degree = len(coefficients) - 1
-    pieces: list[str] = []
+    pieces: list[tuple[int, str]] = []
     for place, coefficient in enumerate(coefficients):
         if coefficient == 0:
             continue
@@ -111,9 +108,8 @@ def _polynomial_pieces(
         sign, text = notation.factor(coefficient) if power else notation.term(coefficient)
         if text == "1" and power:
             text = ""
-        term = " ".join(filter(None, (text, raised)))
-        pieces.append(f"- {term}" if sign < 0 else f"+ {term}" if pieces else term)
-    return tuple(pieces)
+        pieces.append((sign, " ".join(filter(None, (text, raised)))))
+    return with_signs(pieces)
 
 
 def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
@@ -183,29 +179,29 @@ def _motion(naming: Naming, flow: Flow) -> list[Line]:
 
 
 def _steady_blocks(
-    naming: Naming, letters: Letters, flows: Iterable[Sequence[Flow]]
+    naming: Naming, letters: Letters, flows: Mapping[str, Flow], shared: Iterable[Sequence[str]]
 ) -> list[Block]:
     """Blocks on steady responses to one harmonic forcing: amplitudes and lags.
 
-    Each of the `flows` is shared by the configurations of a list.
+    Each list of `shared` names configurations with one flow.
     """
     system, notation = naming.system, naming.notation
     if len(system.forcing) != 1:
         return []
     ((cosine, sine),) = system.forcing
     places = system.states.index(cosine), system.states.index(sine)
-    alike: dict[tuple[Line, ...], list[str]] = {}
+    frequency = next(iter(flows.values())).field[0][places[::-1]]
+    responses: dict[tuple[Line, ...], list[str]] = {}
     known: set[sp.Tuple] = set()
-    for sharing in flows:
+    for names in shared:
         lines = []
-        for place, terms in _steady(sharing[0], *places).items():
+        for place, terms in _steady(flows[names[0]], *places).items():
             text = notation.symbol(system.states[place])
             left = f"{text[:-1]},p}}(t)" if "_{" in text else f"{text}_{{p}}(t)"
             lines.append(relation(naming, left, _steady_pieces(naming, letters, terms)))
             known |= {factor for product in terms for factor in product}
         if lines:
-            alike.setdefault(tuple(lines), []).extend(f"*{f.configuration}*" for f in sharing)
-    frequency = sharing[0].field[0][places[::-1]]
+            responses.setdefault(tuple(lines), []).extend(f"*{name}*" for name in names)
     return compose(
         naming,
         """
@@ -229,7 +225,7 @@ def _steady_blocks(
         ],
         responses=[
             block
-            for lines, sharing in alike.items()
+            for lines, sharing in responses.items()
             for block in compose(
                 naming, "@names:\n$$\n@lines\n$$", names=", ".join(sharing), lines=lines
             )

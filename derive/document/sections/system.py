@@ -13,9 +13,9 @@ from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import ContactLaw, Transition
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.sections.template import compose, math, sentence
+from nonsmooth.derive.document.wording import Naming, enumeration
 
 __all__ = [
     "contact_section",

@@ -16,7 +16,7 @@ letters; ``@name.attribute`` goes on from there.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from inspect import cleandoc
 from typing import Any
@@ -32,11 +32,10 @@ from nonsmooth.derive.document.blocks import (
     Paragraph,
     width,
 )
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.wording import Naming, enumeration
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.wording import Naming, enumeration
 
 __all__ = [
-    "beside",
     "by_entries",
     "compose",
     "ended",
@@ -259,8 +258,3 @@ def summed(notation: Notation, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
             first, *rest = notation.pieces(term)
             pieces += [f"+ {first}" if pieces and not first.startswith("-") else first, *rest]
     return tuple(pieces) or ("0",)
-
-
-def beside(texts: Sequence[str]) -> tuple[str, ...]:
-    """Pieces of a line on which relations stand side by side."""
-    return (*(rf"{text},\qquad" for text in texts[:-1]), *texts[-1:])

@@ -9,12 +9,13 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.notation.wording import Naming, count, number
 from nonsmooth.derive.document.sections.template import compose, zeros
-from nonsmooth.derive.document.views.monodromy import monodromy_trace
-from nonsmooth.derive.document.views.view import View
+from nonsmooth.derive.document.view import View, monodromy_trace
+from nonsmooth.derive.document.wording import Naming, count, number
+from nonsmooth.derive.equations.energy import on_boundary
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
+from nonsmooth.derive.equations.section import passages_of
 from nonsmooth.derive.symbols import parts_of_derivative
 
 __all__ = ["energy_section", "reference_section", "trace_section"]
@@ -91,21 +92,18 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
     lines: list[Line] = []
     places: list[str] = []
     continuous: list[str] = []
-    for index, phase in enumerate(itinerary.phases):
-        transition = itinerary.transition_after(system, index)
-        image = transition.reset_of(sp.Matrix(states), states)
-        behind = energies[transition.target]
-        behind = behind.subs(dict(zip(states, image, strict=True)), simultaneous=True)
-        change = sp.expand(behind - energies[phase.configuration])
+    for passage in passages_of(itinerary):
+        before, target = passage.configuration.name, passage.transition.target
+        image = passage.behind(sp.Matrix(states))
+        behind = energies[target].subs(dict(zip(states, image, strict=True)), simultaneous=True)
+        change = sp.expand(behind - energies[before])
         change = min(sp.factor(change), sp.factor_terms(change), key=sp.count_ops)
         if change == 0:
-            continuous.append(f"*{phase.boundary}*")
+            continuous.append(f"*{passage.boundary}*")
             continue
-        boundary = system.configuration(phase.configuration).boundary(phase.boundary).function
-        fixed = next(s for s in states if sp.diff(boundary, s) != 0)
-        value = notation.latex(sp.solve(boundary, fixed)[0])
-        places.append(f"${notation.symbol(fixed)} = {value}$")
-        left = f"{_letter(transition.target)}^{{+}} - {_letter(phase.configuration)}"
+        ((fixed, value),) = on_boundary(passage).items()
+        places.append(f"${notation.symbol(fixed)} = {notation.latex(value)}$")
+        left = f"{_letter(target)}^{{+}} - {_letter(before)}"
         lines.append(Line(left, "=", (f"{notation.latex(change)},",), None, change))
     return compose(
         view,

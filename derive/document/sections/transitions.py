@@ -5,10 +5,10 @@ from __future__ import annotations
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.declaration.transition import Condition
 from nonsmooth.derive.document.blocks import Block, Table
-from nonsmooth.derive.document.notation.wording import enumeration, number
+from nonsmooth.derive.document.cycle import Cycle, Passing
 from nonsmooth.derive.document.sections.derivatives import LOCAL_MAP, SALTATION
 from nonsmooth.derive.document.sections.template import by_entries, compose, math, sentence
-from nonsmooth.derive.document.views.cycle import Cycle, Passing
+from nonsmooth.derive.document.wording import enumeration, number
 from nonsmooth.derive.equations.energy import is_conservative
 
 __all__ = ["admissibility_section", "passing_section", "stability_section"]
@@ -54,11 +54,10 @@ def _passing(cycle: Cycle, place: int, passing: Passing) -> list[Block]:
         matrices[f"{letters.reset}_{{{place}}}"] = passing.reset
     if not passing.jump.is_zero_matrix:
         matrices[f"{letters.jump}_{{{place}}}"] = passing.jump
-    saltation = passing.saltation(cycle.system.states)
     return compose(
         cycle,
         r"""
-        Transition @place, from *@passing.transition.source* by *@passing.boundary.name* to
+        Transition @place, from *@passing.transition.source* by *@passing.boundary* to
         *@passing.transition.target* [distinct: | (behind phase[many phases: s] @phases)]:
         $$
         @normal_{@place} &= @passing.normal
@@ -72,7 +71,7 @@ def _passing(cycle: Cycle, place: int, passing: Passing) -> list[Block]:
         passing=passing,
         phases=[str(k) for k in passing.phases],
         matrices=[line for name in matrices for line in by_entries(naming, name, matrices[name])],
-        saltation=by_entries(naming, f"{letters.saltation}_{{{place}}}", saltation),
+        saltation=by_entries(naming, f"{letters.saltation}_{{{place}}}", passing.saltation),
     )
 
 

@@ -8,36 +8,32 @@ from itertools import combinations
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Boundary
 from nonsmooth.derive.declaration.symmetry import translations
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
-from nonsmooth.derive.document.notation.symbols import Letters
-from nonsmooth.derive.document.views.monodromy import where_zero
-from nonsmooth.derive.document.views.view import Described
+from nonsmooth.derive.document.symbols import Letters
+from nonsmooth.derive.document.view import Described, where_zero
 from nonsmooth.derive.equations.linearisation import saltation_matrix
-from nonsmooth.derive.equations.section import Section, reset_matrix, start_of
+from nonsmooth.derive.equations.section import Passage, Section, passages_of, start_of
 
 __all__ = ["Cycle", "Harmonic", "Passing"]
 
 
 @dataclass(frozen=True)
-class Passing:
-    """One transition of a cycle, with the data of its derivatives.
+class Passing(Passage):
+    """One transition of a cycle, with the phases that it ends."""
 
-    The boundary's function is ``normal y + constant``; the state behind the transition is
-    ``reset y + jump``.
-    """
+    phases: tuple[int, ...]  # numbers from 1
+    following: sp.Matrix  # vector field behind the transition as a matrix, (N + 1) x (N + 1)
 
-    transition: Transition
-    boundary: Boundary  # the one by which the phases in front of the transition are left
-    phases: tuple[int, ...]  # numbers of those phases, from 1
-    normal: sp.Matrix  # 1 x N
-    constant: sp.Expr
-    reset: sp.Matrix  # N x N
-    jump: sp.Matrix  # N x 1
-    before: sp.Matrix  # N x 1: vector field in front of the transition
-    behind: sp.Matrix  # N x 1: vector field behind it, in terms of the state in front
+    @property
+    def before(self) -> sp.Matrix:
+        """Vector field (N x 1) in front of the transition."""
+        return self._velocity(self.field)
+
+    @property
+    def behind(self) -> sp.Matrix:
+        """Vector field (N x 1) behind the transition, in terms of the state in front."""
+        return self._velocity(self.following * self.landing)
 
     @property
     def rate(self) -> sp.Expr:
@@ -47,14 +43,16 @@ class Passing:
     @property
     def resets(self) -> bool:
         """Whether the state jumps."""
-        unit = self.reset == sp.eye(self.reset.rows)
-        return not (unit and self.jump.is_zero_matrix)
+        return bool(self.landing != sp.eye(self.landing.rows))
 
-    def saltation(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
+    @property
+    def saltation(self) -> sp.Matrix:
         """Saltation matrix (N x N) at a state on the boundary."""
         matrix = saltation_matrix(self.reset, self.normal, self.before, self.behind)
-        condition = (self.normal * sp.Matrix(states))[0] + self.constant
-        return where_zero(condition, states, matrix)
+        return where_zero(self.value(sp.Matrix(self.states)), self.states, matrix)
+
+    def _velocity(self, field: sp.Matrix) -> sp.Matrix:
+        return (field * sp.Matrix([*self.states, 1]))[:-1, :].expand()
 
 
 @dataclass(frozen=True)
@@ -86,12 +84,14 @@ class Cycle(Described):
     @cached_property
     def passings(self) -> tuple[Passing, ...]:
         """Each transition once, in the order in which they first occur."""
-        places: dict[tuple[str, str, str], list[int]] = {}
-        for index, phase in enumerate(self.itinerary.phases):
-            following = self.itinerary.phases[(index + 1) % self.count].configuration
-            key = phase.configuration, phase.boundary, following
-            places.setdefault(key, []).append(index + 1)
-        return tuple(self._passing(tuple(found)) for found in places.values())
+        found: dict[tuple[str, str, str], Passing] = {}
+        passages = passages_of(self.itinerary)
+        for index, passage in enumerate(passages, start=1):
+            following = passages[index % self.count]
+            key = passage.configuration.name, passage.boundary, following.configuration.name
+            phases = (*(found[key].phases if key in found else ()), index)
+            found[key] = Passing(**vars(passage), phases=phases, following=following.field)
+        return tuple(found.values())
 
     @property
     def distinct(self) -> bool:
@@ -120,10 +120,8 @@ class Cycle(Described):
         state occurs, and no transition resets them.
         """
         states = self.system.states
-        names = dict.fromkeys(p.configuration for p in self.itinerary.phases)
-        fields = [self.system.configuration(name).dynamics.field(states) for name in names]
-        indices = range(self.count)
-        moved = {s for i in indices for s in self.itinerary.transition_after(self.system, i).reset}
+        fields = [passing.configuration.dynamics.field(states) for passing in self.passings]
+        moved = {s for passing in self.passings for s in passing.transition.reset}
         matrix = fields[0][0]
         found = []
         for i, j in combinations(range(len(states)), 2):
@@ -144,22 +142,3 @@ class Cycle(Described):
     def directions(self) -> sp.Matrix:
         """Directions of the state along which nothing changes, as columns (N x k)."""
         return translations(self.system)
-
-    def _passing(self, phases: tuple[int, ...]) -> Passing:
-        system, states = self.system, self.system.states
-        phase = self.itinerary.phases[phases[0] - 1]
-        transition = self.itinerary.transition_after(system, phases[0] - 1)
-        source = system.configuration(phase.configuration)
-        boundary = source.boundary(phase.boundary)
-        normal, constant = system.gradient(boundary.function)
-        reset, jump = reset_matrix(transition.reset.items(), states)
-        state = sp.Matrix(states)
-        target = system.configuration(transition.target)
-        before = _velocity(source.dynamics.field(states), state)
-        behind = _velocity(target.dynamics.field(states), reset * state + jump)
-        return Passing(transition, boundary, phases, normal, constant, reset, jump, before, behind)
-
-
-def _velocity(field: tuple[sp.Matrix, sp.Matrix], state: sp.Matrix) -> sp.Matrix:
-    matrix, offset = field
-    return sp.ImmutableMatrix((matrix * state + offset).applyfunc(sp.expand))

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 from nonsmooth.derive.document.blocks import width
-from nonsmooth.derive.document.notation.symbols import Symbols, grouped_by, is_written
+from nonsmooth.derive.document.symbols import Symbols, grouped_by, is_written
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.symbols import meaning_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -12,10 +12,10 @@ from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Line
-from nonsmooth.derive.document.notation.printer import Notation
-from nonsmooth.derive.document.notation.symbols import Letters, free_letters, head
+from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.symbols import Letters, free_letters, head
 
-__all__ = ["Naming", "count", "enumeration", "letters_of", "number"]
+__all__ = ["Naming", "alike", "count", "enumeration", "letters_of", "number"]
 
 # capitals that stand for matrices and the like in every document
 _TAKEN = set("ADEFIJKMPQRSTU")
@@ -102,6 +102,14 @@ def number(value: int) -> str:
 def count(value: int, noun: str) -> str:
     """A number and a noun in words, the noun in the plural unless the number is one."""
     return f"{number(value)} {noun}{'' if value == 1 else 's'}"
+
+
+def alike(keys: Mapping[str, Hashable], first: int = 1) -> dict[int, list[str]]:
+    """Names by number, from the first number on; those with equal keys share one."""
+    groups: dict[Hashable, list[str]] = {}
+    for name, key in keys.items():
+        groups.setdefault(key, []).append(name)
+    return dict(enumerate(groups.values(), start=first))
 
 
 def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:
