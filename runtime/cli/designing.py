@@ -6,24 +6,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from nonsmooth.runtime.cli.application import ANSWERED, NOT_MET, UNANSWERED
+from nonsmooth.runtime.cli.application import UNANSWERED
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.keeping import say, worked
 from nonsmooth.runtime.cli.options import (
     OrbitName,
     Require,
-    RequiredVerdict,
     Save,
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, ranges, values_and_ranges
-from nonsmooth.runtime.cli.reply import Reply
+from nonsmooth.runtime.cli.reply import Reply, met
 from nonsmooth.runtime.core.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["design"]
@@ -124,7 +122,15 @@ def design(
             )
         )
     done = f"{len(found.history)} iterates are done"
-    return reply.give(found, stopped, done=done) or _judged(found, require or [])
+    code = reply.give(found, stopped, done=done)
+    if code or found.converged:
+        return code or met(_verdicts(found.orbit), require)
+    say(found.message)
+    return UNANSWERED
+
+
+def _verdicts(orbit: Orbit) -> dict[str, object]:
+    return {"stable": orbit.stability.verdict, "admissible": orbit.admissibility.verdict}
 
 
 def _beginning(
@@ -144,21 +150,3 @@ def _beginning(
         if each in found.given and not low <= float(found.given[each]) <= high
     }
     return solve(name, {**fixed, **middles}) if middles else found
-
-
-def _judged(found: Design, require: list[RequiredVerdict]) -> int:
-    """Exit code of a design; requirements that are not met are named on stderr."""
-    if not found.converged:
-        say(found.message)
-        return UNANSWERED
-    code = ANSWERED
-    for wanted in dict.fromkeys(require):
-        stable = wanted is RequiredVerdict.STABLE
-        told = found.orbit.stability if stable else found.orbit.admissibility
-        verdict = told.verdict
-        if verdict == "undecided":
-            code = code or UNANSWERED
-        elif verdict not in ("stable", True):
-            say(f"required: {wanted.value}; found: {'no' if verdict is False else verdict}")
-            code = NOT_MET
-    return code

@@ -9,7 +9,6 @@ import gc
 import os
 import sys
 import warnings
-from collections.abc import Iterable, Mapping
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any
@@ -25,10 +24,9 @@ from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the appl
     fitting,
     motions,
 )
-from nonsmooth.runtime.cli.application import ANSWERED, NOT_MET, UNANSWERED, app
+from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, app
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.completion import complete_files, complete_systems
-from nonsmooth.runtime.cli.keeping import say
 from nonsmooth.runtime.cli.options import (
     Derivatives,
     Digits,
@@ -43,7 +41,7 @@ from nonsmooth.runtime.cli.options import (
 )
 from nonsmooth.runtime.cli.parsing import assignments, guessed, split
 from nonsmooth.runtime.cli.proofs import certifying, motion_sets, over_ranges  # noqa: F401 - as well
-from nonsmooth.runtime.cli.reply import Reply
+from nonsmooth.runtime.cli.reply import Reply, met
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.present.pictures.kinds import KINDS
 
@@ -336,18 +334,6 @@ def _report(
         show_report(orbit, told, assigned, absent=absent)
 
     code = reply.give(orbit, told=lambda: told, show=show)
-    return code or _judged(told, require or [])
-
-
-def _judged(told: Mapping[str, Any], require: Iterable[RequiredVerdict]) -> int:
-    """Exit code of an orbit; requirements that are not met are named on stderr."""
     verdicts = {"stable": told["stability"], "admissible": told["admissible"]}
-    met = {"stable": "stable", "admissible": True}
-    names = list(dict.fromkeys(wanted.value for wanted in require))
-    missed = [n for n in names if verdicts[n] not in (met[n], "undecided")]
-    for name in missed:
-        answer = "no" if verdicts[name] is False else verdicts[name]
-        say(f"required: {name}; found: {answer}")
-    if missed:
-        return NOT_MET
-    return UNANSWERED if "undecided" in verdicts.values() else ANSWERED
+    undecided = UNANSWERED if "undecided" in verdicts.values() else ANSWERED
+    return code or met(verdicts, require) or undecided

@@ -8,19 +8,19 @@ a motion, a picture) replaces what is there; a chart's folder is gone on with.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, WRONG_INPUT, print_json
+from nonsmooth.runtime.cli.application import ANSWERED, NOT_MET, UNANSWERED, WRONG_INPUT, print_json
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, heeding, kept_of, say
 from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Reply", "show_comparison"]
+__all__ = ["Reply", "met", "proved", "show_comparison"]
 
 PICTURES = (".png", ".svg", ".pdf")  # endings of files
 
@@ -131,6 +131,8 @@ class Reply:
         *,
         done: str = "",
         enough: bool = True,
+        require: object = None,
+        claims: Mapping[str, str] | None = None,
         resumes: bool | None = None,
         told: Callable[[], Mapping[str, Any]] | None = None,
         show: Callable[[], object] | None = None,
@@ -141,7 +143,9 @@ class Reply:
 
         `stopped` says whether Ctrl-C ended the work, `done` then how much is done, and
         `resumes` whether the command can go on with its file. The exit code is that of an
-        answer if the result is `enough`. The functions replace what the result itself does.
+        answer if the result is `enough`; if all `claims`, by default those of the result, are
+        required to be proved it says whether they are. The functions replace what the result
+        itself does.
         """
         from nonsmooth.runtime.cli.tables import show_result
 
@@ -151,7 +155,30 @@ class Reply:
         code = self.show(told or found.to_json, show or (lambda: show_result(found)))
         if stopped:
             return kept_of(done, self.kept, resumes=self.resumes if resumes is None else resumes)
-        return code or (ANSWERED if enough else UNANSWERED)
+        code = code or (ANSWERED if enough else UNANSWERED)
+        return proved(found.claims if claims is None else claims, code) if require else code
+
+
+def proved(claims: Mapping[str, str], code: int) -> int:
+    """The given exit code, or `NOT_MET` if a claim is not proved, which is named on stderr."""
+    missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
+    if not missed:
+        return code
+    say(f"required: proved; found: {', '.join(missed)}")
+    return NOT_MET
+
+
+def met(verdicts: Mapping[str, object], required: Iterable[str] | None) -> int:
+    """The exit code of an orbit with these verdicts; requirements not met are named on stderr."""
+    code = ANSWERED
+    for name in dict.fromkeys(required or ()):
+        verdict = verdicts[name]
+        if verdict == "undecided":
+            code = code or UNANSWERED
+        elif verdict not in ("stable", True):
+            say(f"required: {name}; found: {'no' if verdict is False else verdict}")
+            code = NOT_MET
+    return code
 
 
 def show_comparison(

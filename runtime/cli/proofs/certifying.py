@@ -13,7 +13,6 @@ from typer.core import TyperGroup
 
 from nonsmooth.runtime.cli.application import (
     ANSWERED,
-    NOT_MET,
     UNANSWERED,
     WRONG_INPUT,
     app,
@@ -21,23 +20,22 @@ from nonsmooth.runtime.cli.application import (
 )
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.completion import complete_files
-from nonsmooth.runtime.cli.keeping import INTERRUPTED, say, worked
+from nonsmooth.runtime.cli.keeping import say, worked
 from nonsmooth.runtime.cli.options import (
     Derivatives,
     Guess,
     OrbitName,
     Parameters,
-    Proven,
     RequireProof,
     Save,
     Workers,
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import assignments, guessed, split, values_and_ranges
-from nonsmooth.runtime.cli.reply import Reply
+from nonsmooth.runtime.cli.reply import Reply, proved
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["EnclosedDigits", "bits_of", "certifying", "judged"]
+__all__ = ["EnclosedDigits", "bits_of", "certifying"]
 
 _MORE = 8  # bits beyond those of the digits
 _SUBCOMMANDS = (
@@ -127,10 +125,12 @@ def certify_orbit(
     with steps(f"solving {orbit}") as begin:
         found = solve(orbit, values, guessed(guess))
         certificate = prove(found, bits_of(digits), derivatives=by, begin=begin)
-    code = reply.give(
-        certificate, show=lambda: show_certificate(certificate), enough=certificate.decided
+    return reply.give(
+        certificate,
+        show=lambda: show_certificate(certificate),
+        enough=certificate.decided,
+        require=require,
     )
-    return judged(certificate.claims, require, code)
 
 
 @command(
@@ -169,14 +169,14 @@ def certify_all(
         census, stopped = worked(
             lambda: count(orbit, values, bounds, bits=bits_of(digits), begin=begin)
         )
-    code = reply.give(
+    return reply.give(
         census,
         stopped,
         show=lambda: show_census(census),
         enough=census.decided,
         done=f"{census.looked} boxes are looked at, {census.count} orbits found",
+        require=require,
     )
-    return judged(census.claims, require, code)
 
 
 @command(
@@ -238,21 +238,9 @@ def check(
     if found.difference is not None:
         say(f"{file}: {found.difference}")
         return UNANSWERED
-    return judged(found.claims, require, ANSWERED)
+    return proved(found.claims, ANSWERED) if require else ANSWERED
 
 
 def bits_of(digits: int) -> int:
     """The working precision in bits at which enclosures have that many decimals."""
     return max(53, math.ceil(digits * math.log2(10)) + _MORE)
-
-
-def judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:
-    """The given exit code, or `NOT_MET` if `--require` is given and a claim is not proved.
-
-    Missed claims are named on stderr. The code of an interrupted command stays.
-    """
-    missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
-    if code == INTERRUPTED or require is None or not missed:
-        return code
-    say(f"required: proved; found: {', '.join(missed)}")
-    return NOT_MET

@@ -23,7 +23,7 @@ from nonsmooth.runtime.cli.options import (
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, guessed, split, values_and_ranges
-from nonsmooth.runtime.cli.proofs.certifying import certifying, judged
+from nonsmooth.runtime.cli.proofs.certifying import certifying
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.workload import SECONDS, hours_told
 
@@ -95,14 +95,14 @@ def certify_basin(
                 keep=reply.keep,
             )
         )
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         show=lambda: show_basin(found),
         enough=found.proved,
         done=f"{int(found.attracted.sum())} of {int(found.looked.sum())} tiles are attracted",
+        require=require,
     )
-    return judged(found.claims, require, code)
 
 
 @command(
@@ -157,14 +157,15 @@ def certify_chaos(
     if reply.plot is not None and not found.proved:
         reply.plot = None
         say("no picture: nothing is proved")
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         show=lambda: show_chaos(found),
         enough=found.proved,
         done="chaos is proved, no exponents",
+        require=require,
+        claims={"chaos": found.claim},
     )
-    return judged({"chaos": found.claim}, require, code)
 
 
 @command(
@@ -255,10 +256,10 @@ def certify_region(
             )
         )
     boxed = len(found.graph.grid)
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         show=lambda: show_graph(found),
         done=f"{boxed - len(found.unknown)} images of {boxed} boxes are known",
+        require=require,
     )
-    return judged(found.claims, require, code)

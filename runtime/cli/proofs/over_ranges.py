@@ -22,7 +22,7 @@ from nonsmooth.runtime.cli.options import (
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import Range, ends, guessed, values_and_ranges
-from nonsmooth.runtime.cli.proofs.certifying import EnclosedDigits, bits_of, certifying, judged
+from nonsmooth.runtime.cli.proofs.certifying import EnclosedDigits, bits_of, certifying
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.cli.resuming import hold
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
@@ -108,15 +108,15 @@ def certify_box(
                 middle, box, tiles=tiles, resume=known, progress=progress, keep=reply.keep
             )
         )
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         told=lambda: {**found.to_json(), **_told(found)},
         show=lambda: show_box(found),
         enough=found.decided >= _ENOUGH,
         done=f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided",
+        require=require,
     )
-    return judged(found.claims, require, code)
 
 
 def _told(found: BoxCertificate) -> dict[str, Any]:
@@ -177,15 +177,15 @@ def certify_branch(
                 keep=reply.keep,
             )
         )
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         told=lambda: {**found.to_json(), **told_json(found)},
         show=lambda: show_branch(found),
         enough=found.complete,
         done=f"{len(found.tiles)} tiles, {len(found.events)} events are proved",
+        require=require,
     )
-    return judged(found.claims, require, code)
 
 
 @command(
@@ -235,15 +235,15 @@ def certify_doubling(
             )
         )
     branch_tiles = 0 if found.doubled is None else len(found.doubled.branch.tiles)
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         told=lambda: {**found.to_json(), **told_doubling_json(found)},
         show=lambda: show_doubling(found),
         enough=found.claims["doubling"] == "proved",
         done=f"{branch_tiles} tiles of the doubled branch are proved",
+        require=require,
     )
-    return judged(found.claims, require, code)
 
 
 @command(
@@ -282,7 +282,7 @@ def certify_event(
         hold(branch.orbit)
     claims, values = events_claim(found), branch.parameter_values
     span = f"{branch.parameter} = {values.min():.6g} ... {values.max():.6g}"
-    code = reply.give(
+    return reply.give(
         found,
         stopped,
         told=lambda: {
@@ -296,8 +296,9 @@ def certify_event(
         save=lambda path: save_events(found, path),
         enough="undecided" not in claims.values(),
         done=f"{len(found)} of {len(branch.events)} events are done",
+        require=require,
+        claims=claims,
     )
-    return judged(claims, require, code)
 
 
 def _followed(
