@@ -154,7 +154,7 @@ def follow(
         ((second, span),) = others
         event = chosen_event(branch, follow_event)
         return _in_the_plane(branch, event, second, span, step, reply)
-    reply.write(branch.save)
+    reply.settle(branch.save)
     beyond_events: Others = {}
     if beyond and not stopped:
         beyond_events, stopped = worked(lambda: _beyond(branch, fixed))

@@ -226,7 +226,7 @@ def find(
                 progress=begin,
             )
         )
-    reply.write(found.save)
+    reply.settle(found.save)
     names: tuple[str, ...] = ()
 
     def append(path: Path) -> None:

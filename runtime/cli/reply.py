@@ -42,6 +42,7 @@ class Reply:
     lists: bool = False  # whether JSON has a list of files, or that of the answer alone
     _written: list[str] = field(default_factory=list)
     _unsaved: list[InputError] = field(default_factory=list)
+    _settled: bool = False
     _undrawn: NonsmoothError | KeyboardInterrupt | None = None
 
     def check(self) -> None:
@@ -87,6 +88,12 @@ class Reply:
             self._unsaved.append(problem)
         else:
             self._written += [str(path)] * (str(path) not in self._written)
+
+    def settle(self, save: Callable[[Path], object]) -> None:
+        """Write the file of the answer once: `give` does so if it was not done before."""
+        if not self._settled:
+            self.write(save)
+        self._settled = True
 
     def draw(self, figure: Callable[[], Figure]) -> None:
         """Draw the figure that `figure` makes, if a picture was asked for."""
@@ -149,7 +156,7 @@ class Reply:
         """
         from nonsmooth.runtime.cli.tables import show_result
 
-        self.write(save or found.save)
+        self.settle(save or found.save)
         if self.plot is not None:
             self.draw(figure or found.plot)
         code = self.show(told or found.to_json, show or (lambda: show_result(found)))
