@@ -26,9 +26,19 @@ class TyperCommands(SphinxDirective):
             line
             for name, command in application.commands.items()
             if not command.hidden
-            for line in command_lines(f"{application.name} {name}", command)
+            for line in lines_of(f"{application.name} {name}", command)
         )
         return self.parse_text_to_nodes(text, allow_section_headings=True)
+
+
+def lines_of(name: str, command: Any) -> Iterator[str]:
+    """Write one command, or a group and all of its subcommands, in MyST."""
+    if not hasattr(command, "commands"):
+        yield from command_lines(name, command)
+        return
+    yield from (f"## {name}", "", marked(command.help or ""), "")
+    for own in command.list_commands(None):
+        yield from command_lines(f"{name} {own}", command.commands[own])
 
 
 def command_lines(name: str, command: Any) -> Iterator[str]:

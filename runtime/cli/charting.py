@@ -9,17 +9,12 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.cli.application import (
-    ANSWERED,
-    answering,
-    app,
-    assignments,
-    print_json,
-    ranges,
-    split,
-)
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.completion import complete_orbits
 from nonsmooth.runtime.cli.keeping import interrupted
-from nonsmooth.runtime.cli.options import AsJson, Start, Yes, missing_start
+from nonsmooth.runtime.cli.options import Start, Workers, Yes, missing_start, parameters_as
+from nonsmooth.runtime.cli.parsing import assignments, grid, split, values_and_ranges
+from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import check_hours
 
@@ -29,33 +24,31 @@ TRANSITIONS = 2000
 MOST_COUNTED = 20_000_000  # points that the summary reads again
 
 
-@app.command(
-    epilog="Examples:\n\n"
-    "nonsmooth chart dry-friction/global-stick V=0.8:1.3:400 eta=0.8:1.3:400 --out F.zarr\n\n"
-    "nonsmooth chart dry-friction/global-stick V=0.8:1.3:5000 chi=0.45 --chunk 1000"
-    " --out line.zarr\n\n"
-    "nonsmooth chart dry-friction --simulate V=0.2:1.2:20 eta=1:5:20 chi=0.4 us1=0.0127"
-    " ur1=0.0255 us2=0.5 ur2=1 --from x1=0,x2=0,v1=0,v2=0 --out A.zarr\n\n"
-    "nonsmooth chart found.json x=-3:0:40 v=-2:2:40 --out basins.zarr"
+@command(
+    "chart",
+    "chart dry-friction/global-stick V=0.8:1.3:400 eta=0.8:1.3:400 --out F.zarr",
+    "chart dry-friction/global-stick V=0.8:1.3:5000 chi=0.45 --chunk 1000 --out line.zarr",
+    "chart dry-friction V=0.2:1.2:20 eta=1:5:20 chi=0.4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    " --from x1=0,x2=0,v1=0,v2=0 --out A.zarr",
+    "chart found.json x=-3:0:40 v=-2:2:40 --out basins.zarr",
 )
-@answering
 def chart(
     name: Annotated[
         str,
         typer.Argument(
+            autocompletion=complete_orbits,
             metavar="ORBIT",
-            help="As for `solve`; with --simulate a SYSTEM, as for `simulate`. A file that"
-            " `find --save` wrote: the basins of all that it holds, over states. A chart F.zarr"
-            " that is begun goes on, from what it holds.",
+            help="As for `solve`. A SYSTEM with --from: where motions settle, by brute force."
+            " A file that `find --save` wrote: the basins of all that it holds, over states."
+            " A chart F.zarr that is begun goes on, from what it holds.",
         ),
     ],
     parameters: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="NAME=A:B:N|VALUE",
-            help="Ranges become the dimensions; values are fixed; absent ones take defaults"
+        parameters_as(
+            "NAME=A:B:N|VALUE",
+            "Ranges become the dimensions; values are fixed; absent ones take defaults"
             " (docs/parameters.md).",
-            show_default=False,
         ),
     ] = None,
     out: Annotated[
@@ -70,13 +63,7 @@ def chart(
         int | None,
         typer.Option("--chunk", metavar="N", help="About how many points at a time."),
     ] = None,
-    threads: Annotated[
-        int | None,
-        typer.Option("--threads", metavar="N", help="As many as processors by default."),
-    ] = None,
-    simulate: Annotated[
-        bool, typer.Option("--simulate", help="Where motions settle, by brute force.")
-    ] = False,
+    workers: Workers = None,
     start: Start = None,
     transitions: Annotated[
         int | None,
@@ -87,7 +74,8 @@ def chart(
         ),
     ] = None,
     yes: Yes = False,
-    as_json: AsJson = False,
+    *,
+    reply: Reply,
 ) -> int:
     """Chart the parameter plane: where an orbit is a motion, which limit fails first; or basins."""
     from nonsmooth.runtime.cli.display import counted, steps
@@ -101,30 +89,26 @@ def chart(
     )
     from nonsmooth.runtime.explore.charting.classes import counts_of
     from nonsmooth.runtime.explore.charting.grid import linear_axis
+    from nonsmooth.runtime.explore.charting.motions import is_found
     from nonsmooth.runtime.explore.charting.store import check_zarr
+    from nonsmooth.runtime.model.kernels import system_names
 
     check_zarr()
     begun = is_begun(name)
-    if begun and (parameters or out or simulate or start):
+    if begun and (parameters or out or start):
         raise InputError(f"{name} is a chart that is begun: it holds all that it is of")
     if not begun and out is None:
         raise InputError("--out F.zarr is missing")
     out = out or Path(name)
-    given: dict[str, Any] = {}
-    for text in parameters or []:
-        swept = ":" in text
-        one = (
-            ranges("parameter", [text], counts=True) if swept else assignments("parameter", [text])
-        )
-        for parameter, value in one.items():
-            if parameter in given:
-                raise InputError(f"parameter {parameter} is given twice")
-            given[parameter] = linear_axis(parameter, *value) if isinstance(value, tuple) else value
-    if threads is not None and scheduler is not None:
-        raise InputError("--threads is for this machine: leave it out with --scheduler")
+    values, ranged = values_and_ranges(parameters, "A:B:N")
+    swept = {n: linear_axis(n, *row) for n, row in grid(ranged).items()}
+    given: dict[str, Any] = {**values, **swept}
+    if workers is not None and scheduler is not None:
+        raise InputError("--workers is for this machine: leave it out with --scheduler")
+    simulate = bool(start) and not is_found(name)
     if transitions is not None and not simulate:
-        raise InputError("--transitions is for the motions of --simulate, which is missing")
-    if simulate and not start:
+        raise InputError("--transitions is for the motions of a SYSTEM from --from")
+    if not start and name in system_names():
         raise missing_start(name)
     begin = assignments("state", split(start)) if start else None
     with steps(f"preparing {name}"):  # kernels that are compiled first take seconds
@@ -143,16 +127,16 @@ def chart(
 
     try:
         with counted(f"charting {name}") as progress:
-            work = work_on(out, problem, axes, scheduler, chunk, threads, count)
+            work = work_on(out, problem, axes, scheduler, chunk, workers, count)
     except KeyboardInterrupt:
         kept = f"{done[0]} of {done[1] or 'all'} chunks are kept in {out}"
         beside = [
             word
-            for option, value in (("--scheduler", scheduler), ("--threads", threads))
+            for option, value in (("--scheduler", scheduler), ("--workers", workers))
             if value is not None
             for word in (option, str(value))
         ]
-        beside += [flag for flag, said in (("--yes", yes), ("--json", as_json)) if said]
+        beside += [flag for flag, said in (("--yes", yes), ("--json", reply.as_json)) if said]
         goes_on = shlex.join(["nonsmooth", "chart", str(out), *beside])
         return interrupted(kept, f"go on with: {goes_on}")
     dataset = load_chart(out)
@@ -170,11 +154,7 @@ def chart(
         "leftovers": work.leftovers,
         "points": classes,
     }
-    if as_json:
-        print_json(told)
-    else:
-        _show(told)
-    return ANSWERED
+    return reply.show(lambda: told, lambda: _show(told))
 
 
 def _show(told: dict[str, Any]) -> None:

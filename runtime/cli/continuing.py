@@ -2,39 +2,30 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.cli.application import (
-    answering,
-    app,
-    assignments,
-    check_drawing,
-    ranges,
-    split,
-)
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, heed_interrupts, kept_of, worked
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.keeping import heed_interrupts, worked
 from nonsmooth.runtime.cli.options import (
-    AsJson,
-    Frequency,
-    FrequencyIn,
+    Beyond,
     OrbitName,
     Over,
-    Plot,
     Quantity,
-    Resume,
-    SaveResult,
+    Save,
     Yes,
+    parameters_as,
 )
-from nonsmooth.runtime.cli.resuming import resumable
-from nonsmooth.runtime.cli.written import Written
+from nonsmooth.runtime.cli.parsing import assignments, ends, split, values_and_ranges
+from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
+
+    from matplotlib.figure import Figure
 
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -45,31 +36,30 @@ if TYPE_CHECKING:
 __all__ = ["follow"]
 
 
-@app.command(
+@command(
     "continue",
-    epilog="Examples:\n\n"
-    "nonsmooth continue dry-friction/global-stick V=0.8:1.3\n\n"
-    "nonsmooth continue dry-friction/global-stick eta=0.5:2 V=1.05 --plot branch.png"
-    " --quantity ta\n\n"
-    "nonsmooth continue my_oscillator.py:loop r=0.3:0.7 --save branch.json --beyond\n\n"
-    "nonsmooth continue elastic-stop/one-contact T=6.1:6.4 --quantity frequency --over energy"
-    " --plot backbone.png\n\n"
-    "nonsmooth continue dry-friction/symmetric V=0.6:1.3 us1=1 ur1=1 --switch flip"
-    " --plot doubled.png\n\n"
-    "nonsmooth continue dry-friction/symmetric V=0.6:1.3 eta=3.9:4.1 --follow flip"
+    "continue dry-friction/global-stick V=0.8:1.3",
+    "continue dry-friction/global-stick eta=0.5:2 V=1.05 --plot branch.png --quantity ta",
+    "continue my_oscillator.py:loop r=0.3:0.7 --save branch.json --beyond",
+    "continue elastic-stop/one-contact T=6.1:6.4 --quantity frequency --over energy"
+    " --plot backbone.png",
+    "continue dry-friction/symmetric V=0.6:1.3 us1=1 ur1=1 --switch flip --plot doubled.png",
+    "continue dry-friction/symmetric V=0.6:1.3 eta=3.9:4.1 --follow flip"
     " --save flips.json --plot flips.png",
+    save=Save,
+    plot=True,
+    long=True,
+    question="orbit parameters start admissible switch follow_event",
+    anew="step points beyond",
 )
-@answering
-@resumable("orbit parameters start admissible switch follow_event", anew="step points beyond")
 def follow(
     orbit: OrbitName,
     parameters: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="NAME=VALUE|A:B",
-            help="The parameter to follow as a range: V=0.8:1.3; others in NAME=VALUE form."
+        parameters_as(
+            "NAME=VALUE|A:B",
+            "The parameter to follow as a range: V=0.8:1.3; others in NAME=VALUE form."
             " With --follow a second range (docs/parameters.md).",
-            show_default=False,
         ),
     ] = None,
     start: Annotated[
@@ -89,10 +79,7 @@ def follow(
     admissible: Annotated[
         bool, typer.Option("--admissible", help="End where the orbit is no motion any more.")
     ] = False,
-    beyond: Annotated[
-        bool,
-        typer.Option("--beyond", help="Find the itineraries beyond each border collision."),
-    ] = False,
+    beyond: Beyond = False,
     switch: Annotated[
         list[str] | None,
         typer.Option(
@@ -112,44 +99,34 @@ def follow(
         ),
     ] = None,
     quantity: Quantity = None,
-    frequency: FrequencyIn = None,
     over: Over = None,
-    plot: Plot = None,
-    save: SaveResult = None,
-    resume: Resume = None,
-    overwrite: Overwrite = False,
     yes: Yes = False,
-    as_json: AsJson = False,
+    *,
+    reply: Reply,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.answers import branch_json
-    from nonsmooth.runtime.present.files.kept import format_named
 
-    check_drawing(plot)
-    _check_picture(plot, quantity, frequency, over, follow_event)
-    if resume is not None and (switch or follow_event is not None):
+    _check_picture(reply, quantity, over, follow_event)
+    if reply.resume is not None and (switch or follow_event is not None):
         raise InputError("--resume is for a branch, and not for what --switch and --follow lead to")
-    check_new(save, overwrite, resume, resumes=not switch and follow_event is None)
-    known = None if resume is None else format_named("nonsmooth branch").load(resume)
+    known = reply.known(format_named("nonsmooth branch").load)
     if follow_event is not None and beyond:
         raise InputError("--beyond is of a branch: leave it out with --follow")
     wanted = 1 if follow_event is None else 2
-    followed = [text for text in parameters or [] if ":" in text]
-    if len(followed) != wanted:
+    fixed, ranged = values_and_ranges(parameters)
+    if len(ranged) != wanted:
         told = "one parameter has" if wanted == 1 else "with --follow two parameters have"
-        raise InputError(f"{told} to be a range A:B, not {len(followed)}")
-    (name, (low, high, _)), *others = ranges("parameter", followed).items()
-    fixed = assignments("parameter", [text for text in parameters or [] if text not in followed])
-    if name in fixed:
-        raise InputError(f"parameter {name} is given twice")
+        raise InputError(f"{told} to be a range A:B, not {len(ranged)}")
+    spans = ends(ranged)
+    (name, interval), *others = spans.items()
     entered = assignments("parameter", split(start))
     if unknown := [each for each in entered if each not in (name, *dict(others))]:
         raise InputError(f"--from is for parameters with a range, which {unknown[0]} has not")
     fixed |= entered
     check_hours(f"{points} points", 2 * points * SECONDS["point"], yes=yes)
     begin = solve(orbit, fixed)
-    spans = {name: (low, high), **{other: span[:2] for other, span in others}}
     middles = {
         each: sum(span) / 2
         for each, span in spans.items()
@@ -162,7 +139,6 @@ def follow(
     if not switch:  # beyond an event the unknowns may be others
         _check_quantities(begin, name, [*split(quantity), *([over] if over else [])])
     options = {"step": step, "points": points, "admissible": admissible}
-    interval = low, high
     branch, stopped = _branch(begin, name, interval, {**options, "resume": known})
     for text in switch or ():
         _go_on(stopped)
@@ -174,29 +150,29 @@ def follow(
         branch, stopped = _branch(other, name, interval, options)
     if follow_event is not None:
         _go_on(stopped)
-        ((second, (lower, upper, _)),) = others
+        ((second, span),) = others
         event = chosen_event(branch, follow_event)
-        return _in_the_plane(branch, event, second, (lower, upper), step, plot, save, as_json)
-    written = Written()
-    written.save(branch.save, save)
+        return _in_the_plane(branch, event, second, span, step, reply)
+    reply.settle(branch.save)
     beyond_events: Others = {}
     if beyond and not stopped:
         beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
-    if plot is not None:
+
+    def draw() -> Figure:
         from nonsmooth.runtime.present.pictures.branches import draw_branch
 
-        quantities, drawn_in = split(quantity), frequency or Frequency.ANGULAR
-        written.draw(
-            lambda: draw_branch(branch, quantities, over=over, frequency=drawn_in.value), plot
-        )
-    code = written.show(
-        lambda: branch_json(branch, beyond_events),
-        lambda: _show(branch, beyond_events),
-        as_json=as_json,
+        drawn: Figure = draw_branch(branch, split(quantity), over=over)
+        return drawn
+
+    return reply.give(
+        branch,
+        stopped,
+        told=lambda: branch_json(branch, beyond_events),
+        show=lambda: _show(branch, beyond_events),
+        figure=draw,
+        done=f"{len(branch)} points are done",
+        resumes=not switch,
     )
-    if not stopped:
-        return code
-    return kept_of(f"{len(branch)} points are done", written.kept(save), resumes=not switch)
 
 
 def _show(branch: Branch, others: Others) -> None:
@@ -230,15 +206,11 @@ def _named(kinds: Sequence[str]) -> str:
 
 
 def _check_picture(
-    plot: Path | None,
-    quantity: list[str] | None,
-    frequency: Frequency | None,
-    over: str | None,
-    follow_event: str | None,
+    reply: Reply, quantity: list[str] | None, over: str | None, follow_event: str | None
 ) -> None:
     """Refuse options for the picture of a branch where no branch is drawn."""
-    for option, given in (("--quantity", quantity), ("--over", over), ("--frequency", frequency)):
-        if given and plot is None:
+    for option, given in (("--quantity", quantity), ("--over", over)):
+        if given and reply.plot is None:
             raise InputError(f"{option} is for the picture of --plot, which is missing")
         if given and follow_event is not None:
             raise InputError(f"{option} is of a branch: leave it out with --follow")
@@ -310,13 +282,10 @@ def _in_the_plane(
     second: str,
     interval: tuple[float, float],
     step: float,
-    plot: Path | None,
-    save: Path | None,
-    as_json: bool,
+    reply: Reply,
 ) -> int:
     """Follow an event in the plane of two parameters, keep and show it; gives the exit code."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
     from nonsmooth.runtime.present.answers import locus_json
 
@@ -327,14 +296,13 @@ def _in_the_plane(
                 branch, event, second, interval, step=2 * step, progress=progress
             )
         )
-    written = Written()
-    written.save(locus.save, save)
-    if plot is not None:
-        written.draw(locus.plot, plot)
-    code = written.show(lambda: locus_json(locus), lambda: show_result(locus), as_json=as_json)
-    if stopped:
-        return kept_of(f"{len(locus)} points are done", written.kept(save), resumes=False)
-    return code
+    return reply.give(
+        locus,
+        stopped,
+        told=lambda: locus_json(locus),
+        done=f"{len(locus)} points are done",
+        resumes=False,
+    )
 
 
 def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:

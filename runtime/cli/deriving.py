@@ -1,28 +1,207 @@
-"""The commands' way into the derivation: documents, and kernels of users' declarations."""
+"""The commands that derive: documents, and kernels of built-in and of users' declarations."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
+import typer
+
+from nonsmooth.runtime.cli.application import ANSWERED, print_json
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.completion import complete_orbits
+from nonsmooth.runtime.cli.keeping import say
+from nonsmooth.runtime.cli.options import Check
+from nonsmooth.runtime.cli.reply import Reply, show_comparison
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, missing_extra, unknown_name
 from nonsmooth.runtime.core.files import unwritable, write_file
-from nonsmooth.runtime.model.loading.declared import declaration_in
-from nonsmooth.runtime.model.loading.folder import COMMAND
-from nonsmooth.runtime.model.loading.load import located
 
-__all__ = [
-    "Emission",
-    "document_maker",
-    "emit_file",
-    "file_differences",
-    "section_formulas",
-    "write_document",
-    "written",
-]
+__all__ = ["equations", "generate", "regenerate", "section_formulas"]
+
+REMEDY = "python scripts/regenerate.py"
+
+
+class Format(StrEnum):
+    """The formats that `equations` writes."""
+
+    LATEX = "latex"
+    MARKDOWN = "markdown"
+    HTML = "html"
+    PDF = "pdf"
+
+
+class DocumentPart(StrEnum):
+    """The parts of a document that `equations` writes alone."""
+
+    FLOWS = "flows"
+    EQUATIONS = "equations"
+    MAP = "map"
+    TRACE = "trace"
+
+
+@command(
+    "equations",
+    "equations dry-friction/global-stick --format markdown",
+    "equations dry-friction --out dry-friction.tex",
+    "equations dry-friction/global-stick --section trace --format markdown",
+    "equations dry-friction/global-stick --format pdf",
+)
+def equations(
+    name: Annotated[
+        str,
+        typer.Argument(
+            autocompletion=complete_orbits,
+            metavar="SYSTEM[/ORBIT]",
+            help="A system or an orbit, or your own: FILE.py or FILE.py:ORBIT.",
+        ),
+    ],
+    form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
+    section: Annotated[
+        DocumentPart | None,
+        typer.Option("--section", help="Write this part alone; a system has its flows."),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out", metavar="FILE", help="Write this file; a PDF is SYSTEM-ORBIT.pdf by default."
+        ),
+    ] = None,
+    *,
+    reply: Reply,
+) -> int:
+    """Derive a system or an orbit and write it down, from the declaration to the trace."""
+    from nonsmooth.runtime.cli.display import steps
+    from nonsmooth.runtime.core.files import check_target
+
+    if out is None and form is Format.PDF:
+        stem = Path(name).name if ".py" in name else name.replace("/", "-")
+        out = Path(f"{stem.replace('.py', '').replace(':', '-')}.pdf")
+    document = document_maker(name, section)
+    if out is not None:
+        check_target(out)
+    with steps(f"deriving {name}") as begin:
+        text = written(document(), form.value)
+        if out is not None:
+            begin(f"writing {out}")
+            write_document(text, form.value, out)
+    told = {"text": text} if out is None else {"file": str(out)}
+    return reply.show(
+        lambda: {"name": name, "format": form.value, **told},
+        lambda: sys.stdout.write(text if out is None else f"{out} written\n"),
+    )
+
+
+@command(
+    "generate",
+    "generate my_oscillator.py --out my_kernels",
+    "generate my_oscillator.py --out my_kernels --compile",
+    "generate my_oscillator.py --out my_kernels --check",
+    after="Then my_kernels is a SYSTEM, and my_kernels:ORBIT an orbit, for every command.",
+)
+def generate(
+    file: Annotated[
+        Path,
+        typer.Argument(
+            metavar="FILE.py",
+            help="A file that defines `system`, a System, and `orbits`, a list of Itinerary.",
+        ),
+    ],
+    out: Annotated[
+        Path, typer.Option("--out", metavar="DIR", help="Folder of the kernels, made if need be.")
+    ],
+    compiled: Annotated[
+        bool, typer.Option("--compile", help="Build the kernels in C too; it takes a compiler.")
+    ] = False,
+    check: Check = False,
+    *,
+    reply: Reply,
+) -> int:
+    """Derive your own system and its orbits and write their kernels: Python, C, LaTeX."""
+    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.model.loading.compiling import compile_files
+    from nonsmooth.runtime.model.loading.folder import check_own_folder, write_folder
+
+    if check and compiled:
+        raise InputError("--check writes nothing: leave out --compile")
+    check_own_folder(out)
+    with steps(f"reading {file}") as begin:
+        emission = emit_file(file, begin)
+        told: dict[str, Any] = {
+            "folder": str(out),
+            "system": emission.system,
+            "orbits": [
+                {"name": name, "derived": reason is None} | ({"reason": reason} if reason else {})
+                for name, reason in emission.orbits.items()
+            ],
+        }
+        if check:
+            found = file_differences(out, emission)
+            return show_comparison(reply, told, found, f"{file}: generate it again")
+        library = None
+        if compiled:
+            begin("compiling")
+            library = compile_files(emission.files)
+        paths = [str(path) for path in write_folder(out, emission.files, library)]
+    if reply.as_json:
+        print_json({**told, "files": sorted(emission.files), "written": paths})
+        return ANSWERED
+    for name, reason in emission.orbits.items():
+        if reason is not None:
+            print(f"{name}: composed numerically when it is asked for: {reason}", file=sys.stderr)
+    show_written([f"{path} written" for path in paths], f"{out}: nothing changed")
+    return ANSWERED
+
+
+@command("regenerate", "regenerate --check", "regenerate dry-friction --out kernels")
+def regenerate(
+    system: Annotated[
+        str | None, typer.Argument(metavar="SYSTEM", help="Only this one.", show_default=False)
+    ] = None,
+    check: Check = False,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out", metavar="DIR", help="Folder of the files; that of the checkout by default."
+        ),
+    ] = None,
+    *,
+    reply: Reply,
+) -> int:
+    """Make the kernels again from the derivation, or check that they are up to date."""
+    from nonsmooth.derive.codegen import regenerate as generation
+    from nonsmooth.derive.systems import SYSTEMS
+    from nonsmooth.runtime.cli.display import show_written, steps
+    from nonsmooth.runtime.core.files import check_folder, write_files
+
+    if system is not None and system not in SYSTEMS:
+        raise unknown_name("system", system, SYSTEMS)
+    folder = generation.find_generated(writing=not check) if out is None else out
+    told: dict[str, Any] = {"folder": str(folder), "system": system}
+    checkout = generation.surrounding_checkout()
+    if out is None and checkout is not None and checkout.resolve() != folder.resolve().parent:
+        say(
+            f"this is about {folder}, of the nonsmooth that runs, not about {checkout}:"
+            f" install that one to derive with it"
+        )
+    if check:
+        with steps() as begin:
+            differences = generation.check(out, system, begin)
+        return show_comparison(reply, told, differences, f"the derivation: {REMEDY}")
+    check_folder(folder)
+    with steps() as begin:
+        texts = generation.outdated(out, system, begin)
+    if texts:
+        write_files(folder, {name: text.encode() for name, text in texts.items()})
+    changed = [str(folder / name) for name in texts]
+    return reply.show(
+        lambda: {**told, "changed": changed},
+        lambda: show_written(changed, f"{folder}: nothing changed"),
+    )
 
 
 def document_maker(name: str, part: str | None = None) -> Callable[[], Any]:
@@ -65,6 +244,8 @@ def _whole(system: Any, orbit: Any) -> Any:
 def _declaration(name: str) -> tuple[Any, dict[str, Any], str | None]:
     """The system, its orbits by name, and the name of the orbit that is meant, if any."""
     from nonsmooth.derive.systems import SYSTEMS, declaration
+    from nonsmooth.runtime.model.loading.declared import declaration_in
+    from nonsmooth.runtime.model.loading.load import located
 
     system, slash, orbit = name.partition("/")
     if system in SYSTEMS:
@@ -109,6 +290,9 @@ def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -
     cannot be read, fails, or declares no system; DeclarationError and DerivationError say
     that a declaration is inconsistent or cannot be derived.
     """
+    from nonsmooth.runtime.model.loading.declared import declaration_in
+    from nonsmooth.runtime.model.loading.folder import COMMAND
+
     if not path.is_file():
         raise InputError(f"there is no file {path}")
     declared = declaration_in(path)

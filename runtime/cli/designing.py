@@ -6,59 +6,48 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from nonsmooth.runtime.cli.application import (
-    ANSWERED,
-    NOT_MET,
-    UNANSWERED,
-    answering,
-    app,
-    assignments,
-    check_drawing,
-    ranges,
-)
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, say, worked
+from nonsmooth.runtime.cli.application import UNANSWERED
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.keeping import say, worked
 from nonsmooth.runtime.cli.options import (
-    AsJson,
     OrbitName,
-    Plot,
     Require,
-    RequiredVerdict,
-    Resume,
-    SaveResult,
+    Save,
+    parameters_as,
 )
-from nonsmooth.runtime.cli.resuming import resumable
-from nonsmooth.runtime.cli.written import Written
+from nonsmooth.runtime.cli.parsing import assignments, ends, ranges, values_and_ranges
+from nonsmooth.runtime.cli.reply import Reply, met
 from nonsmooth.runtime.core.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["design"]
 
 
-@app.command(
-    epilog="Examples:\n\n"
-    "nonsmooth design dry-friction/symmetric V=0.3:3 --minimise spectral_radius\n\n"
-    "nonsmooth design dry-friction/symmetric V=0.6:3 eta=3:5 --minimise spectral_radius"
-    ' --subject "period<=4.6" --plot design.png --save design.json\n\n'
-    "nonsmooth design dry-friction/symmetric V=0.6:1.3 --solve multiplier=-1\n\n"
-    "nonsmooth design impact_damper.py:struck-twice r=0.3 zeta=0.05 d=7:9.5"
-    " --minimise peak:x --worst-over w=0.95:1.05"
+@command(
+    "design",
+    "design dry-friction/symmetric V=0.3:3 --minimise spectral_radius",
+    "design dry-friction/symmetric V=0.6:3 eta=3:5 --minimise spectral_radius"
+    ' --subject "period<=4.6" --plot design.png --save design.json',
+    "design dry-friction/symmetric V=0.6:1.3 --solve multiplier=-1",
+    "design impact_damper.py:struck-twice r=0.3 zeta=0.05 d=7:9.5"
+    " --minimise peak:x --worst-over w=0.95:1.05",
+    save=Save,
+    plot=True,
+    long=True,
+    question="orbit parameters minimise maximise solve worst_over subject",
 )
-@answering
-@resumable("orbit parameters minimise maximise solve worst_over subject inadmissible")
 def design(
     orbit: OrbitName,
     parameters: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="NAME=A:B|VALUE",
-            help="The parameters that vary, with their bounds: V=0.6:1.3; others in NAME=VALUE"
+        parameters_as(
+            "NAME=A:B|VALUE",
+            "The parameters that vary, with their bounds: V=0.6:1.3; others in NAME=VALUE"
             " form. It begins at the reference point's values, or in the middle.",
-            show_default=False,
         ),
     ] = None,
     minimise: Annotated[
@@ -101,41 +90,21 @@ def design(
             help='A condition: "period<=6.5", "trace>=0" or "multiplier=-1"; may be repeated.',
         ),
     ] = None,
-    inadmissible: Annotated[
-        bool,
-        typer.Option("--inadmissible", help="Take also orbits that are no motion."),
-    ] = False,
-    plot: Plot = None,
-    save: SaveResult = None,
-    resume: Resume = None,
-    overwrite: Overwrite = False,
     require: Require = None,
-    as_json: AsJson = False,
+    *,
+    reply: Reply,
 ) -> int:
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.design.design import design as find_design
-    from nonsmooth.runtime.present.files.kept import format_named
 
-    check_drawing(plot)
-    check_new(save, overwrite, resume, resumes=True)
-    known = None if resume is None else format_named("nonsmooth design").load(resume)
-    texts = parameters or []
-    over = {
-        n: (a, b) for n, (a, b, _) in ranges("parameter", [t for t in texts if ":" in t]).items()
-    }
-    if not over:
+    known = reply.known(format_named("nonsmooth design").load)
+    fixed, ranged = values_and_ranges(parameters)
+    if not ranged:
         raise InputError("no parameter varies: give its bounds, such as V=0.6:1.3")
-    fixed = assignments("parameter", [text for text in texts if ":" not in text])
-    for name in fixed:
-        if name in over:
-            raise InputError(f"parameter {name} is given twice")
+    over = ends(ranged)
     wanted = assignments("quantity", solve or []) or None
-    along = {
-        n: (a, b)
-        for n, (a, b, _) in ranges("parameter", [worst_over] if worst_over else []).items()
-    }
+    along = ranges("parameter", [worst_over] if worst_over else [])
     begin = _beginning(orbit, fixed, {**along, **over})
     with counted("designing, iterates") as show:
         found, stopped = worked(
@@ -147,19 +116,20 @@ def design(
                 over=over,
                 worst_over=along or None,
                 subject_to=subject or (),
-                admissible=not inadmissible,
                 resume=known,
                 progress=lambda iterates, _: show(iterates),
             )
         )
-    written = Written()
-    written.save(found.save, save)
-    if plot is not None:
-        written.draw(found.plot, plot)
-    code = written.show(found.to_json, lambda: show_result(found), as_json=as_json)
-    if stopped:
-        return kept_of(f"{len(found.history)} iterates are done", written.kept(save))
-    return code or _judged(found, require or [])
+    done = f"{len(found.history)} iterates are done"
+    code = reply.give(found, stopped, done=done)
+    if code or found.converged:
+        return code or met(_verdicts(found.orbit), require)
+    say(found.message)
+    return UNANSWERED
+
+
+def _verdicts(orbit: Orbit) -> dict[str, object]:
+    return {"stable": orbit.stability.verdict, "admissible": orbit.admissibility.verdict}
 
 
 def _beginning(
@@ -178,24 +148,4 @@ def _beginning(
         for each, (low, high) in over.items()
         if each in found.given and not low <= float(found.given[each]) <= high
     }
-    if middles:
-        found = solve(name, {**fixed, **middles})
-    return found
-
-
-def _judged(found: Design, require: list[RequiredVerdict]) -> int:
-    """Exit code of a design; requirements that are not met are named on stderr."""
-    if not found.converged:
-        say(found.message)
-        return UNANSWERED
-    code = ANSWERED
-    for wanted in dict.fromkeys(require):
-        stable = wanted is RequiredVerdict.STABLE
-        told = found.orbit.stability if stable else found.orbit.admissibility
-        verdict = told.verdict
-        if verdict == "undecided":
-            code = code or UNANSWERED
-        elif verdict not in ("stable", True):
-            say(f"required: {wanted.value}; found: {'no' if verdict is False else verdict}")
-            code = NOT_MET
-    return code
+    return solve(name, {**fixed, **middles}) if middles else found

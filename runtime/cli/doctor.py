@@ -12,8 +12,8 @@ from functools import partial
 from importlib import import_module, metadata, resources, util
 from types import ModuleType
 
-from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
-from nonsmooth.runtime.cli.options import AsJson
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.reply import Reply
 
 __all__ = ["Diagnosis", "diagnoses", "doctor"]
 
@@ -181,14 +181,15 @@ def _extra(extra: str) -> Diagnosis:
     return Diagnosis(label, True, ", ".join(f"{name} {v}" for name, (v, _) in states.items()))
 
 
-@app.command(epilog="Examples:\n\nnonsmooth doctor\n\nnonsmooth doctor --json")
-@answering
-def doctor(as_json: AsJson = False) -> int:
+@command("doctor", "doctor", "doctor --json")
+def doctor(*, reply: Reply) -> int:
     """Say what this installation has and lacks, and what to do about it."""
     found = list(diagnoses())
-    if as_json:
-        print_json({"version": metadata.version(_NAME), "diagnoses": [asdict(f) for f in found]})
-        return ANSWERED
+    told = {"version": metadata.version(_NAME), "diagnoses": [asdict(each) for each in found]}
+    return reply.show(lambda: told, lambda: _show(found))
+
+
+def _show(found: list[Diagnosis]) -> None:
     from rich.text import Text
 
     from nonsmooth.runtime.cli.tables import console_as_wide
@@ -200,4 +201,3 @@ def doctor(as_json: AsJson = False) -> int:
         out(Text.assemble(sign, f"{diagnosis.name:{widest}}  {diagnosis.found}"))
         if diagnosis.remedy and not diagnosis.good:
             out(Text(f"{'':{widest + 6}}do: {diagnosis.remedy}"))
-    return ANSWERED

@@ -8,18 +8,17 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.cli.application import (
-    ANSWERED,
-    UNANSWERED,
-    answering,
-    app,
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.keeping import worked
+from nonsmooth.runtime.cli.options import Save, Seed, Start, SystemName, Yes, parameters_as
+from nonsmooth.runtime.cli.parsing import (
+    Range,
     assignments,
-    check_drawing,
     split,
+    texts_by_name,
+    values_and_ranges,
 )
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
-from nonsmooth.runtime.cli.options import AsJson, Plot, SaveResult, Start, SystemName, Yes
-from nonsmooth.runtime.cli.written import Written
+from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
@@ -29,27 +28,28 @@ _DATA = re.compile(r"(?P<file>.+\.(?:csv|npz|nc|zarr))/?(?::(?P<known>.*))?", re
 _PRIOR = re.compile(r"(?P<mean>.+?)\s*(?:\+-|±)\s*(?P<deviation>.+)")
 
 
-@app.command(
-    epilog="Examples:\n\n"
-    "nonsmooth fit identification.py impacts.csv c=0.05 h=0.2 w=2.1 k=2.3:2.7 r=0.7:1"
-    " v0=-0.3:0.3 --from x=-0.6 --starts 4 --plot fit.png --save fit.json\n\n"
-    "nonsmooth fit identification.py impacts.csv:w=2.1 c=0.05 h=0.2 k=2:2.5:3 r=0.5:0.8:1"
-    " --from x=-0.6,v=0.1 --sigma 0.002 --prior k=2.5+-0.1 --loss soft_l1\n\n"
-    "nonsmooth fit identification.py sweep.csv c=0.05 h=0.2 k=2:3 r=0.6:1"
-    " --responses A=amplitude:x --plot response.png"
+@command(
+    "fit",
+    "fit identification.py impacts.csv c=0.05 h=0.2 w=2.1 k=2.3:2.7 r=0.7:1"
+    " v0=-0.3:0.3 --from x=-0.6 --starts 4 --plot fit.png --save fit.json",
+    "fit identification.py impacts.csv:w=2.1 c=0.05 h=0.2 k=2:2.5:3 r=0.5:0.8:1"
+    " --from x=-0.6,v=0.1 --sigma 0.002 --prior k=2.5+-0.1 --loss soft_l1",
+    "fit identification.py sweep.csv c=0.05 h=0.2 k=2:3 r=0.6:1"
+    " --responses A=amplitude:x --plot response.png",
+    save=Save,
+    plot=True,
+    long=True,
 )
-@answering
 def fit(
     system: SystemName,
     given: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="DATA|NAME=VALUE|NAME=A:B",
-            help="Files of measurements, .csv, .npz, .nc or .zarr, each with what is known in it"
+        parameters_as(
+            "DATA|NAME=VALUE|NAME=A:B",
+            "Files of measurements, .csv, .npz, .nc or .zarr, each with what is known in it"
             " alone: slow.csv:V=1.2. Parameters with a value are known, those with a range are"
             " sought in it: r=0.5:1, or from a guess, r=0.5:0.8:1; an end may be blank. So are"
             " states at the start, x10=-1:1, and offset=-1:1, what the clock shows there.",
-            show_default=False,
         ),
     ] = None,
     start: Start = None,
@@ -111,26 +111,26 @@ def fit(
             "--starts", min=1, metavar="N", help="Searches: from the guess, and from random points."
         ),
     ] = 1,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random points.")] = 0,
-    plot: Plot = None,
-    save: SaveResult = None,
-    overwrite: Overwrite = False,
+    seed: Seed = 0,
     yes: Yes = False,
-    as_json: AsJson = False,
+    *,
+    reply: Reply,
 ) -> int:
     """Find parameters, starts and clocks from measured series, event times or responses."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.fitting.fit import fit as find
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
+    from nonsmooth.runtime.present.pictures.fits import fit_figure
 
-    check_drawing(plot)
-    check_new(save, overwrite)
-    files, fixed, ranged = _sorted(given or [])
+    files, texts = _sorted(given or [])
     if not files:
         raise InputError("data are missing: name a file that ends in .csv, .npz, .nc or .zarr")
-    free = _free(ranged)
-    known: dict[str, Any] = dict(assignments("parameter", fixed))
+    values, ranged = values_and_ranges(texts, "A:B", "A:GUESS:B", blank=True)
+    free: dict[str, Range] = {
+        name: (low, guess[0] if guess else None, high)
+        for name, (low, *guess, high) in ranged.items()
+    }
+    known: dict[str, Any] = dict(values)
     offset = known.pop("offset", 0.0)
     state: dict[str, Any] = dict(assignments("state", split(start)))
     _take_guesses(system, free, known, state)
@@ -152,9 +152,9 @@ def fit(
                 priors=_priors(prior),
                 start=state,
                 offset=offset,
-                outputs=_texts("output", outputs),
+                outputs=texts_by_name("output", split(outputs)),
                 events=_events(events),
-                responses=_texts("response", responses),
+                responses=texts_by_name("response", split(responses)),
                 sigma=_sigma(sigma),
                 loss=loss,
                 starts=starts,
@@ -162,56 +162,28 @@ def fit(
                 progress=progress,
             )
         )
-    written = Written()
-    written.save(found.save, save)
-    if plot is not None:
-        from nonsmooth.runtime.present.pictures.fits import fit_figure
-
-        written.draw(lambda: fit_figure(found), plot)
-    code = written.show(found.to_json, lambda: show_result(found), as_json=as_json)
-    if stopped:
-        return kept_of("the best fit until then is found", written.kept(save), resumes=False)
-    return code or (ANSWERED if found.status == "converged" else UNANSWERED)
+    return reply.give(
+        found,
+        stopped,
+        figure=lambda: fit_figure(found),
+        done="the best fit until then is found",
+        enough=found.status == "converged",
+    )
 
 
-def _sorted(given: Sequence[str]) -> tuple[list[tuple[str, str]], list[str], list[str]]:
-    """Files of data with the text of what is known in each, fixed parameters, and ranges."""
+def _sorted(given: Sequence[str]) -> tuple[list[tuple[str, str]], list[str]]:
+    """Files of data with the text of what is known in each, and the other texts."""
     files: list[tuple[str, str]] = []
-    fixed: list[str] = []
-    ranged: list[str] = []
+    texts: list[str] = []
     for text in given:
-        name, equals, value = text.partition("=")
+        name, equals, _ = text.partition("=")
         if equals and name.strip().isidentifier():
-            (ranged if ":" in value else fixed).append(text)
+            texts.append(text)
         elif found := _DATA.fullmatch(text):
             files.append((found["file"], found["known"] or ""))
         else:
             raise InputError(f"{text!r} is neither NAME=VALUE nor a .csv, .npz, .nc or .zarr file")
-    return files, fixed, ranged
-
-
-Range = tuple[Any, Any, Any]  # lower end, guess, upper end; None for none
-
-
-def _free(texts: Sequence[str]) -> dict[str, Range]:
-    """Range (lower, guess, upper) by name, from ``name=lower:upper`` or with a guess between.
-
-    An end may be blank: it is None, as a missing guess is.
-    """
-    from nonsmooth.runtime.core.values import parse
-
-    found: dict[str, Range] = {}
-    for text in texts:
-        name, _, value = text.partition("=")
-        name, parts = name.strip(), [part.strip() for part in value.split(":")]
-        if name in found:
-            raise InputError(f"parameter {name} is given twice")
-        if len(parts) not in (2, 3):
-            raise InputError(f"{text!r} is not NAME=A:B or NAME=A:GUESS:B")
-        low, high = (parse(part) if part else None for part in (parts[0], parts[-1]))
-        guess = parse(parts[1]) if len(parts) == 3 and parts[1] else None
-        found[name] = low, guess, high
-    return found
+    return files, texts
 
 
 def _take_guesses(
@@ -230,30 +202,17 @@ def _take_guesses(
     states = structure_of(kernels).states
     starts = dict(zip(start_names(states, names), states, strict=True))
     for name, (_, guess, _) in free.items():
-        if name in known:
-            raise InputError(f"parameter {name} is given twice")
         if name in names and guess is not None:
             known[name] = guess
         elif name in starts and guess is not None:
             state[starts[name]] = guess
 
 
-def _texts(what: str, options: Sequence[str] | None) -> dict[str, str]:
-    """Texts by name, parsed from options ``NAME=TEXT``; `what` names the option in messages."""
-    found: dict[str, str] = {}
-    for text in split(options):
-        name, equals, value = (part.strip() for part in text.partition("="))
-        if not (name and equals and value):
-            raise InputError(f"{text!r} is not NAME={what.upper()}")
-        if name in found:
-            raise InputError(f"{what} {name} is given twice")
-        found[name] = value
-    return found
-
-
 def _events(options: Sequence[str] | None) -> dict[str, str]:
     """Name of the boundary by the column that holds its times; both agree where one is given."""
-    return _texts("event", [text if "=" in text else f"{text}={text}" for text in split(options)])
+    return texts_by_name(
+        "event", [text if "=" in text else f"{text}={text}" for text in split(options)]
+    )
 
 
 def _sigma(options: Sequence[str] | None) -> dict[str, float] | float | None:
@@ -264,14 +223,14 @@ def _sigma(options: Sequence[str] | None) -> dict[str, float] | float | None:
         return None
     if len(texts) == 1 and "=" not in texts[0]:
         return float(parse(texts[0]))
-    return {name: float(parse(value)) for name, value in _texts("sigma", texts).items()}
+    return {name: float(parse(value)) for name, value in texts_by_name("sigma", texts).items()}
 
 
 def _priors(options: Sequence[str] | None) -> dict[str, tuple[Any, Any]]:
     from nonsmooth.runtime.core.values import parse
 
     found = {}
-    for name, text in _texts("prior", options).items():
+    for name, text in texts_by_name("prior", split(options)).items():
         parts = _PRIOR.fullmatch(text)
         if parts is None:
             raise InputError(f"the prior {name}={text} is not NAME=MEAN+-SIGMA")

@@ -1,13 +1,7 @@
-"""What long commands keep: files that are not replaced unasked, and work that was interrupted.
-
-The rule of all commands that may run for long (find, sweep, continue, certify): `--save` begins
-a new file and replaces one only with `--overwrite`. What costs seconds (an orbit, a motion, a
-picture) replaces what is there; a chart's folder is gone on with.
-"""
+"""Work that Ctrl-C interrupts: what is kept of it, and which command goes on."""
 
 from __future__ import annotations
 
-import os
 import shlex
 import signal
 import sys
@@ -17,18 +11,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
-from typing import Annotated, Any
-
-import typer
+from typing import Any
 
 from nonsmooth.runtime.cli.resuming import command_to_resume
-from nonsmooth.runtime.core.errors import InputError, Interrupted, one_line
-from nonsmooth.runtime.core.files import check_target
+from nonsmooth.runtime.core.errors import Interrupted, one_line
 
 __all__ = [
     "INTERRUPTED",
-    "Overwrite",
-    "check_new",
     "heed_interrupts",
     "heeding",
     "interrupted",
@@ -41,30 +30,6 @@ __all__ = [
 INTERRUPTED = 130  # exit code
 _LONGEST_COMMAND = 100_000  # characters
 _HASTE = 5.0  # seconds for which more of Ctrl-C is part of the first
-
-Overwrite = Annotated[
-    bool, typer.Option("--overwrite", help="Replace the file of --save if it is there already.")
-]
-
-
-def check_new(
-    path: Path | None, overwrite: bool, resume: Path | None = None, *, resumes: bool = False
-) -> None:
-    """Refuse a file that cannot be written, or that exists and may not be replaced.
-
-    `overwrite` allows replacing it; the file `resume`, which the command goes on with, may
-    be written anyway. `resumes` says whether the message should offer `--resume`.
-    InputError is raised also for `overwrite` without a file.
-    """
-    if path is None:
-        if overwrite:
-            raise InputError("--overwrite is for the file of --save, which is missing")
-        return
-    check_target(path)
-    resumed = resume is not None and os.path.realpath(path) == os.path.realpath(resume)
-    if path.exists() and not (overwrite or resumed):
-        goes_on = f"--resume {path} goes on with it, " if resumes else ""
-        raise InputError(f"{path} is there already: {goes_on}--overwrite replaces it")
 
 
 def worked(work: Callable[[], Any]) -> tuple[Any, bool]:

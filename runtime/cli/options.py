@@ -5,86 +5,50 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
+from nonsmooth.runtime.cli.completion import (
+    complete_assignments,
+    complete_files,
+    complete_orbits,
+    complete_systems,
+)
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import HOURS
-from nonsmooth.runtime.present.pictures.kinds import KINDS
 
 __all__ = [
-    "PICTURES",
-    "AsJson",
-    "Assignments",
+    "KEPT",
+    "Beyond",
+    "Check",
+    "Configuration",
     "Derivatives",
     "Digits",
-    "Format",
-    "Frequency",
-    "FrequencyIn",
-    "Given",
     "Guess",
-    "Kind",
     "OrbitName",
     "Over",
+    "Parameters",
     "Physical",
     "Plot",
+    "Proven",
     "Quantity",
     "Require",
+    "RequireProof",
     "RequiredVerdict",
     "Resume",
     "Save",
-    "SaveResult",
+    "Seed",
     "Start",
     "SystemName",
-    "Unknown",
+    "Tiles",
     "Workers",
     "Yes",
-    "known_orbits",
-    "known_systems",
     "missing_start",
+    "parameters_as",
 ]
 
-
-PICTURES = (".png", ".svg", ".pdf")  # endings of files
-
-
-class Frequency(StrEnum):
-    """The unit in which frequencies are drawn."""
-
-    ANGULAR = "angular"
-    CYCLES = "cycles"
-
-
-class Format(StrEnum):
-    """The formats that `equations` writes."""
-
-    LATEX = "latex"
-    MARKDOWN = "markdown"
-    HTML = "html"
-    PDF = "pdf"
-
-
-class DocumentPart(StrEnum):
-    """The parts of a document that `equations` writes alone."""
-
-    FLOWS = "flows"
-    EQUATIONS = "equations"
-    MAP = "map"
-    TRACE = "trace"
-
-
-# What `plot` draws. Typer wants an enumeration; mypy wants its names written out, which are
-# those of `present.pictures.kinds`, where a new kind is added.
-Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]  # as above
-
-
-class RefiningArithmetic(StrEnum):
-    """The arithmetics that refine an orbit."""
-
-    FLINT = "flint"
-    MPMATH = "mpmath"
-    BOTH = "both"
+KEPT = "Keep and show"
 
 
 class RequiredVerdict(StrEnum):
@@ -94,77 +58,60 @@ class RequiredVerdict(StrEnum):
     ADMISSIBLE = "admissible"
 
 
-def known_orbits(incomplete: str) -> list[str]:
-    """Names of built-in orbits that begin with a text, for the completion of a shell.
+class Proven(StrEnum):
+    """The verdict that `--require` can demand of a proof."""
 
-    A shell completes names of files by itself.
-    """
-    from nonsmooth.runtime.model.kernels import orbit_names
-
-    return [name for name in orbit_names() if name.startswith(incomplete)]
-
-
-def known_systems(incomplete: str) -> list[str]:
-    """Names of built-in systems that begin with a text, for the completion of a shell."""
-    from nonsmooth.runtime.model.kernels import system_names
-
-    return [name for name in system_names() if name.startswith(incomplete)]
+    PROVED = "proved"
 
 
 OrbitName = Annotated[
     str,
     typer.Argument(
-        autocompletion=known_orbits,
+        autocompletion=complete_orbits,
         metavar="SYSTEM/ORBIT",
-        help="An orbit that `nonsmooth list` shows, or your own: FILE.py:ORBIT, or DIR:ORBIT"
-        " of a folder that `nonsmooth generate` wrote; or one of a file: FILE.json:N, the N-th"
-        " of `find --save`, or FILE.json of `solve --save` or `design --save`.",
+        help="An orbit that `nonsmooth list` shows; your own, FILE.py:ORBIT, or DIR:ORBIT of"
+        " `generate`; or a saved one, FILE.json, or FILE.json:N, the N-th of `find --save`.",
+        show_default=False,
     ),
 ]
 SystemName = Annotated[
     str,
     typer.Argument(
-        autocompletion=known_systems,
+        autocompletion=complete_systems,
         metavar="SYSTEM",
-        help="A system that `nonsmooth list` shows, or your own: a FILE.py that defines `system`,"
-        " or a folder that `nonsmooth generate` wrote.",
-    ),
-]
-Physical = Annotated[
-    list[str] | None,
-    typer.Argument(
-        metavar="NAME=VALUE",
-        help="All physical parameters: chi=1/2 eta=1 V=1 us1=1 ...",
-        show_default=False,
-    ),
-]
-Assignments = Annotated[
-    list[str] | None,
-    typer.Argument(
-        metavar="NAME=VALUE",
-        help="Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults"
-        " (docs/parameters.md); those of an orbit in a file are in the file.",
-        show_default=False,
-    ),
-]
-Derivatives = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="NAME,...",
-        help="Differentiate unknowns, period, trace, determinant and spectral radius by these"
-        " given numbers.",
+        help="A system that `nonsmooth list` shows; or your own, a FILE.py that defines `system`,"
+        " or a folder of `generate`.",
         show_default=False,
     ),
 ]
 
-Unknown = Annotated[
+
+def parameters_as(metavar: str, told: str) -> Any:
+    """The argument of parameters, whose names are completed, with what a command says of it."""
+    return typer.Argument(
+        autocompletion=complete_assignments, metavar=metavar, help=told, show_default=False
+    )
+
+
+Parameters = Annotated[
     list[str] | None,
-    typer.Option("--unknown", metavar="NAME,...", help="Parameters to be solved for."),
+    parameters_as(
+        "NAME=VALUE",
+        "Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults"
+        " (docs/parameters.md); those of an orbit in a file are in the file.",
+    ),
 ]
-Given = Annotated[
+Physical = Annotated[
+    list[str] | None,
+    parameters_as("NAME=VALUE", "All physical parameters: chi=1/2 eta=1 V=1 us1=1 ..."),
+]
+Derivatives = Annotated[
     list[str] | None,
     typer.Option(
-        "--given", metavar="NAME=VALUE,...", help="Unknowns that are given in their place."
+        "--derivatives",
+        metavar="NAME,...",
+        help="Differentiate all that is told by these given numbers; of a motion also by its"
+        " starts (x10), or by `all`.",
     ),
 ]
 Guess = Annotated[
@@ -175,29 +122,14 @@ Require = Annotated[
     list[RequiredVerdict] | None,
     typer.Option("--require", help="Exit with 3 unless the orbit is so; may be repeated."),
 ]
+RequireProof = Annotated[
+    Proven | None, typer.Option("--require", help="Exit with 3 unless every claim is proved.")
+]
 Digits = Annotated[
     int,
     typer.Option(
         "--digits", metavar="N", help="The error of a number x is at most 10^-N max(1, |x|)."
     ),
-]
-Save = Annotated[
-    Path | None,
-    typer.Option("--save", metavar="FILE", help="Save the orbit with all its digits, as JSON."),
-]
-SaveResult = Annotated[
-    Path | None, typer.Option("--save", metavar="FILE", help="Save all of it as JSON.")
-]
-Resume = Annotated[
-    Path | None,
-    typer.Option(
-        "--resume",
-        metavar="FILE",
-        help="Go on with what --save wrote: the file holds the question, and keeps the answer.",
-    ),
-]
-Plot = Annotated[
-    Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
 ]
 Quantity = Annotated[
     list[str] | None,
@@ -208,10 +140,6 @@ Quantity = Annotated[
         " x, or an unknown. Of a forced system by default the amplitude of each coordinate, else"
         " the period.",
     ),
-]
-FrequencyIn = Annotated[
-    Frequency | None,
-    typer.Option("--frequency", help="Frequencies in radians (as by default) or cycles."),
 ]
 Over = Annotated[
     str | None,
@@ -225,8 +153,31 @@ Start = Annotated[
     list[str] | None,
     typer.Option("--from", metavar="NAME=VALUE,...", help="The start: all states but a forcing's."),
 ]
+Configuration = Annotated[
+    str | None,
+    typer.Option(
+        "--in", metavar="NAME", help="The configuration it starts in; found if not given."
+    ),
+]
+Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Of what is random.")]
+Beyond = Annotated[
+    bool,
+    typer.Option("--beyond", help="Also the itineraries beyond each border collision."),
+]
+Check = Annotated[
+    bool, typer.Option("--check", help="Write nothing; exit with 1 if a file differs.")
+]
+Tiles = Annotated[
+    int, typer.Option("--tiles", metavar="N", help="At most so many are looked at in all.")
+]
 Workers = Annotated[
-    int, typer.Option("--workers", min=1, metavar="N", help="Processes that share the work.")
+    int | None,
+    typer.Option(
+        "--workers",
+        min=1,
+        metavar="N",
+        help="How many share the work.",
+    ),
 ]
 Yes = Annotated[
     bool,
@@ -235,8 +186,30 @@ Yes = Annotated[
         help=f"Begin even what is estimated to take this machine over {HOURS:g} hours.",
     ),
 ]
-AsJson = Annotated[
-    bool, typer.Option("--json", help="One JSON document on stdout, numbers as decimal strings.")
+Save = Annotated[
+    Path | None,
+    typer.Option(
+        "--save",
+        metavar="FILE",
+        help="Save all of it with all its digits, as JSON.",
+        rich_help_panel=KEPT,
+    ),
+]
+Resume = Annotated[
+    Path | None,
+    typer.Option(
+        "--resume",
+        metavar="FILE",
+        help="Go on with what --save wrote: the file holds the question, and keeps the answer.",
+        autocompletion=complete_files,
+        rich_help_panel=KEPT,
+    ),
+]
+Plot = Annotated[
+    Path | None,
+    typer.Option(
+        "--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.", rich_help_panel=KEPT
+    ),
 ]
 
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import functools
 import inspect
 import shlex
-from collections.abc import Callable, Mapping
-from contextlib import nullcontext
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, nullcontext
 from contextvars import ContextVar
 from enum import Enum
 from pathlib import Path
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.model.kernels import OrbitKernels
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["command_to_resume", "hold", "resumable"]
+__all__ = ["Request", "command_to_resume", "hold"]
 
 _FILES = {"save", "resume", "overwrite"}
 _TARGETS = {"orbit": "an orbit", "system": "a system"}
@@ -31,7 +30,7 @@ _HOLDERS = ("orbit", "events", "branches")  # entries whose parts hold a system,
 class _Running(NamedTuple):
     """The running command line, and what the files that it writes state of it."""
 
-    words: tuple[str, ...]  # command, then the options that are not part of the question
+    beside: list[str]  # options that are not part of the question
     request: dict[str, Any]  # command and options, as files hold them
 
 
@@ -45,68 +44,63 @@ class _Held(NamedTuple):
 _RUNNING: ContextVar[_Running] = ContextVar("the command that is running")
 
 
-def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], Callable[..., int]]:
-    """A decorator that lets a command go on with `--resume FILE` alone.
+class Request:
+    """What a command asks: some of its parameters, which a file states that it writes.
 
-    Its files state the question: the parameters of the command named in `question`. Those
-    may be repeated beside the file only if they are the same; those named in `anew`, which
-    say how much is done, may change. The decorated command returns an exit code and, for
-    Typer, has no required arguments any more.
+    `asked` names those that may be repeated beside the file only if they are the same, `anew`
+    those that say how much is done and may change; `declared` are all of the command.
     """
-    asked_names, stated_names = question.split(), [*question.split(), *anew.split()]
 
-    def over(command: Callable[..., int]) -> Callable[..., int]:
-        declared = inspect.signature(command, eval_str=True).parameters
-        needed = [name for name, each in declared.items() if each.default is each.empty]
-        kinds = {name: declared[name].annotation for name in stated_names}
-
-        @functools.wraps(command)
-        def run(context: typer.Context, **options: Any) -> int:
-            from nonsmooth.runtime.core.result_files import stating
-            from nonsmooth.runtime.model.kernels import standing_for
-
-            given, held, orbit = _given(context), dict[str, str](), None
-            if options["resume"] is not None:
-                given = _placed(given, options)
-                asked, held, orbit = _resumed(context, options, given & {*asked_names}, kinds)
-                options |= {n: x for n, x in asked.items() if n in asked_names or n not in given}
-                options["save"] = options["save"] or options["resume"]
-            for name in needed:
-                if options[name] is None:
-                    raise InputError(f"{_TARGETS[name]} is missing, or --resume FILE")
-            stated = {n: _written(options[n]) for n in stated_names if _is_there(options[n])}
-            beside = _words(context, options, given & options.keys() - {*stated_names} - _FILES)
-            request = {"command": context.command.name, "options": stated}
-            target: str = options.get("orbit") or ""
-            if orbit is None and options["save"] is not None:
-                orbit = _to_hold(target)
-            if orbit is not None:
-                request["orbit"] = orbit.content
-            at_hand = nullcontext() if orbit is None else standing_for(target, orbit.kernels)
-            token = _RUNNING.set(_Running((str(context.command.name), *beside), request))
-            options |= held
-            try:
-                with stating(request), at_hand:
-                    return command(**options)
-            finally:
-                _RUNNING.reset(token)
-
-        parameters = [
-            each.replace(default=None) if name in needed else each
+    def __init__(
+        self, asked: list[str], anew: list[str], declared: Mapping[str, inspect.Parameter]
+    ) -> None:
+        self._asked, self._stated = asked, [*asked, *anew]
+        self._needed = [name for name, each in declared.items() if each.default is each.empty]
+        self._kinds = {name: declared[name].annotation for name in self._stated}
+        self.parameters = [
+            each.replace(default=None) if name in self._needed else each
             for name, each in declared.items()
         ]
-        own = inspect.Parameter("context", inspect.Parameter.KEYWORD_ONLY, annotation=typer.Context)
-        # Typer reads the options of a function from this, which typeshed gives to no function
-        run.__signature__ = inspect.Signature([*parameters, own])  # type: ignore[attr-defined]
-        return run
 
-    return over
+    @contextmanager
+    def put(self, context: typer.Context, options: dict[str, Any]) -> Iterator[None]:
+        """Take from the file of --resume what is not given, and let files state the question."""
+        from nonsmooth.runtime.core.result_files import stating
+        from nonsmooth.runtime.model.kernels import standing_for
+
+        given, held, orbit = _given(context), dict[str, str](), None
+        if options["resume"] is not None:
+            given = _placed(given, options)
+            repeated = given & {*self._asked}
+            asked, held, orbit = _resumed(context, options, repeated, self._kinds)
+            options |= {n: x for n, x in asked.items() if n in self._asked or n not in given}
+            options["save"] = options["save"] or options["resume"]
+        for name in self._needed:
+            if options[name] is None:
+                raise InputError(f"{_TARGETS[name]} is missing, or --resume FILE")
+        stated = {n: _written(options[n]) for n in self._stated if _is_there(options[n])}
+        beside = _words(context, options, given & options.keys() - {*self._stated} - _FILES)
+        request = {"command": _name(context), "options": stated}
+        target: str = options.get("orbit") or ""
+        if orbit is None and options["save"] is not None:
+            orbit = _to_hold(target)
+        if orbit is not None:
+            request["orbit"] = orbit.content
+        at_hand = nullcontext() if orbit is None else standing_for(target, orbit.kernels)
+        token = _RUNNING.set(_Running(beside, request))
+        options |= held
+        try:
+            with stating(request), at_hand:
+                yield
+        finally:
+            _RUNNING.reset(token)
 
 
 def command_to_resume(path: Path) -> str:
     """The command line, quoted for a shell, that goes on with a file of the running command."""
-    name, *beside = _RUNNING.get().words
-    return shlex.join(["nonsmooth", name, "--resume", str(path), *beside])
+    running = _RUNNING.get()
+    name = running.request["command"].split()
+    return shlex.join(["nonsmooth", *name, "--resume", str(path), *running.beside])
 
 
 def hold(orbit: Orbit) -> None:
@@ -136,6 +130,13 @@ def _as_held(content: Any, name: str) -> _Held:
     from nonsmooth.runtime.present.files.named_entries import held_kernels
 
     return _Held(content, held_kernels(content, name))
+
+
+def _name(context: typer.Context) -> str:
+    """The words that name the running command, such as ``certify box``."""
+    name = str(context.command.name)
+    above = context.parent
+    return f"{above.command.name} {name}" if above is not None and above.parent else name
 
 
 def _given(context: typer.Context) -> set[str]:
@@ -192,7 +193,7 @@ def _resumed(
             if not given & _TARGETS.keys():
                 raise InputError("it does not hold its question: name that too")
             return {}, {}, None
-        if request["command"] != context.command.name:
+        if request["command"] != _name(context):
             raise InputError(f"`nonsmooth {request['command']}` wrote it")
         asked = {name: _read(name, kinds[name], x) for name, x in request["options"].items()}
         _check_same(context, {name: options[name] for name in given}, asked)

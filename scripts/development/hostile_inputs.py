@@ -15,6 +15,7 @@ from typing import Any
 from hostile_files import DATA, ORBIT, declaration_names
 
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.cli.proofs.certifying import certifying
 
 __all__ = ["Case", "Option", "cases", "options_of"]
 
@@ -67,14 +68,16 @@ BASES: Mapping[str, Sequence[Sequence[str]]] = {
     "reproduce": [["--out", "mine.py"]],
     "regenerate": [["no-system", "--out", "kernels"]],
     "generate": [["mine.py", "--out", "kernels"]],
-    "certify": [[ORBIT, "eta=0.98"], [ORBIT, "V=0.99:1.01", "--tiles", "2"],
-                [ORBIT, "--all", "tau=0:1", "tau1=0:1"], ["--check", "certificate.json"],
-                ["--check", "map.json"], ["--check", "census.json"],
-                [ORBIT, "V=0.99:1.01", "--events", "--save", "out.json"],
-                [ORBIT, "V=0.99:1.01", "eta=0.99:1.01", "--tiles", "2", "--resume", "map.json"]],
+    "certify orbit": [[ORBIT, "eta=0.98"]],
+    "certify box": [[ORBIT, "V=0.99:1.01", "--tiles", "2"],
+                    [ORBIT, "V=0.99:1.01", "eta=1:1.01", "--tiles", "2", "--resume", "map.json"]],
+    "certify branch": [[ORBIT, "V=0.99:1.01", "--tiles", "1"]],
+    "certify event": [[ORBIT, "V=0.99:1.01", "--save", "out.json"]],
+    "certify all": [[ORBIT, "tau=0:1", "tau1=0:1"]],
+    "certify check": [["certificate.json"], ["map.json"], ["census.json"]],
     "chart": [[ORBIT, "V=0.9:1.1:3", "eta=0.9:1.1:2", "--out", "out.zarr"],
-              [ORBIT, "V=0.9:1.1:3", "--chunk", "1", "--threads", "1", "--out", "chart.zarr"],
-              ["dry-friction", "--simulate", "V=0.9:1.1:3", *POINT, *FROM, "--transitions", "300",
+              [ORBIT, "V=0.9:1.1:3", "--chunk", "1", "--workers", "1", "--out", "chart.zarr"],
+              ["dry-friction", "V=0.9:1.1:3", *POINT, *FROM, "--transitions", "300",
                "--out", "out.zarr"]],
     "continue": [[ORBIT, "V=0.99:1.01", "--save", "out.json", "--points", "20"],
                  [ORBIT, "V=0.99:1.01", "--resume", "branch.json", "--points", "5"],
@@ -83,14 +86,17 @@ BASES: Mapping[str, Sequence[Sequence[str]]] = {
                  ["dry-friction", "V=1", *POINT, *FROM, "--until", "20", "--observe"],
                  ["mine.py", "k=1", "r=1/2", "--from", "x=0,v=1", "--transitions", "5", "--prove"]],
     "find": [["dry-friction", "V=1", *POINT, "--starts", "4", "--transitions", "300"],
-             ["mine.py", "k=1", "r=1/2", "--starts", "4", "--box", "x=-1:1", "--save", "out.json"]],
+             ["mine.py", "k=1", "r=1/2", "--starts", "4", "x=-1:1", "--save", "out.json"]],
     "sweep": [["dry-friction", "V=0.9:1.1:3", *POINT, *FROM, "--quantity", "x1",
                "--at", "stick-stick", "--transient", "20", "--samples", "6", "--save", "out.json"],
               ["dry-friction", "V=0.9:1:2", *POINT, *FROM, "--quantity", "x1",
                "--at", "stick-stick", "--transient", "20", "--samples", "6",
                "--resume", "sweep.json"]],
 }  # fmt: skip
-_RARE = {"reproduce": 1, "regenerate": 1, "equations": 2, "list": 3}  # of the others 6
+_RARE = {  # of the others 6
+    **{"reproduce": 1, "regenerate": 1, "equations": 2, "list": 3},
+    **dict.fromkeys((name for name in BASES if name.startswith("certify")), 2),
+}
 
 
 @dataclass(frozen=True)
@@ -113,9 +119,10 @@ class Case:
 def options_of() -> dict[str, list[Option]]:
     """Options of each command, from the declarations that Typer is given."""
     found: dict[str, list[Option]] = {}
-    for command in app.registered_commands:
+    named = [(f"{command.name}", command) for command in app.registered_commands]
+    named += [(f"certify {command.name}", command) for command in certifying.registered_commands]
+    for name, command in named:
         assert command.callback is not None
-        name = command.name or command.callback.__name__
         found[name] = []
         for parameter in inspect.signature(command.callback).parameters.values():
             if not typing.get_args(parameter.annotation):
@@ -141,7 +148,7 @@ def _kind(flag: str, made: Any, metavar: str) -> str:
         if each is float:
             return "number"
         if each is Path:
-            return "read" if flag in ("--resume", "--check") else "written"
+            return "read" if flag == "--resume" else "written"
         if isinstance(each, type) and issubclass(each, enum.Enum):
             return "choice"
     if ":" in metavar and "=" in metavar:
@@ -185,7 +192,7 @@ def _case(
             words[place : place + 1] = [words[place]] * draw.choice((0, 2))
     if draw.random() < 0.2:
         words.append("--json")
-    return Case((command, *words), tuple(damaged), number)
+    return Case((*command.split(), *words), tuple(damaged), number)
 
 
 def _replace(words: list[str], kinds: Mapping[str, str], draw: random.Random) -> None:

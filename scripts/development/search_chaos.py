@@ -3,7 +3,7 @@
     python scripts/development/search_chaos.py [POINTS]
 
 Prints the points whose largest exponent lies above 0.01 and above three standard errors, those of
-the largest first: `nonsmooth chaos` takes them. docs/how_to/chaos.md tells what was found.
+the largest first: `nonsmooth certify chaos` takes them. docs/how_to/chaos.md tells what was found.
 """
 
 import argparse

@@ -445,12 +445,12 @@ def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
 def test_the_command_checks_maps(tmp_path: Path) -> None:
     content = json.loads(written("rigid"))
     path = saved(content, tmp_path / "map.json")
-    told = CliRunner().invoke(app, ["certify", "--check", str(path)])
+    told = CliRunner().invoke(app, ["certify", "check", str(path)])
     assert told.exit_code == 0, told.output
     assert "every claim holds" in told.output
     moved(content["tiles"][0]["enclosures"]["period"], Fraction(3))
     totalled(content)
-    told = CliRunner().invoke(app, ["certify", "--check", str(saved(content, path)), "--json"])
+    told = CliRunner().invoke(app, ["certify", "check", str(saved(content, path)), "--json"])
     assert told.exit_code == 1
     assert "period is not in its enclosure" in told.output
 

@@ -135,7 +135,7 @@ def test_what_is_false_is_refused(
 
 def test_the_command_says_what_was_proved_again(content: dict[str, Any], tmp_path: Path) -> None:
     assert checked(content, tmp_path).difference is None
-    result = CliRunner().invoke(app, ["certify", "--check", str(tmp_path / "changed.json")])
+    result = CliRunner().invoke(app, ["certify", "check", str(tmp_path / "changed.json")])
     assert result.exit_code == 0
     told = " ".join(result.stdout.split())
     assert "at least 2 orbits" in told
@@ -143,7 +143,7 @@ def test_the_command_says_what_was_proved_again(content: dict[str, Any], tmp_pat
     assert "no other orbits was NOT proved again" in told
     content["orbits"][0]["certificate"]["enclosures"]["trace"]["mid"] = "0.5"
     checked(content, tmp_path)
-    result = CliRunner().invoke(app, ["certify", "--check", str(tmp_path / "changed.json")])
+    result = CliRunner().invoke(app, ["certify", "check", str(tmp_path / "changed.json")])
     assert result.exit_code == 1
     assert "orbit 1: trace" in result.stderr
 

@@ -424,7 +424,7 @@ def test_parameters_without_chaos_are_refused(written, tmp_path):
 def test_the_command(rated, tmp_path, monkeypatch):
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 100)
     runner = CliRunner()
-    words = ["chaos", str(FOLDED), "r=2.9", "c=0.8"]
+    words = ["certify", "chaos", str(FOLDED), "r=2.9", "c=0.8"]
     target = tmp_path / "command.json"
     more = [*("--from", "x=0,v=0.4637", "--iterates", "1", "--save", str(target), "--json")]
     told = runner.invoke(app, [*words, *more])
@@ -434,7 +434,7 @@ def test_the_command(rated, tmp_path, monkeypatch):
     assert answer["cones"] is None
     assert ns.load(target).entropy == answer["entropy"]
     stated = json.loads(rated.read_text())
-    told = runner.invoke(app, ["certify", "--check", str(rated), "--require", "proved"])
+    told = runner.invoke(app, ["certify", "check", str(rated), "--require", "proved"])
     assert told.exit_code == 0
     assert f"entropy: at least {stated['entropy']}" in told.stdout
     assert f"exponents: at least {stated['cones']['exponent']}" in told.stdout
@@ -445,7 +445,7 @@ def test_the_command(rated, tmp_path, monkeypatch):
 
 def test_the_command_where_there_is_no_chaos(tmp_path):
     calm = {**FRICTION_DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
-    words = ["chaos", "dry-friction", *(f"{name}={text}" for name, text in calm.items())]
+    words = ["certify", "chaos", "dry-friction", *(f"{name}={text}" for name, text in calm.items())]
     words += ["--iterates", "1", "--from", "x1=1,x2=1.2,v1=0.1,v2=0.1"]
     picture = tmp_path / "no.png"
     words += ["--exponents", "--plot", str(picture)]
@@ -473,7 +473,12 @@ def test_what_is_proved_when_exponents_are_interrupted_is_kept(tmp_path, monkeyp
 
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.certify_chaos", ended)
     target = tmp_path / "part.json"
-    words = ["chaos", str(FOLDED), *(f"{name}={text}" for name, text in FOLDED_DATA.items())]
+    words = [
+        "certify",
+        "chaos",
+        str(FOLDED),
+        *(f"{name}={text}" for name, text in FOLDED_DATA.items()),
+    ]
     words += ["--from", "x=0,v=0.4637", "--exponents", "--save", str(target)]
     told = CliRunner().invoke(app, words)
     assert told.exit_code == 130

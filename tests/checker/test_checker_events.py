@@ -432,17 +432,17 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
 def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:
     path = tmp_path / "events.json"
     runner = CliRunner()
-    arguments = ["certify", SYMMETRIC, "V=0.6:1.3", "--events", "--save", str(path)]
+    arguments = ["certify", "event", SYMMETRIC, "V=0.6:1.3", "--save", str(path)]
     told = runner.invoke(app, arguments)
     assert told.exit_code == 0, told.output
     assert "written" in told.output
-    told = runner.invoke(app, ["certify", "--check", str(path), "--require", "proved"])
+    told = runner.invoke(app, ["certify", "check", str(path), "--require", "proved"])
     assert told.exit_code == 0, told.output
     assert "every claim holds" in told.output
     content = json.loads(path.read_text())
     moved(content["events"][1]["enclosures"]["V"], Fraction(3))
     saved(content, path)
-    told = runner.invoke(app, ["certify", "--check", str(path), "--json"])
+    told = runner.invoke(app, ["certify", "check", str(path), "--json"])
     assert told.exit_code == 1
     assert "event 2, flip: V is not in its enclosure" in told.output
     nowhere = str(tmp_path)

@@ -5,11 +5,22 @@ from __future__ import annotations
 import io
 import sys
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
+from typer.main import get_command
 
 from nonsmooth.runtime.cli.program import app
+
+
+def all_commands() -> dict[str, Any]:
+    """The commands by their words, subcommands in place of the command that has them."""
+    group: Any = get_command(app)
+    return {
+        " ".join(filter(None, (name, own))): each
+        for name, command in group.commands.items()
+        for own, each in getattr(command, "commands", {"": command}).items()
+    }
 
 
 class Terminal(io.StringIO):

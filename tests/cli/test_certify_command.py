@@ -48,20 +48,16 @@ def test_people_see_claims_reasons_and_margins() -> None:
         (["dry-friction/solution-ii"], 1, ""),
         (["dry-friction/solution-ii", "--require", "proved"], 3, "existence undecided"),
         ([STICK, "--require", "proved"], 0, ""),
-        ([], 2, "an orbit is missing"),
-        ([STICK, "--digits", "0"], 2, "digits = 0"),
-        ([STICK, "--bits", "3"], 2, "bits = 3"),
-        ([STICK, "--bits", "128", "--digits", "30"], 2, "--digits and --bits"),
+        (["orbit"], 2, "missing argument"),
+        (["bx", STICK], 2, "Did you mean 'box'"),
+        ([STICK, "--digits", "0"], 2, "greater than or equal to 1"),
         ([STICK, "eta=0"], 2, "eta"),
         ([STICK, "etta=1"], 2, "did you mean"),
         ([STICK, "--derivatives", "W"], 2, "unknown given parameter 'W'"),
         ([STICK, "--derivatives", "us1"], 2, "unknown given parameter 'us1'"),
         ([STICK, "--derivatives", ""], 2, "--derivatives: no parameter is named"),
-        ([STICK, "V=0.99:1.01", "--derivatives", "eta"], 2, "one orbit, at one point"),
-        ([STICK, "V=0.99:1.01", "--events", "--derivatives", "eta"], 2, "one orbit, at one point"),
-        (["--check", "x.json", "--derivatives", "eta"], 2, "--check takes a file"),
-        ([STICK, "--check", "x.json"], 2, "cannot be read"),
-        (["--check", "nowhere.json"], 2, "nowhere.json"),
+        ([STICK, "V=0.99:1.01"], 2, "`certify box`"),
+        (["check", "nowhere.json"], 2, "nowhere.json"),
         ([STICK, "--save", "."], 2, "it is a folder"),
     ],
 )
@@ -70,6 +66,18 @@ def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
     assert found == code
     assert told in err
     assert len(err.splitlines()) == bool(told)
+
+
+def test_an_orbit_is_certified_with_and_without_the_subcommand() -> None:
+    short, long = (certify(*words, STICK, "--json") for words in ((), ("orbit",)))
+    assert short == long
+    assert short.code == 0
+
+
+def test_without_an_orbit_the_help_is_shown() -> None:
+    code, out, _ = certify()
+    assert code == 2
+    assert "doubling" in out
 
 
 def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
@@ -87,8 +95,8 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
     code, shown, _ = certify(STICK, *by)
     assert code == 0
     assert "derivative" in shown
-    assert "with e1 by 1 moves: ur1 by 1" in shown
-    code, again, _ = certify("--check", str(path))
+    assert "with e1 by 1 moves ur1 by 1" in shown
+    code, again, _ = certify("check", str(path))
     assert code == 0
     rows = [line.split() for line in shown.splitlines() if line.strip().startswith("tau1 ")]
     assert rows
@@ -115,10 +123,10 @@ def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
     code, out, _ = certify(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
     assert code == 0
     assert f"{path} written" in out
-    code, out, err = certify("--check", str(path))
+    code, out, err = certify("check", str(path))
     assert (code, err) == (0, "")
     assert "every claim holds" in out
-    code, out, _ = certify("--check", str(path), "--json", "--require", "proved")
+    code, out, _ = certify("check", str(path), "--json", "--require", "proved")
     assert code == 0
     assert json.loads(out)["same"] is True
 
@@ -127,10 +135,10 @@ def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     ns.certify(ns.solve(STICK)).save(path)
     path.write_text(path.read_text().replace('"bits": 128', '"bits": 129', 1))
-    code, out, err = certify("--check", str(path))
+    code, out, err = certify("check", str(path))
     assert (code, out) == (1, "")
     assert "the checksum differs" in err
-    code, out, _ = certify("--check", str(path), "--json")
+    code, out, _ = certify("check", str(path), "--json")
     assert code == 1
     assert json.loads(out)["same"] is False
 
@@ -139,7 +147,7 @@ def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
 def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     path, picture = tmp_path / "map.json", tmp_path / "map.png"
-    box = ("dry-friction/symmetric", "V=0.6:1.3")
+    box = ("box", "dry-friction/symmetric", "V=0.6:1.3")
     code, out, err = certify(*box, "--tiles", "5", "--save", str(path), "--json")
     assert (code, err) == (1, "")  # more than one percent is undecided
     told = json.loads(out)
@@ -149,7 +157,9 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     widths = [Fraction(high) - Fraction(low) for (low, high) in (x["V"] for x in told["undecided"])]
     assert float(sum(widths)) == pytest.approx(0.7 * told["shares"]["undecided"])
     assert float(told["enclosures"]["trace"]["rad"]) > 0
-    code, out, err = certify("--resume", str(path), "--tiles", "4000", "--plot", str(picture))
+    code, out, err = certify(
+        "box", "--resume", str(path), "--tiles", "4000", "--plot", str(picture)
+    )
     assert (code, err) == (0, "")
     assert "unstable" in out
     assert "not admissible" in out
@@ -165,7 +175,8 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     [
         ([STICK, "V=0.99:1.01", "--require", "proved"], 0, ""),
         (["dry-friction/symmetric", "V=0.7:0.71", "--require", "proved"], 3, "stability refuted"),
-        ([STICK, "V=0.99:1.01", "--digits", "30"], 2, "--digits and --bits"),
+        ([STICK, "V=0.99:1.01", "--digits", "30"], 2, "no such option"),
+        ([STICK, "V=1"], 2, "no parameter has a range"),
         ([STICK, "V=0.99:1.01:5"], 2, "NAME=A:B"),
         ([STICK, "V=1.01:0.99"], 2, "below the upper"),
         ([STICK, "V=0.99:sqrt(2)"], 2, "rational"),
@@ -173,22 +184,20 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
         ([STICK, "V=0.99:1.01", "V=0.9:1.1"], 2, "given twice"),
         ([STICK, "etta=0.99:1.01"], 2, "did you mean"),
         ([STICK, "V=30:50"], 1, "no "),
-        ([STICK, "V=0.9:1.1", "--all", "--events"], 2, "ask one of them"),
-        ([STICK, "V=1", "--plot", "x.png"], 2, "box of parameters"),
         ([STICK, "V=0.99:1.01", "--plot", "x.bmp"], 2, "x.bmp"),
         ([STICK, "V=0.99:1.01", "--tiles", "0"], 2, "tiles = 0"),
         ([STICK, "V=0.99:1.01", "--resume", "nowhere.json"], 2, "nowhere.json"),
     ],
 )
 def test_exit_codes_of_boxes(arguments: list[str], code: int, told: str) -> None:
-    found, _, err = certify(*arguments)
+    found, _, err = certify("box", *arguments)
     assert found == code, err
     assert told in err
 
 
 def test_events_over_a_range_are_enclosed() -> None:
     code, out, err = certify(
-        "dry-friction/symmetric", "V=0.6:1.3", "--events", "--digits", "40", "--json"
+        "event", "dry-friction/symmetric", "V=0.6:1.3", "--digits", "40", "--json"
     )
     assert (code, err) == (0, "")
     told = json.loads(out)
@@ -196,10 +205,10 @@ def test_events_over_a_range_are_enclosed() -> None:
     for event in told["events"]:
         assert event["claim"] == "proved"
         assert 0 < float(event["enclosures"]["V"]["rad"]) < 1e-38
-    code, out, _ = certify("rigid-stop/one-impact", "T=5.5:7.5", "--events")
+    code, out, _ = certify("event", "rigid-stop/one-impact", "T=5.5:7.5")
     assert code == 1
     assert "no regular root" in " ".join(out.split())
     for arguments in (["V=1"], ["V=0.9:1.1", "eta=0.9:1.1"]):
-        code, _, err = certify(STICK, *arguments, "--events")
+        code, _, err = certify("event", STICK, *arguments)
         assert code == 2
-        assert "one range" in err
+        assert "has to be a range" in err

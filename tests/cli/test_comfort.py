@@ -14,6 +14,7 @@ import pytest
 
 from tests.cli.test_cli import run, told
 from tests.places import GALLERY
+from tests.user_systems import declare
 
 COMMAND = Path(sys.executable).with_name("nonsmooth")
 BASH = shutil.which("bash")
@@ -46,6 +47,9 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A home folder in which the completion is installed."""
     folder = tmp_path_factory.mktemp("home")
     in_bash("nonsmooth --install-completion; true", folder)
+    declare(folder)
+    (folder / "kept.json").touch()
+    (folder / "kept.txt").touch()
     return folder
 
 
@@ -58,6 +62,15 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
         pytest.param("nonsmooth simulate rig", {"rigid-stop"}, marks=pytest.mark.slow),
         ("nonsmooth solve --unkn", {"--unknown"}),
         ("nonsmooth solve nowhere", set()),
+        ("nonsmooth certify dry-friction/g", {"dry-friction/global-stick"}),
+        ("nonsmooth certify dou", {"doubling"}),
+        ("nonsmooth certify check kep", {"kept.json"}),
+        pytest.param("nonsmooth plot kep", {"kept.json"}, marks=pytest.mark.slow),
+        ("nonsmooth solve dry-friction/global-stick us", {"us1=", "us2="}),
+        ("nonsmooth certify dry-friction/global-stick us1 = 1 us", {"us2="}),
+        pytest.param("nonsmooth sweep rigid-stop k", {"k1=", "k2="}, marks=pytest.mark.slow),
+        ("nonsmooth solve mi", {"mine.py"}),
+        ("nonsmooth solve mine.py : lo", {"loop"}),  # as bash breaks it
     ],
 )
 def test_bash_completes_after_the_installation(words, completed, home) -> None:

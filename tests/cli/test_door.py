@@ -74,7 +74,7 @@ def test_exceptions_that_cannot_be_shown_are_one_line(monkeypatch) -> None:
     assert "internal error: Silent; run again" in refused("solve", ORBIT, code=1)
 
 
-@pytest.mark.parametrize("command", ["solve", "list", "equations", "plot", "certify --check"])
+@pytest.mark.parametrize("command", ["solve", "list", "equations", "plot", "certify check"])
 @pytest.mark.parametrize("name", ["x" * 300, "x" * 5000 + ".py", "a\nb", "a\x1b[0m", "\udc80", "/"])
 def test_hostile_names_are_refused_in_one_line(command, name, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
@@ -131,18 +131,17 @@ def test_what_a_declaration_prints_is_on_stderr(tmp_path, capsys) -> None:
     ("command", "named"),
     [
         (f"{CHART} --transitions 300", "--transitions"),
-        (f"{CHART} --threads 1 --scheduler tcp://127.0.0.1:1", "--threads"),
+        (f"{CHART} --workers 1 --scheduler tcp://127.0.0.1:1", "--workers"),
         (f"{BRANCH} --quantity trace", "--quantity"),
         (f"{BRANCH} --over energy", "--over"),
-        (f"{BRANCH} --frequency cycles", "--frequency"),
         (f"{BRANCH} --plot a.png --quantity speed", "'speed'"),
         (f"{BRANCH} --plot a.png --over speed", "'speed'"),
         (f"{BRANCH} eta=0.9:1.1 --follow flip --plot a.png --quantity trace", "--quantity"),
         (f"{BRANCH} --overwrite", "--overwrite"),
         (f"certify {ORBIT} --overwrite", "--overwrite"),
         (f"certify {ORBIT} --tiles 3", "--tiles"),
-        ("certify --check a.json --tiles 3", "--check"),
-        ("certify --check a.json --overwrite", "--check"),
+        ("certify check a.json --tiles 3", "--tiles"),
+        ("certify box --branch", "--branch"),
         ("find dry-friction --overwrite", "--overwrite"),
     ],
 )

@@ -14,15 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.paper import writing
 from nonsmooth.runtime.proof.basin import certify_basin
 from nonsmooth.runtime.proof.chaos import certify_chaos
 from tests.certified import prove_basin
-from tests.cli.test_cli import run
+from tests.cli.test_cli import COMMANDS, run
 from tests.horseshoes import folded_horseshoe
 from tests.places import CHECKOUT
 from tests.shared import shared_file
@@ -39,11 +37,13 @@ FIT = (
 )
 DESIGN = "design dry-friction/symmetric V=2.6:2.8 --minimise spectral_radius"
 CHAOS = (
-    "chaos dry-friction chi=0.34 eta=2.88 V=1.23 us1=0.75 us2=1.19 ur1=2.04 ur2=1.83"
+    "certify chaos dry-friction chi=0.34 eta=2.88 V=1.23 us1=0.75 us2=1.19 ur1=2.04 ur2=1.83"
     " --from x1=1.93,x2=7.18,v1=1.18,v2=1.18"
 )
-GRAPH = f"{CHAOS.replace('chaos', 'graph')} --region x2=8:8.5 --boxes 8"
-BASIN = f"basin {ORBIT} us1=1 us2=1 ur1=4.0195 ur2=1.4831 --side 1 --tiles 10"
+REGION = f"{CHAOS.replace('chaos', 'region')} x2=8:8.5 --boxes 8"
+BRANCH = f"certify branch {ORBIT} V=0.99:1.01 --tiles 1"
+DOUBLING = "certify doubling dry-friction/symmetric V=1.07:1.09 --seconds 1e-6"
+BASIN = f"certify basin {ORBIT} us1=1 us2=1 ur1=4.0195 ur2=1.4831 --side 1 --tiles 10"
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -52,14 +52,21 @@ WRITERS = {
     ("plot", "--out"): "plot orbit.json --kind strip --out TARGET.png",
     ("reproduce", "--out"): "reproduce --out TARGET",
     ("regenerate", "--out"): "regenerate rigid-stop --out TARGET",
-    ("certify", "--save"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --save TARGET",
-    ("certify", "--plot"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --plot TARGET.png",
-    ("basin", "--save"): f"{BASIN} --save TARGET",
-    ("basin", "--plot"): f"{BASIN} --plot TARGET.png",
-    ("chaos", "--save"): f"{CHAOS} --save TARGET",
-    ("chaos", "--plot"): f"{CHAOS} --plot TARGET.png",
-    ("graph", "--save"): f"{GRAPH} --save TARGET",
-    ("graph", "--plot"): f"{GRAPH} --plot TARGET.png",
+    ("certify orbit", "--save"): f"certify {ORBIT} us1=1 us2=1 --save TARGET",
+    ("certify event", "--save"): f"certify event {ORBIT} V=0.99:1.01 --save TARGET",
+    ("certify all", "--save"): f"certify all {ORBIT} tau=1.99:2.01 tau1=1.56:1.57 --save TARGET",
+    ("certify box", "--save"): f"certify box {ORBIT} V=0.99:1.01 --tiles 1 --save TARGET",
+    ("certify box", "--plot"): f"certify box {ORBIT} V=0.99:1.01 --tiles 1 --plot TARGET.png",
+    ("certify branch", "--save"): f"{BRANCH} --save TARGET",
+    ("certify branch", "--plot"): f"{BRANCH} --plot TARGET.png",
+    ("certify doubling", "--save"): f"{DOUBLING} --save TARGET",
+    ("certify doubling", "--plot"): f"{DOUBLING} --plot TARGET.png",
+    ("certify basin", "--save"): f"{BASIN} --save TARGET",
+    ("certify basin", "--plot"): f"{BASIN} --plot TARGET.png",
+    ("certify chaos", "--save"): f"{CHAOS} --save TARGET",
+    ("certify chaos", "--plot"): f"{CHAOS} --plot TARGET.png",
+    ("certify region", "--save"): f"{REGION} --save TARGET",
+    ("certify region", "--plot"): f"{REGION} --plot TARGET.png",
     ("chart", "--out"): f"chart {ORBIT} V=0.99:1.01:2 --out TARGET",
     ("continue", "--plot"): f"continue {ORBIT} V=0.99:1.01 --plot TARGET.png",
     ("continue", "--save"): f"continue {ORBIT} V=0.99:1.01 --save TARGET",
@@ -67,8 +74,6 @@ WRITERS = {
     ("simulate", "--save"): f"simulate {FRICTION} {REST} --transitions 3 --save TARGET.npz",
     ("simulate", "--plot"): f"simulate {FRICTION} {REST} --transitions 3 --plot TARGET.png",
     ("find", "--save"): f"find {FRICTION} --starts 1 --transitions 30 --save TARGET",
-    ("find", "--plot"): f"find {FRICTION} --starts 1 --transitions 30"
-    " --basins x1=-1:1:2,v1=-1:1:2 --plot TARGET.png",
     ("design", "--save"): f"{DESIGN} --save TARGET",
     ("design", "--plot"): f"{DESIGN} --plot TARGET.png",
     ("fit", "--save"): f"{FIT} --save TARGET",
@@ -79,19 +84,27 @@ WRITERS = {
 FOLDERS = ("reproduce", "regenerate", "chart", "generate")
 FAULTED = (
     *(("equations", "--out"), ("solve", "--save"), ("plot", "--out"), ("reproduce", "--out")),
-    *(("certify", "--save"), ("chart", "--out"), ("continue", "--save"), ("generate", "--out")),
+    *(("certify box", "--save"), ("chart", "--out"), ("continue", "--save"), ("generate", "--out")),
     *(("find", "--save"), ("sweep", "--save")),
 )
-LONG = ("certify", "continue", "find", "sweep")  # what is done is kept before Ctrl-C is looked at
+LONG = (
+    "certify box",
+    "continue",
+    "find",
+    "sweep",
+)  # what is done is kept before Ctrl-C is looked at
 # a basin is many motions, and sets that cover each other are looked for along many
 SLOW_IN_PYTHON = {
-    *(("find", "--plot"), ("chaos", "--save"), ("chaos", "--plot")),
-    *(("graph", "--save"), ("graph", "--plot")),
+    *(
+        (f"certify {name}", option)
+        for name in ("chaos", "region")
+        for option in ("--save", "--plot")
+    ),
 }
 # what takes long to prove, and is proved once for many tests
 PROVED: dict[str, tuple[Any, Callable[[], Any]]] = {
-    "basin": (certify_basin, prove_basin),
-    "chaos": (certify_chaos, folded_horseshoe),
+    "certify basin": (certify_basin, prove_basin),
+    "certify chaos": (certify_chaos, folded_horseshoe),
 }
 each = pytest.mark.parametrize(
     "writer",
@@ -144,10 +157,9 @@ def place(
 
 def test_every_option_that_writes_is_here() -> None:
     """The list is made of what the commands declare."""
-    group: Any = typer.main.get_command(app)
     found = {
         (name, option.opts[0])
-        for name, command in group.commands.items()
+        for name, command in COMMANDS.items()
         for option in command.params
         if option.opts[0] in ("--out", "--save", "--plot")
     }
@@ -161,8 +173,9 @@ def test_folders_above_are_made_and_files_are_whole(
     """What stays was written under another name and moved: it is never there in part."""
     if writer[0] in PROVED:
         module, prove = PROVED[writer[0]]
-        proved = ns.load(shared_file(f"nonsmooth {writer[0]} certificate", prove))
-        monkeypatch.setattr(module, f"certify_{writer[0]}", lambda *_, **__: proved)
+        kind = writer[0].removeprefix("certify ")
+        proved = ns.load(shared_file(f"nonsmooth {kind} certificate", prove))
+        monkeypatch.setattr(module, f"certify_{kind}", lambda *_, **__: proved)
     target = place / "new" / "folder" / "target"
     code, _, err = run(*shlex.split(WRITERS[writer].replace("TARGET", str(target))))
     assert code in (0, 1), err  # one tile proves little
@@ -217,11 +230,11 @@ def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
 @pytest.mark.parametrize(
     "command",
     [
-        *(WRITERS[name, "--save"] for name in ("solve", "certify", "continue", "simulate")),
-        *(WRITERS[name, "--save"] for name in ("find", "fit", "sweep")),
-        f"certify {ORBIT} us1=1 us2=1 --save TARGET",
-        f"certify {ORBIT} V=0.99:1.01 --events --save TARGET",
-        f"certify {ORBIT} --all tau=1.99:2.01 tau1=1.56:1.57 --save TARGET",
+        WRITERS[name, "--save"]
+        for name in (
+            *("solve", "continue", "simulate", "find", "fit", "sweep"),
+            *("certify box", "certify orbit", "certify event", "certify all"),
+        )
     ],
     ids=lambda command: command.partition(" --save")[0],
 )
@@ -254,7 +267,7 @@ def test_a_full_disk_does_not_lose_the_answer(
 def test_a_fault_while_a_file_is_written(place: Path) -> None:
     asked = []
     for name, option in FAULTED:
-        command = WRITERS[name, option].replace("TARGET", f"target-{name}")
+        command = WRITERS[name, option].replace("TARGET", f"target-{name}".replace(" ", "-"))
         if name not in FOLDERS:
             Path(shlex.split(command)[-1]).write_bytes(b"what was there before")
         asked.append(command + " --overwrite" * (option == "--save" and name != "solve"))
@@ -278,7 +291,7 @@ def test_a_fault_while_a_file_is_written(place: Path) -> None:
     left: list[str] = []
     for command, outcome in zip(commands, outcomes, strict=True):
         fault, told = outcome["fault"], f"{command}: {outcome}"
-        if fault == "twice" or (fault == "interrupt" and command.split()[0] in LONG):
+        if fault == "twice" or (fault == "interrupt" and command.startswith(LONG)):
             assert outcome["code"] in (0, 1), told  # one tile proves little
             assert outcome["changed"], told
             assert not {*outcome["changed"]} & {*left}, told  # of a process that was killed

@@ -82,7 +82,7 @@ def run(*arguments: str, folder: Path) -> tuple[int, str]:
 @pytest.mark.slow
 def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
     ended = interrupted(
-        "certify dry-friction/symmetric V=0.6:1.3 --tiles 6 --save map.json --plot map.png",
+        "certify box dry-friction/symmetric V=0.6:1.3 --tiles 6 --save map.json --plot map.png",
         r"[1-9]\d* tiles",
         tmp_path,
     )
@@ -95,7 +95,7 @@ def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
     assert "--resume" in ended.goes_on
     assert "--save" not in ended.goes_on
     assert run(*ended.goes_on, folder=tmp_path)[0] in (0, 1)
-    question = "certify dry-friction/symmetric V=0.6:1.3 --tiles 6 --save whole.json"
+    question = "certify box dry-friction/symmetric V=0.6:1.3 --tiles 6 --save whole.json"
     assert run(*question.split(), folder=tmp_path)[0] in (0, 1)
     later, whole = (
         ns.load(tmp_path / name).to_json()["tiles"] for name in ("map.json", "whole.json")
@@ -176,14 +176,14 @@ def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
             marks=pytest.mark.slow,
         ),
         pytest.param(
-            "certify dry-friction/symmetric V=0.6:1.3 --events --digits 1500 --save events.json",
+            "certify event dry-friction/symmetric V=0.6:1.3 --digits 1500 --save events.json",
             r"[1-9]\d*/\d",
             "events.json",
             "1 of 2 events are done, kept in events.json; go on with: ",
             marks=pytest.mark.slow,
         ),
         (
-            "certify dry-friction/global-stick --all tau=0:20 tau1=0:20 --save census.json",
+            "certify all dry-friction/global-stick tau=0:20 tau1=0:20 --save census.json",
             "searching",
             "census.json",
             "orbits found, kept in census.json; begin again with: ",
@@ -229,9 +229,9 @@ def test_what_is_written_at_once_leaves_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "arguments",
     [
-        "certify dry-friction/global-stick V=0.99:1.01",
+        "certify box dry-friction/global-stick V=0.99:1.01",
         "certify dry-friction/global-stick",
-        "certify dry-friction/global-stick --all tau=0:3 tau1=0:3",
+        "certify all dry-friction/global-stick tau=0:3 tau1=0:3",
         "continue dry-friction/global-stick V=0.99:1.01",
         f"find dry-friction V=0.6773 {FRICTION}",
         f"sweep dry-friction V=0.5:1.2:5 {FRICTION} --quantity x1 --at slip-stick {REST}",
@@ -246,7 +246,7 @@ def test_no_file_is_replaced_unasked(arguments: str, tmp_path: Path) -> None:
     assert "file.json is there already: " in told
     assert "--overwrite replaces it" in told
     assert (tmp_path / "file.json").read_bytes() == before
-    resumes = "find" not in arguments and ":" in arguments and "--all" not in arguments
+    resumes = "find" not in arguments and ":" in arguments and "certify all" not in arguments
     assert ("--resume file.json goes on with it" in told) == resumes
 
 

@@ -11,8 +11,7 @@ import pytest
 import typer
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
-from tests.cli.test_cli import run
+from tests.cli.test_cli import COMMANDS, run
 from tests.places import GALLERY
 
 ORBIT = "dry-friction/global-stick"
@@ -21,8 +20,7 @@ ORBIT = "dry-friction/global-stick"
 def options() -> dict[str, dict[str, Any]]:
     """Options by name, and the commands that have them."""
     found: dict[str, dict[str, Any]] = defaultdict(dict)
-    group: Any = typer.main.get_command(app)
-    for name, command in group.commands.items():
+    for name, command in COMMANDS.items():
         for option in command.params:
             if option.opts[0].startswith("--"):
                 found[option.opts[0]][name] = option
@@ -36,8 +34,7 @@ def test_no_option_has_another_name() -> None:
 
 
 def test_a_usage_line_puts_what_may_be_left_out_in_brackets_once() -> None:
-    group: Any = typer.main.get_command(app)
-    for name, command in group.commands.items():
+    for name, command in COMMANDS.items():
         usage = command.get_usage(typer.Context(command, info_name=name))
         assert "[[" not in usage, usage
 

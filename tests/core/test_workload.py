@@ -23,10 +23,10 @@ SWEEP = f"sweep dry-friction {DATA} {FROM} --quantity x1 --at slip-stick"
     "command",
     [
         "chart dry-friction/global-stick V=0.9:1.1:1000000000000 --out c.zarr",
-        f"chart dry-friction --simulate V=0.2:1.2:100000 eta=1:5:100000 {DATA.replace('eta=1', '')}"
+        f"chart dry-friction V=0.2:1.2:100000 eta=1:5:100000 {DATA.replace('eta=1', '')}"
         f" {FROM} --out c.zarr",
-        "certify dry-friction/global-stick --all tau=0:1e300 tau1=0:1e300",
-        "certify dry-friction/global-stick V=0.9:1.1 --tiles 1000000000000",
+        "certify all dry-friction/global-stick tau=0:1e300 tau1=0:1e300",
+        "certify box dry-friction/global-stick V=0.9:1.1 --tiles 1000000000000",
         "continue dry-friction/global-stick V=0.9:1.1 --points 1000000000000",
         f"{SWEEP} V=0.9:1.1:10 --transient 99999999999999999999",
         f"{SWEEP} V=0.9:1.1:10 --samples 99999999999999999999",
@@ -51,7 +51,7 @@ def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch
 def test_threads_without_number_are_refused(tmp_path, monkeypatch) -> None:
     pytest.importorskip("zarr")
     monkeypatch.chdir(tmp_path)
-    command = "chart dry-friction/global-stick V=0.9:1.1:3 --out c.zarr --threads"
+    command = "chart dry-friction/global-stick V=0.9:1.1:3 --out c.zarr --workers"
     result = CliRunner().invoke(app, [*command.split(), "99999999999999999999"])
     assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
     assert "is more than 1024" in result.stderr
@@ -68,8 +68,8 @@ def test_yes_begins_what_takes_long(monkeypatch) -> None:
 
 @pytest.mark.slow
 def test_a_long_graph_says_how_long_before_it_begins(monkeypatch) -> None:
-    start = "--from x1=5,x2=4,v1=0.5,v2=0.25 --region x2=2:14"
-    command = f"graph dry-friction V=1 {DATA} {start} --boxes 16".split()
+    start = "--from x1=5,x2=4,v1=0.5,v2=0.25 x2=2:14"
+    command = f"certify region dry-friction V=1 {DATA} {start} --boxes 16".split()
     told = r"images of (\d+) boxes take at least"
     assert not re.search(told, CliRunner().invoke(app, command).stderr)
     monkeypatch.setitem(workload.SECONDS, "image", 1e3)

@@ -7,18 +7,16 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
 from urllib.parse import unquote, urljoin, urlsplit
 
 import pytest
-import typer
 
 import nonsmooth
 import nonsmooth.derive
 import nonsmooth.jax
 import nonsmooth.torch
-from nonsmooth.runtime.cli.program import app
 from tests.chromium import Seen, Window, served, window
+from tests.cli.terminal import all_commands
 from tests.places import CHECKOUT
 
 PACKAGES = (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch)
@@ -160,11 +158,11 @@ def test_every_public_name_has_a_page(site: Path) -> None:
 def test_every_command_and_option_is_told(site: Path) -> None:
     page = (site / "reference" / "command_line.html").read_text("utf-8")
     anchors = set(re.findall(r'id="([^"]+)"', page))
-    group: Any = typer.main.get_command(app)
-    for name, command in group.commands.items():
-        assert f"nonsmooth-{name}" in anchors
+    for name, command in all_commands().items():
+        anchor = "-".join(("nonsmooth", *name.split()))
+        assert anchor in anchors
         for option in (one for p in command.params for one in p.opts if one.startswith("--")):
-            assert f"cmdoption-nonsmooth-{name}-{option.lstrip('-')}" in anchors
+            assert f"cmdoption-{anchor}-{option.lstrip('-')}" in anchors
 
 
 @pytest.mark.browser

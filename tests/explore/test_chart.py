@@ -49,7 +49,7 @@ def contents(store: Path) -> dict[str, bytes]:
 
 def work(store: Path, *options: str, ranges: tuple[str, ...] = RANGES) -> Work:
     """Compute what is missing, by the command, and count it."""
-    found = told("chart", ORBIT, *ranges, "--out", str(store), "--threads", "2", *options)
+    found = told("chart", ORBIT, *ranges, "--out", str(store), "--workers", "2", *options)
     return Work(*(found[name] for name in Work._fields))
 
 

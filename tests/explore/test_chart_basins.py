@@ -76,7 +76,7 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
         ns.chart(str(found), store=store, chunk=6, threads=2, progress=stop, **STARTS)
     moved = found.with_name("moved.json")
     found.rename(moved)  # the store holds the attractors
-    work = told("chart", str(store), "--threads", "1")
+    work = told("chart", str(store), "--workers", "1")
     moved.rename(found)
     assert 0 < work["computed"] < work["chunks"]
     again = ns.load(store)
@@ -92,7 +92,7 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
         ({"x1": [0.0, 1.0], "v1": 1.0}, "v1 has one value.*--from gives the other states"),
         ({"x1": [0.0, 1.0], "start": {"q": 1}}, "unknown state 'q'"),
         ({"x1": [0.0, 1.0], "start": {"c1": 0}}, r"c1\^2 \+ s1\^2 is 0, not 1"),
-        ({"x1": [0.0, 1.0], "start": {"x1": 0}, "simulate": True}, "without --simulate"),
+        ({"x1": [0.0, 1.0], "start": {"x1": 0}, "simulate": True}, "without simulate"),
         ({}, "nothing to chart"),
     ],
 )

@@ -20,8 +20,9 @@ from nonsmooth.derive.building.element_parts import part_of
 from nonsmooth.derive.building.elements import Element
 from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import Exit, SwitchPart
-from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
-from nonsmooth.runtime.cli.options import AsJson
+from nonsmooth.runtime.cli.application import app
+from nonsmooth.runtime.cli.command import command
+from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.explore.continuation.event import KINDS, EventKind
 from nonsmooth.runtime.present.pictures.kinds import KINDS as PICTURES
 from nonsmooth.runtime.present.pictures.kinds import Kind
@@ -164,16 +165,11 @@ def test_a_new_command_is_one_function(monkeypatch: pytest.MonkeyPatch) -> None:
     # the commands as they are with the new one, not those that other tests ask
     monkeypatch.setattr(typer.testing, "_get_command", typer.main.get_command)
 
-    @app.command()
-    @answering
-    def frequency(orbit: str, as_json: AsJson = False) -> int:
+    @command("frequency", "frequency dry-friction/symmetric")
+    def frequency(orbit: str, *, reply: Reply) -> int:
         """Give the frequency of an orbit."""
         value = 1 / float(ns.solve(orbit).period)
-        if as_json:
-            print_json({"frequency": value})
-        else:
-            typer.echo(f"{value:.6f}")
-        return ANSWERED
+        return reply.show(lambda: {"frequency": value}, lambda: typer.echo(f"{value:.6f}"))
 
     told = CliRunner().invoke(app, ["frequency", "dry-friction/global-stick"])
     assert told.exit_code == 0

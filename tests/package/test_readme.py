@@ -7,12 +7,13 @@ import typer
 from typer.testing import CliRunner
 
 from nonsmooth.runtime.cli.program import app
+from tests.cli.terminal import all_commands
 from tests.places import CHECKOUT
 
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
 COMMANDS_PAGE = (CHECKOUT / "docs" / "how_to" / "commands.md").read_text(encoding="utf-8")
 IN_PYTHON = (CHECKOUT / "docs" / "how_to" / "in_python.md").read_text(encoding="utf-8")
-HELP = "\n".join(c.epilog or "" for c in typer.main.get_command(app).commands.values()).splitlines()
+HELP = "\n".join(command.epilog for command in all_commands().values()).splitlines()
 OF_OTHER_PROGRAMS = {"--build", "--index-url", "--nthreads", "--port"}
 
 
@@ -45,7 +46,7 @@ def has_test_of_its_own(command, later):
 
 
 def test_every_option_that_a_page_names_is_one_of_a_command():
-    commands = typer.main.get_command(app).commands.values()
+    commands = [typer.main.get_command(app), *all_commands().values()]
     known = {name for command in commands for option in command.params for name in option.opts}
     known |= OF_OTHER_PROGRAMS | {"--help"}
     for page in [CHECKOUT / "README.md", *(CHECKOUT / "docs").rglob("*.md")]:

@@ -129,7 +129,7 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
     assert any(each.all() for each in near if len(each))
     assert "trace" in lower.get_xlabel()
     assert "t_{a}" in upper.get_ylabel()
-    wanted = ("--quantity", "ta,frequency", "--over", "trace", "--frequency", "cycles")
+    wanted = ("--quantity", "ta,frequency", "--over", "trace")
     assert run("plot", "branch.json", *wanted, "--out", "asked.svg")[0] == 0
     assert Path("asked.svg").read_text() != ""
     for command, told in (

@@ -96,7 +96,7 @@ def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: 
     code, error = told(f"plot {folder / name} {kind} --out {picture}")
     if name in map(name_of, WITHOUT_PICTURE):
         assert code == 2
-        assert "of which there is no picture: `nonsmooth certify --check" in error
+        assert "of which there is no picture: `nonsmooth certify check" in error
         assert error.count("\n") == 1
         assert not picture.exists()
     else:

@@ -76,7 +76,7 @@ def test_every_command_takes_one_of_the_orbits(folder):
     assert branch["ends"] == ["end of the interval", "end of the interval"]
     claims = answered("certify", "found.json:2", "--save", "proof.json")["claims"]
     assert set(claims.values()) == {"proved"}
-    assert answered("certify", "--check", "proof.json")["same"]
+    assert answered("certify", "check", "proof.json")["same"]
     chart = answered("chart", "found.json:2", "d=0.49:0.5:2", "w=1.5:1.51:2", "--out", "c.zarr")
     assert chart["points"]["stable"] == 4
     assert answered("plot", "c.zarr")["chart"] == "two-stops"

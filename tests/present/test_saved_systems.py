@@ -108,10 +108,10 @@ COMMANDS = (
     "verify orbit.json --digits 20",
     "continue orbit.json w=1.99:2.01",
     "certify orbit.json",
-    "certify --check proof.json",
-    "certify --check map.json",
-    "certify --check events.json",
-    "certify --check census.json",
+    "certify check proof.json",
+    "certify check map.json",
+    "certify check events.json",
+    "certify check census.json",
     "chart orbit.json w=1.99:2.01:3 --out c.zarr",
     "plot c.zarr --out a.png",
     "chart orbit.json w=1.99:2.01:3 --out c.zarr",
@@ -432,11 +432,11 @@ def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> 
     diagram.save("changed-sweep.json")
     source.write_text(PLAIN)
     ns.certify(ns.solve(f"{source}:one")).save("changed-proof.json")
-    same = ["certify", "changed.py:one", "--check", "changed-proof.json"]
+    same = ["certify", "check", "changed-proof.json", "changed.py:one"]
     assert CliRunner().invoke(app, same).exit_code == 0
     source.write_text(PLAIN.replace("/ 10", "/ 11"))
     resumed = (
-        "sweep changed.py w=1.9:2.0:2 k=1 gap=0 r=0.8 --quantity x --at forcing-phase --phase 0"
+        "sweep changed.py w=1.9:2.0:2 k=1 gap=0 r=0.8 --quantity x --at forcing-phase=0"
         " --from x=-1,v=0 --transient 20 --samples 4 --resume changed-sweep.json"
     )
     followed = "continue changed.py:one w=1.98:2.01 --resume changed-branch.json"
@@ -525,8 +525,8 @@ def _huge_domain(content: dict[str, Any]) -> None:
     "command",
     [
         "plot huge.json",
-        "certify orbit.json r=0.799:0.801 --resume huge.json",
-        "certify --check huge.json",
+        "certify box orbit.json r=0.799:0.801 --resume huge.json",
+        "certify check huge.json",
     ],
 )
 def test_huge_exponents_in_a_map_are_refused(
@@ -542,7 +542,7 @@ def test_huge_exponents_in_a_map_are_refused(
     begun = time.process_time()
     found = CliRunner().invoke(app, command.split())
     assert time.process_time() - begun < 10
-    assert found.exit_code == (1 if "--check" in command else 2), found.output
+    assert found.exit_code == (1 if "check" in command else 2), found.output
     assert (found.stderr or found.stdout).count("\n") == 1
     assert "internal error" not in found.stderr
 
@@ -550,7 +550,7 @@ def test_huge_exponents_in_a_map_are_refused(
 def test_no_map_is_replaced_by_that_of_another_orbit(folder: Path) -> None:
     """Not by one of which nothing can be proved either: this one takes a root."""
     before = (folder / "map.json").read_bytes()
-    command = "certify orbit.json r=0.799:0.801 --resume map.json"
+    command = "certify box orbit.json r=0.799:0.801 --resume map.json"
     found = CliRunner().invoke(app, command.split())
     assert found.exit_code == 2
     assert "the state to resume has another" in found.stderr

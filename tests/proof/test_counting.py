@@ -474,8 +474,8 @@ def test_wrong_input_is_refused_by_name(arguments: Any, options: Any, culprit: s
 
 
 def run(*arguments: str) -> tuple[int, str, str]:
-    """Exit code, stdout and stderr of `nonsmooth certify --all`."""
-    result = CliRunner().invoke(app, ["certify", "--all", *arguments])
+    """Exit code, stdout and stderr of `nonsmooth certify all`."""
+    result = CliRunner().invoke(app, ["certify", "all", *arguments])
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     return result.exit_code, result.stdout, result.stderr
@@ -501,9 +501,10 @@ def test_the_command_counts_and_tells(tmp_path: Path) -> None:
     ("arguments", "culprit"),
     [
         (("tau=1:2:3", "tau1=0:3"), "tau=1:2:3"),
-        (("tau=0:3", "tau=0:4"), "tau are given twice"),
+        (("tau=0:3", "tau=0:4"), "tau is given twice"),
         (("tau=0:3",), "no bounds of tau1"),
-        (("tau=0:3", "tau1=0:3", "--guess", "tau=1"), "no guess"),
+        (("tau=0:3", "tau1=0:3", "--guess", "tau=1"), "no such option"),
+        (("tau=0:", "tau1=0:3"), "tau has no upper bound"),
     ],
 )
 def test_the_command_refuses_wrong_bounds(arguments: tuple[str, ...], culprit: str) -> None:

@@ -382,12 +382,12 @@ def test_the_command_tells_regions_curves_and_open_boxes(tmp_path: Path) -> None
     pytest.importorskip("matplotlib")
     path, picture = tmp_path / "map.json", tmp_path / "map.png"
     arguments = [SYMMETRIC, "V=1.05:1.1", "eta=3.98:4.02", "--save", str(path)]
-    run = CliRunner().invoke(app, ["certify", *arguments, "--plot", str(picture)])
+    run = CliRunner().invoke(app, ["certify", "box", *arguments, "--plot", str(picture)])
     assert run.exit_code == 0, run.output
     assert "2 regions" in run.output
     assert "flip" in run.output
     assert picture.exists()
-    run = CliRunner().invoke(app, ["certify", "--check", str(path)])
+    run = CliRunner().invoke(app, ["certify", "check", str(path)])
     assert run.exit_code == 0, run.output
     assert "2 regions" in run.output
     told = ns.load(path).to_json()

@@ -236,7 +236,7 @@ def chart_problem(
     problem: ChartProblem
     if is_found(name):
         if simulate:
-            raise InputError(f"basins are simulated anyway: {name} is charted without --simulate")
+            raise InputError(f"basins are simulated anyway: {name} is charted without simulate")
         problem = basin_problem(name, fixed, list(swept), start)
     elif simulate:
         if start is None:

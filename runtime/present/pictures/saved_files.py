@@ -103,7 +103,7 @@ def figure_of(
     if form in _WITHOUT:
         raise InputError(
             f"{path} holds {_WITHOUT[form]}, of which there is no picture:"
-            f" `nonsmooth certify --check {path}` proves it again"
+            f" `nonsmooth certify check {path}` proves it again"
         )
     if form in _IN_ONE_WAY:
         entry = _IN_ONE_WAY[form]
