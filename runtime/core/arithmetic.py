@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.exponential_balls import (
+from nonsmooth.runtime.core.exponentials.in_balls import (
     difference_in_balls,
     difference_in_models,
     difference_near,
 )
-from nonsmooth.runtime.core.exponential_differences import exponential_difference
+from nonsmooth.runtime.core.exponentials.in_doubles import exponential_difference
 from nonsmooth.runtime.core.taylor_models import TaylorModel
 from nonsmooth.runtime.core.values import Value, flint_precision, parse
 
@@ -48,7 +48,7 @@ class Floats:
         """Derivative of order k of L^-1[1/prod chi_i](t), with arguments that broadcast.
 
         Each factor holds the coefficients of a monic polynomial chi_i, from the constant up;
-        see `nonsmooth.runtime.core.exponential_differences`.
+        see `nonsmooth.runtime.core.exponentials.in_doubles`.
         """
         return exponential_difference(k, t, *factors)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from nonsmooth.runtime.core.matrices import eigenvalues
+from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits, trigonometric_rows

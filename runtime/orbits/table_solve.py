@@ -13,10 +13,10 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, labelled, orbit_of

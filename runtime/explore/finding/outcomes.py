@@ -33,7 +33,7 @@ from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
 from nonsmooth.runtime.model.flows import parts_of
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     piecewise_at,

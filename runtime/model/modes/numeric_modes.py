@@ -26,13 +26,18 @@ from functools import cache, lru_cache
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.driven_modes import driven_modes
 from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
-from nonsmooth.runtime.model.natural_units import dependence, fall_rates, natural_units
-from nonsmooth.runtime.model.precise_modes import best_modes
-from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, is_moderate, simple_modes
+from nonsmooth.runtime.model.modes.driven_modes import driven_modes
+from nonsmooth.runtime.model.modes.natural_units import dependence, fall_rates, natural_units
+from nonsmooth.runtime.model.modes.precise_modes import best_modes
+from nonsmooth.runtime.model.modes.simple_modes import (
+    ModeGroup,
+    NumericModes,
+    is_moderate,
+    simple_modes,
+)
+from nonsmooth.runtime.model.modes.subspace_modes import LARGE, subspace_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
-from nonsmooth.runtime.model.subspace_modes import LARGE, subspace_modes
 
 __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 
