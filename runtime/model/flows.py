@@ -17,9 +17,14 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["composite_rule", "exponential", "flow_states", "functions_of", "parts_of"]
+__all__ = ["composite_rule", "exponential", "extended", "flow_states", "functions_of", "parts_of"]
 
 _GUARD = 32  # bits
+
+
+def extended(states: np.ndarray) -> np.ndarray:
+    """States (..., N) with a 1 appended: (..., N + 1)."""
+    return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
 
 
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
@@ -40,12 +45,12 @@ def flow_states(
     """
     functions = functions_of(system, configuration, times)
     flows = system.flows[configuration]
-    extended = np.concatenate([starts, np.ones((*starts.shape[:-1], 1))], axis=-1)
+    whole = extended(starts)
     if isinstance(flows, FactoredFlows):
-        return flows.states(functions, extended)
+        return flows.states(functions, whole)
     if starts.ndim == 1:
-        return np.asarray(functions @ (flows @ extended))
-    return np.asarray(np.einsum("nf,fij,nj->ni", functions, flows, extended, optimize=True))
+        return np.asarray(functions @ (flows @ whole))
+    return np.asarray(np.einsum("nf,fij,nj->ni", functions, flows, whole, optimize=True))
 
 
 def parts_of(system: PiecewiseLinear, configuration: int, starts: np.ndarray) -> np.ndarray:
@@ -53,11 +58,10 @@ def parts_of(system: PiecewiseLinear, configuration: int, starts: np.ndarray) ->
 
     States are in the system's units.
     """
-    flows = system.flows[configuration]
-    extended = np.concatenate([starts, np.ones((len(starts), 1))], axis=1)
+    flows, whole = system.flows[configuration], extended(starts)
     if isinstance(flows, FactoredFlows):
-        return flows.parts(extended)
-    return np.asarray(np.einsum("fij,nj->nfi", flows, extended))
+        return flows.parts(whole)
+    return np.asarray(np.einsum("fij,nj->nfi", flows, whole))
 
 
 def composite_rule(count: int, pieces: int) -> tuple[np.ndarray, np.ndarray]:

@@ -282,7 +282,7 @@ def _quiet_outcomes(
     translation of the system alone does not grow: it drifts.
     """
     structure = system.structure
-    forced = [state for pair in structure.forcing for state in pair]
+    forced = list(structure.forced)
     own = [state for state in range(states.shape[1]) if state not in forced]
     parts = parts_of(system, configuration, states)
     within = np.abs(up_to_shift(parts, translations_of(system))[:, :, own])
