@@ -16,7 +16,8 @@ The first of four ways that succeeds is taken:
   a constant: it costs half of the next, and a forcing may be faster than the structure by any
   factor.
 - `subspace_modes` where other eigenvalues are equal, and always from `LARGE` states on.
-- `precise_modes`, in many digits, where eigenvalues are neither equal nor apart.
+- `precise_modes`, in many digits, where eigenvalues are neither equal nor apart: chains of at most
+  seven that nearly meet, and series for defective groups of more, as of a cascade of filters.
 """
 
 from __future__ import annotations
