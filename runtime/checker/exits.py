@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb, arb_mat
 
 from nonsmooth.runtime.checker.exact import Elimination
-from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets
 
 __all__ = ["Exit", "ExitFunction", "PhaseExits", "negative", "rounded"]

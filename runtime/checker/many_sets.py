@@ -27,7 +27,7 @@ from nonsmooth.runtime.checker.portions import (
 )
 from nonsmooth.runtime.checker.sets import matrix_of
 from nonsmooth.runtime.checker.switching import StatedSection, SwitchingSystem, echelon_behind
-from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
 
 __all__ = ["Arrivals", "ManyMotions"]

@@ -10,7 +10,7 @@ from flint import arb, arb_mat, fmpq
 from nonsmooth.runtime.checker.exact import Elimination, leading, product, reduced
 from nonsmooth.runtime.checker.exits import ExitFunction, PhaseExits, negative, rounded
 from nonsmooth.runtime.checker.switching import SwitchingSystem
-from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
 
 __all__ = [

@@ -107,6 +107,7 @@ def follow(
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.answers import branch_json
+    from nonsmooth.runtime.present.files.kept import format_named
 
     _check_picture(reply, quantity, over, follow_event)
     if reply.resume is not None and (switch or follow_event is not None):

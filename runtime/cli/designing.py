@@ -97,6 +97,7 @@ def design(
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.design.design import design as find_design
+    from nonsmooth.runtime.present.files.kept import format_named
 
     known = reply.known(format_named("nonsmooth design").load)
     fixed, ranged = values_and_ranges(parameters)

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.exponential_balls import (
+from nonsmooth.runtime.core.exponentials.in_balls import (
     difference_in_balls,
     difference_in_models,
     difference_near,
 )
-from nonsmooth.runtime.core.exponential_differences import exponential_difference
+from nonsmooth.runtime.core.exponentials.in_doubles import exponential_difference
 from nonsmooth.runtime.core.taylor_models import TaylorModel
 from nonsmooth.runtime.core.values import Value, flint_precision, parse
 
@@ -31,6 +31,7 @@ class Floats:
 
     sin, cos, sqrt = staticmethod(np.sin), staticmethod(np.cos), staticmethod(np.sqrt)
     pi = math.pi
+    exponential_difference = staticmethod(exponential_difference)
 
     @staticmethod
     def angle(sine: Any, cosine: Any) -> Any:
@@ -42,15 +43,6 @@ class Floats:
     def rational(numerator: int, denominator: int) -> float:
         """Quotient of two integers."""
         return numerator / denominator
-
-    @staticmethod
-    def exponential_difference(k: int, t: Any, *factors: Sequence[Any]) -> Any:
-        """Derivative of order k of L^-1[1/prod chi_i](t), with arguments that broadcast.
-
-        Each factor holds the coefficients of a monic polynomial chi_i, from the constant up;
-        see `nonsmooth.runtime.core.exponential_differences`.
-        """
-        return exponential_difference(k, t, *factors)
 
     @staticmethod
     def constant(text: str) -> float:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, added, matrix, range_of, space_of
 
 __all__ = ["Jet", "jet", "part_of"]
 
@@ -31,8 +31,8 @@ class Jet(TaylorModel):
 
     def __add__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
-            return Jet(self.space, tuple(map(_sum, self.parts, other.parts)))
-        return Jet(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
+            return Jet(self.space, tuple(map(added, self.parts, other.parts)))
+        return Jet(self.space, (added(self.parts[0], other), *self.parts[1:]))
 
     __radd__ = __add__
 
@@ -43,7 +43,7 @@ class Jet(TaylorModel):
         for i, left in enumerate(self.parts):
             for j, right in enumerate(other.parts[: len(found) - i]):
                 if left is not None and right is not None:
-                    found[i + j] = _sum(found[i + j], left * right)
+                    found[i + j] = added(found[i + j], left * right)
         return Jet(self.space, tuple(found))
 
     # of a model and a jet these have to come before those of the model
@@ -73,7 +73,7 @@ class Jet(TaylorModel):
         for k in range(1, len(self.parts)):
             total = None
             for _, term in self._terms(found, k):
-                total = _sum(total, term)
+                total = added(total, term)
             found.append(None if total is None else -(first * total))
         return Jet(self.space, tuple(found))
 
@@ -83,9 +83,9 @@ class Jet(TaylorModel):
         for k in range(1, len(self.parts)):
             sine = cosine = None
             for i, term in self._terms(cosines, k):
-                sine = _sum(sine, term * i / k)
+                sine = added(sine, term * i / k)
             for i, term in self._terms(sines, k):
-                cosine = _sum(cosine, term * -i / k)
+                cosine = added(cosine, term * -i / k)
             sines.append(sine)
             cosines.append(cosine)
         return Jet(self.space, tuple(sines)), Jet(self.space, tuple(cosines))
@@ -156,7 +156,3 @@ def part_of(number: Any, k: int) -> Any:
 
 def _rows(square: Any) -> list[list[Any]]:
     return [[square[i, j] for j in range(square.ncols())] for i in range(square.nrows())]
-
-
-def _sum(left: Any, right: Any) -> Any:
-    return right if left is None else left if right is None else left + right

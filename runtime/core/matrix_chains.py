@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.taylor_models import middle_of
+from nonsmooth.runtime.core.taylor_models import middle_of, unit_matrix
 
 if TYPE_CHECKING:
     from flint import arb_mat
@@ -48,7 +48,7 @@ def framed_phases(
     Fields, resets and flows are matrices (N + 1, N + 1) that act on (y, 1), rows are
     (1, N + 1). In a short chain all frames are unit matrices.
     """
-    unit = _unit(fields[0].nrows())
+    unit = unit_matrix(fields[0].nrows())
     if len(fields) <= _SHORT:
         same = [unit] * len(fields)
         return FramedPhases(fields, rows, resets, flows, [*same, unit], same)
@@ -78,7 +78,7 @@ def along_chain(steps: Sequence[Callable[[Any], Any]], start: Any) -> Any:
         for step in steps:
             start = step(start)
         return start
-    frame, within = _unit(start.nrows()), start
+    frame, within = unit_matrix(start.nrows()), start
     for step in steps:
         moved = step(frame)
         frame, back = _frame(moved)
@@ -97,15 +97,9 @@ def _frame(moved: Any, *, affine: bool = False) -> tuple[arb_mat, arb_mat]:
     size = middle.nrows()
     numbers = [[float(middle[i, j]) for j in range(size)] for i in range(size)]
     if not all(math.isfinite(x) for row in numbers for x in row):
-        return _unit(size), _unit(size)
+        return unit_matrix(size), unit_matrix(size)
     turned = np.eye(size)
     part = slice(size - affine)
     turned[part, part] = np.linalg.qr(np.array(numbers)[part, part]).Q
     found = arb_mat(turned.tolist())
     return found, found.inv()
-
-
-def _unit(size: int) -> arb_mat:
-    from flint import arb_mat
-
-    return arb_mat([[int(i == j) for j in range(size)] for i in range(size)])

@@ -25,12 +25,14 @@ __all__ = [
     "MEAN",
     "Space",
     "TaylorModel",
+    "added",
     "averaged",
     "lifted",
     "matrix",
     "middle_of",
     "range_of",
     "space_of",
+    "unit_matrix",
 ]
 
 _SMALL = 0.25  # norm to which an exponent is halved
@@ -98,8 +100,8 @@ class TaylorModel:
 
     def __add__(self, other: Any) -> TaylorModel:
         if not isinstance(other, TaylorModel):
-            return type(self)(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
-        return type(self)(self.space, tuple(map(_sum, self.parts, other.parts)))
+            return type(self)(self.space, (added(self.parts[0], other), *self.parts[1:]))
+        return type(self)(self.space, tuple(map(added, self.parts, other.parts)))
 
     __radd__ = __add__
 
@@ -123,9 +125,9 @@ class TaylorModel:
             total = None
             for i, j in pairs:
                 if left[i] is not None and right[j] is not None:
-                    total = _sum(total, left[i] * right[j])
+                    total = added(total, left[i] * right[j])
             found.append(total)
-        found[0] = _sum(found[0], _cut(self, other))
+        found[0] = added(found[0], _cut(self, other))
         return type(self)(self.space, tuple(found))
 
     def __rmul__(self, other: Any) -> TaylorModel:
@@ -219,7 +221,7 @@ class TaylorModel:
         square, either = arb("0.5 +/- 0.5"), arb(0, 1)
         for part, even in zip(self.parts[1:], self.space.even[1:], strict=True):
             if part is not None:
-                total = _sum(total, part * (square if even else either))
+                total = added(total, part * (square if even else either))
         return total
 
     def reciprocal(self) -> TaylorModel:
@@ -237,7 +239,7 @@ class TaylorModel:
         Raises ZeroDivisionError if the constant term is singular.
         """
         found = self.space.constant(self.parts[0].mid().inv().mid())
-        unit = _unit(self.nrows())
+        unit = unit_matrix(self.nrows())
         for _ in range(self.space.order.bit_length()):
             found = (found * (2 * unit - self * found)).mid()
         return found
@@ -269,14 +271,14 @@ class TaylorModel:
             if degree > ctx.prec:
                 break
         tail = (2 * rest * norm / (degree + 1)).upper()
-        powers = [self.space.constant(_unit(size)), small]
+        powers = [self.space.constant(unit_matrix(size)), small]
         while len(powers) <= min(degree, _BLOCK):
             powers.append(powers[-1] * small)
         total: Any = None
         for begin in reversed(range(0, degree + 1, _BLOCK)):
             block: Any = None
             for k in range(begin, min(begin + _BLOCK, degree + 1)):
-                block = _sum(block, powers[k - begin] * (1 / arb(math.factorial(k))))
+                block = added(block, powers[k - begin] * (1 / arb(math.factorial(k))))
             total = block if total is None else total * powers[_BLOCK] + block
         total = total + _everywhere(size, arb(0, tail))
         for _ in range(halvings):
@@ -323,7 +325,8 @@ def _stacked(space: Space, rows: Sequence[Sequence[Any]]) -> Iterator[arb_mat | 
         yield None if empty else arb_mat(part)
 
 
-def _sum(left: Any, right: Any) -> Any:
+def added(left: Any, right: Any) -> Any:
+    """Sum of two coefficients, of which None is zero."""
     return right if left is None else left if right is None else left + right
 
 
@@ -338,13 +341,13 @@ def _cut(left: TaylorModel, right: TaylorModel) -> Any:
         for part, exponents in zip(model.parts[1:], space.exponents[1:], strict=True):
             if part is not None:
                 degree = sum(exponents)
-                by_degree[degree] = _sum(by_degree[degree], part * either)
+                by_degree[degree] = added(by_degree[degree], part * either)
         sums.append(by_degree)
     total = above = None
     for degree in range(1, space.order + 1):
-        above = _sum(above, sums[1][space.order + 1 - degree])
+        above = added(above, sums[1][space.order + 1 - degree])
         if above is not None and sums[0][degree] is not None:
-            total = _sum(total, sums[0][degree] * above)
+            total = added(total, sums[0][degree] * above)
     return total
 
 
@@ -354,7 +357,8 @@ def _one() -> arb:
     return arb(1)
 
 
-def _unit(size: int) -> arb_mat:
+def unit_matrix(size: int) -> arb_mat:
+    """The unit matrix of a size."""
     from flint import arb_mat
 
     return arb_mat([[int(i == j) for j in range(size)] for i in range(size)])

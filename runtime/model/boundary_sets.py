@@ -18,6 +18,7 @@ __all__ = [
     "mask_type",
     "masks_of",
     "members_of",
+    "names_of",
     "no_words",
     "numbered",
     "words_of",
@@ -34,6 +35,12 @@ def mask_of(boundaries: Iterable[int]) -> int:
 def members_of(mask: int) -> frozenset[int]:
     """The set of boundaries that a mask stands for."""
     return frozenset(b for b in range(int(mask).bit_length()) if mask >> b & 1)
+
+
+def names_of(structure: Structure, configuration: int, mask: int) -> tuple[str, ...]:
+    """Names of the boundaries of a configuration that a mask stands for."""
+    shapes = structure.boundaries[configuration]
+    return tuple(shapes[b].name for b in sorted(members_of(mask)))
 
 
 def lowest_of(masks: np.ndarray) -> np.ndarray:

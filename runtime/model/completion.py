@@ -1,9 +1,10 @@
-"""Completion of a parameter point: from what is given to all that an orbit and its system take.
+"""Completion of parameter points: from what is given to all that an orbit and its system take.
 
 The equations of an orbit may take sums of physical parameters, such as e1 = ur1 - us1: of the
 parameters of such a relation any one follows from the others, and all of them together must
 not contradict each other. What is given may be exact values, floats, arrays or rational
-functions: `followers` says what follows from which names, and each arithmetic sums up.
+functions: `followers` says what follows from which names, and each arithmetic sums up. `complete`
+takes one exact point, `complete_arrays` many points at once, as arrays that broadcast.
 
 What an orbit leaves open
 -------------------------
@@ -29,31 +30,35 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
+
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, parse
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import (
     check_constraints,
     check_domain,
     domain_text,
     in_domain,
     number_of,
-    value_of,
+    parameter_array,
+    system_parameters,
 )
 
 __all__ = [
+    "Batch",
     "Point",
     "SystemPoint",
-    "check_names",
     "check_relations",
     "chosen_value",
     "complete",
+    "complete_arrays",
+    "complete_batch",
     "complete_system",
     "default_parameters",
     "follow",
     "followers",
     "left_open",
-    "system_parameters",
 ]
 
 Terms = dict[str, Fraction]
@@ -271,33 +276,6 @@ def check_relations(kernels: OrbitKernels, values: Mapping[str, Value]) -> None:
             )
 
 
-def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
-    """All parameters of a system, checked, in its order.
-
-    Raises `InputError` for an unknown or missing name, a value outside its domain, or values
-    that break a constraint.
-    """
-    tables = {p.name: p for p in kernels.parameters}
-    check_names(kernels, given)
-    values = {name: value_of(table, given[name]) for name, table in tables.items()}
-    check_constraints(kernels, values)
-    return values
-
-
-def check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
-    """Raise `InputError` if a parameter of the system is missing or a name is unknown.
-
-    `given` is iterated more than once, so it has to be a mapping or a sequence.
-    """
-    names = [p.name for p in kernels.parameters]
-    for name in given:
-        if name not in names:
-            raise unknown_name("parameter", str(name), names)
-    missing = [name for name in names if name not in given]
-    if missing:
-        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
-
-
 def _check_free(
     kernels: OrbitKernels, values: Mapping[str, Value], without: Collection[str]
 ) -> None:
@@ -382,3 +360,81 @@ def _sum_text(terms: Mapping[str, int]) -> str:
         size = "" if abs(factor) == 1 else f"{abs(factor)} "
         text += f"{' ' if text else ''}{sign}{' ' if text else ''}{size}{name}"
     return text
+
+
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """How the parameters of many points are completed."""
+
+    kernels: OrbitKernels
+    known: tuple[str, ...]  # parameters that need values
+    opened: tuple[str, ...]  # open parameters that have values or follow
+    # parameters that follow, each with the factors of the known ones whose sum it is
+    completed: dict[str, Terms]
+
+    def complete(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """Arrays of all parameters of the equations, and of open ones, from those that are known.
+
+        The arrays broadcast. A point at which another parameter is outside its domain is NaN.
+        """
+        found, own = dict(values), self.kernels.parameter_names
+        for name, terms in self.completed.items():
+            parts = (float(factor) * found[term] for term, factor in terms.items())
+            found[name] = np.asarray(sum(parts))
+        for name in [name for name in found if name not in own]:
+            inside = in_domain(self.kernels.tables[name], found[name])
+            if not inside.all():
+                found[own[0]] = np.where(inside, found[own[0]], np.nan)
+        return {name: found[name] for name in (*own, *self.opened)}
+
+
+def complete_batch(kernels: OrbitKernels, given: Iterable[str]) -> Batch:
+    """Which parameters of many points are given, follow, or stay open.
+
+    `given` has the names of those that are fixed or swept. Raises `InputError` for a name that
+    fixes nothing, or names that fix one parameter twice.
+    """
+    given, tables, own = list(given), kernels.tables, kernels.parameter_names
+    opened = [table.name for table in kernels.open_parameters]
+    relations = {name: terms for name, terms in kernels.combined.items() if name in own}
+    replacing = [t for terms in relations.values() for t in terms if t not in opened]
+    for name in given:
+        if name not in tables:
+            raise unknown_name("parameter", str(name), [*own, *opened, *replacing])
+    for name, terms in relations.items():
+        if {name, *terms} <= set(given):
+            raise InputError(f"{name} follows from {' and '.join(terms)}: leave one of them out")
+    completed = {n: terms for n, terms in followers(kernels, given).items() if n in own}
+    following = followers(kernels, {*given, *own})
+    completed |= {n: terms for n, terms in following.items() if n in opened}
+    used = {*own, *opened, *(term for terms in completed.values() for term in terms)}
+    for name in given:
+        if name not in used:
+            raise InputError(f"{name} decides nothing about {kernels.name}: leave it out")
+    defaults = default_parameters(kernels)
+    saved = [n for n in opened if n in defaults and n not in given and n not in completed]
+    known = [name for name in own if name not in completed]
+    known += [*(name for name in given if name not in own), *saved]
+    told = [name for name in opened if name in known or name in completed]
+    return Batch(kernels, tuple(known), tuple(told), completed)
+
+
+def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Arrays of parameters for a batch: the given ones, and the rest from the reference point.
+
+    Given are parameters of the equations or the physical ones in their place; returned are
+    those of the equations, then open ones as far as they are given. Values outside a domain
+    stay: their points get a status of their own. Raises `InputError` as `complete_batch` does,
+    for a missing name, and for anything but arrays of real numbers.
+    """
+    batch, defaults = complete_batch(kernels, given), default_parameters(kernels)
+    found = {}
+    for name in batch.known:
+        value = given.get(name, defaults.get(name))
+        if value is None:
+            raise InputError(f"{kernels.name} needs a value for: {name}")
+        found[name] = parameter_array(name, value)
+    try:
+        return batch.complete(found)
+    except ValueError as error:
+        raise InputError(f"the parameter arrays do not broadcast: {error}") from None

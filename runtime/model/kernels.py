@@ -82,11 +82,7 @@ def system_names() -> tuple[str, ...]:
 
 def orbit_names() -> tuple[str, ...]:
     """Names ``system/orbit`` of all generated orbits."""
-    return tuple(
-        f"{system}/{orbit}"
-        for system in system_names()
-        for orbit in load_system(system).module.ORBITS
-    )
+    return tuple(name for system in system_names() for name in orbits_in(system))
 
 
 def orbits_in(system: str) -> tuple[str, ...]:

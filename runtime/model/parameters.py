@@ -1,15 +1,15 @@
-"""Domains of parameters, and the constraints between those of a system."""
+"""Parameters of a system: domains, constraints, and all of them at one point or at many."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 
@@ -19,29 +19,19 @@ __all__ = [
     "constrained",
     "domain_text",
     "in_domain",
-    "in_domains",
     "number_of",
+    "parameter_array",
+    "parameter_points",
+    "system_parameters",
     "value_of",
 ]
 
 
-def in_domain(table: ParameterTable, number: float) -> bool:
-    """Whether a number is in a parameter's domain."""
+def in_domain(table: ParameterTable, numbers: Any) -> Any:
+    """Whether a number, or each of an array, is in a parameter's domain; NaN is in none."""
     lower, upper = table.ends
-    if lower < number < upper:
-        return True
-    return (table.closed and number == lower) or (table.upper_closed and number == upper)
-
-
-def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
-    """For each number of an array, whether it is in a parameter's domain; False unless finite."""
-    inside: np.ndarray = np.isfinite(numbers)
-    lower, upper = table.ends
-    if table.lower is not None:
-        inside &= (numbers > lower) | (table.closed & (numbers == lower))
-    if table.upper is not None:
-        inside &= (numbers < upper) | (table.upper_closed & (numbers == upper))
-    return inside
+    above = numbers >= lower if table.closed else numbers > lower
+    return above & (numbers <= upper if table.upper_closed else numbers < upper)
 
 
 def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> None:
@@ -140,3 +130,75 @@ def domain_text(table: ParameterTable) -> str:
     opening = "[" if table.closed else "("
     closing = "]" if table.upper_closed else ")"
     return f"{opening}{table.lower or '-oo'}, {table.upper or 'oo'}{closing}"
+
+
+def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
+    """All parameters of a system, checked, in its order.
+
+    Raises `InputError` for an unknown or missing name, a value outside its domain, or values
+    that break a constraint.
+    """
+    tables = {p.name: p for p in kernels.parameters}
+    _check_names(kernels, given)
+    values = {name: value_of(table, given[name]) for name, table in tables.items()}
+    check_constraints(kernels, values)
+    return values
+
+
+def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
+    """Raise `InputError` if a parameter of the system is missing or a name is unknown.
+
+    `given` is iterated more than once, so it has to be a mapping or a sequence.
+    """
+    names = [p.name for p in kernels.parameters]
+    for name in given:
+        if name not in names:
+            raise unknown_name("parameter", str(name), names)
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+
+
+def parameter_array(name: str, given: Any) -> np.ndarray:
+    """A parameter's values at many points, or the one that they share, as an array of floats.
+
+    Raises `InputError` unless they are real numbers.
+    """
+    try:
+        array = np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given)
+        if array.dtype.kind in "bcmM":
+            raise TypeError(f"{array.dtype} is no type of real numbers")
+        return array.astype(float)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"parameter {name}: {error}") from None
+
+
+def parameter_points(
+    kernels: SystemKernels, parameters: Mapping[str, Any]
+) -> tuple[np.ndarray, tuple[int, ...]]:
+    """Points (n, p) of all parameters of a system, broadcast together, and their common shape.
+
+    Columns are in the system's order. A point outside a domain, or one that breaks a constraint,
+    is NaN. Raises `InputError` for an unknown or missing name, or arrays that do not broadcast.
+    """
+    tables = {p.name: p for p in kernels.parameters}
+    _check_names(kernels, parameters)
+    arrays = {}
+    for name, table in tables.items():
+        given = parameters[name]
+        if isinstance(given, str | Value):
+            given = float(value_of(table, given))
+        array = parameter_array(name, given)
+        arrays[name] = np.where(in_domain(table, array), array, np.nan)
+    if not arrays:  # a declaration in numbers alone
+        return np.empty((1, 0)), ()
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise InputError(f"the parameters do not broadcast: {shapes}") from None
+    joined = [np.broadcast_to(array, shape) for array in arrays.values()]
+    points = np.stack([array.ravel() for array in joined], axis=-1)
+    columns = dict(zip(tables, points.T, strict=True))
+    points[~constrained(kernels, columns)] = np.nan
+    return points, shape

@@ -17,18 +17,18 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.factored_flows import Flows, arrays_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.modes import (
+from nonsmooth.runtime.model.modes.numeric_modes import (
     NumericModes,
     grouped_modes,
     no_modes,
     numeric_modes,
     standing_modes,
 )
-from nonsmooth.runtime.model.simple_modes import ModeGroup
+from nonsmooth.runtime.model.modes.simple_modes import ModeGroup
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.structure import Structure, structure_of
 
 __all__ = [

@@ -117,6 +117,11 @@ class Structure:
         return self.configurations.index(name)
 
     @cached_property
+    def forced(self) -> tuple[int, ...]:
+        """The states of all forcings."""
+        return tuple(state for pair in self.forcing for state in pair)
+
+    @cached_property
     def unvisited(self) -> frozenset[int]:
         """Configurations that others lead to and about which nothing more is known."""
         return frozenset(

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.exponential_differences import divided_differences
+from nonsmooth.runtime.core.exponentials.in_doubles import divided_differences
 from nonsmooth.runtime.model.structure import ModeShape
 
 __all__ = [

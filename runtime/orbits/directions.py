@@ -22,7 +22,7 @@ from nonsmooth.runtime.core.complex_steps import (
     stepped,
 )
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import inverses
+from nonsmooth.runtime.core.exponentials.matrices import inverses
 from nonsmooth.runtime.model.table_derivatives import relative_rates, stepped_tables
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations

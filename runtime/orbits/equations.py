@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import eigenvalues
+from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading

@@ -11,9 +11,9 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.parallel import in_parallel
+from nonsmooth.runtime.model.completion import Batch, complete_arrays, complete_batch
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, compiled_for
-from nonsmooth.runtime.model.parameter_batches import Batch, complete_arrays, complete_batch
-from nonsmooth.runtime.model.parameters import constrained, in_domains
+from nonsmooth.runtime.model.parameters import constrained, in_domain
 from nonsmooth.runtime.orbits.admissible import (
     NEITHER,
     NO_ORBIT,
@@ -340,7 +340,7 @@ def _solve_points(
 def _inside(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
     """Return which points lie in all parameters' domains and keep the system's constraints."""
     named = dict(zip(kernels.parameter_names, columns, strict=True))
-    told = [in_domains(kernels.tables[name], column) for name, column in named.items()]
+    told = [in_domain(kernels.tables[name], column) for name, column in named.items()]
     told.append(constrained(kernels.system, named))
     return reduce(np.logical_and, sorted(told, key=np.size))  # what is shared is told first
 
@@ -349,7 +349,7 @@ def _allowed(kernels: OrbitKernels, unknowns: np.ndarray) -> np.ndarray:
     """Return where the parameters among the unknowns (count, n) lie in their domains."""
     inside = np.full(len(unknowns), True)
     for name in kernels.solved_for:
-        inside &= in_domains(kernels.tables[name], unknowns[:, kernels.unknowns.index(name)])
+        inside &= in_domain(kernels.tables[name], unknowns[:, kernels.unknowns.index(name)])
     return inside
 
 

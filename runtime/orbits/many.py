@@ -26,10 +26,7 @@ from nonsmooth.runtime.model.kernels import (
     load_orbit,
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.model.parameter_batches import (
-    parameter_array,
-    parameter_points,
-)
+from nonsmooth.runtime.model.parameters import parameter_array, parameter_points
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit import Orbits, changed, reshaped

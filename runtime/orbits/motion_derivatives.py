@@ -15,10 +15,14 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import ContactShape, Structure
 from nonsmooth.runtime.orbits.directions import Directions, MovedCycles, relative_changes
 from nonsmooth.runtime.shooting.shooting_map import Numbers
-from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
 from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows, observed_rows
-from nonsmooth.runtime.simulation.phase_functions import Phases, phase_states
+from nonsmooth.runtime.simulation.phase_functions import (
+    Phases,
+    boundary_rows,
+    local_maxima,
+    phase_states,
+)
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit

@@ -20,9 +20,9 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.json_codec import BlankText, Codec, Several
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value, decimal_string
-from nonsmooth.runtime.model.completion import check_relations, follow, system_parameters
+from nonsmooth.runtime.model.completion import check_relations, follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, load_orbit
-from nonsmooth.runtime.model.parameters import in_domain
+from nonsmooth.runtime.model.parameters import in_domain, system_parameters
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem, kernel_problem

@@ -17,11 +17,12 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
-from nonsmooth.runtime.model.completion import SystemPoint, Terms, system_parameters
+from nonsmooth.runtime.model.completion import SystemPoint, Terms
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     piecewise,

@@ -11,10 +11,10 @@ from typing import Any, ClassVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import eigenvalues
+from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
-from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
+from nonsmooth.runtime.model.parameters import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT

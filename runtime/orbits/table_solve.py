@@ -20,7 +20,6 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.events.transition_choice import Decider
-from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law
 from nonsmooth.runtime.model.contacts.stages import Path, Stage
 from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
@@ -28,6 +27,7 @@ from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, grown
 from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, structure_of
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit

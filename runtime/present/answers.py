@@ -19,9 +19,9 @@ from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.present.report import orbit_json
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
-from nonsmooth.runtime.simulation.extremes import Extreme
 from nonsmooth.runtime.simulation.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.simulation.observables import Observables
+from nonsmooth.runtime.simulation.phase_functions import Extreme
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [

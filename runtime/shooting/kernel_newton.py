@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import inverses
+from nonsmooth.runtime.core.exponentials.matrices import inverses
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,

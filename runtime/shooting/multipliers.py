@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import real_parts
-from nonsmooth.runtime.core.matrices import inverses, sorted_by_size
+from nonsmooth.runtime.core.exponentials.matrices import inverses, sorted_by_size
 from nonsmooth.runtime.shooting.newton import LEAST
 
 __all__ = [

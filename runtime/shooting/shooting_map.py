@@ -25,8 +25,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.matrices import exponentials
-from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.core.exponentials.matrices import exponentials
 from nonsmooth.runtime.model.factored_flows import (
     FactoredFlows,
     Flows,
@@ -34,8 +33,9 @@ from nonsmooth.runtime.model.factored_flows import (
     cut_flows,
     flows_size,
 )
+from nonsmooth.runtime.model.flows import exponential
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.natural_units import balanced
+from nonsmooth.runtime.model.modes.natural_units import balanced
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at

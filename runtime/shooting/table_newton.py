@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.matrices import inverses
+from nonsmooth.runtime.core.exponentials.matrices import inverses
 from nonsmooth.runtime.model.engine_layout import layout_of
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.kernels import compiled_engine

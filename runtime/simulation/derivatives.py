@@ -368,7 +368,7 @@ def motion_derivatives(
     """
     names, starts = input_names(trajectory)
     if by is None:
-        forced = {place for pair in trajectory.structure.forcing for place in pair}
+        forced = trajectory.structure.forced
         free = (name for place, name in enumerate(starts) if place not in forced)
         chosen = (*names, *free)
     else:

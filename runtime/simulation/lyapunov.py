@@ -178,8 +178,8 @@ def _too_short(trajectory: Trajectory, since: float, told: str = "") -> InputErr
 
 def _perturbed(trajectory: Trajectory) -> list[int]:
     """Indices of the states that can be perturbed: all but those of the forcing."""
-    given = {state for pair in trajectory.structure.forcing for state in pair}
-    return [k for k in range(len(trajectory.names)) if k not in given]
+    forced = trajectory.structure.forced
+    return [k for k in range(len(trajectory.names)) if k not in forced]
 
 
 def _growth(trajectory: Trajectory, since: float) -> _Growth:

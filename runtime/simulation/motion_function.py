@@ -94,8 +94,7 @@ def motion_function(
     first = int(nominal.run.configurations[0])
     bound = bool(nominal.structure.constraints[first])
     entry = nominal.configurations[0] if bound else configuration
-    forced = {place for pair in nominal.structure.forcing for place in pair}
-    turned = any(starts[place] in inputs for place in forced)
+    turned = any(starts[place] in inputs for place in nominal.structure.forced)
     if wanted is None:
         count = nominal.transitions
         if not count:

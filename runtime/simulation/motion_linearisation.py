@@ -15,6 +15,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.boundary_sets import members_of
+from nonsmooth.runtime.model.flows import extended
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -27,7 +29,6 @@ __all__ = [
     "MotionChanges",
     "MotionLinearisation",
     "Transitions",
-    "extended",
     "field_at",
     "fitting_resets",
     "input_names",
@@ -70,11 +71,6 @@ def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) ->
     return np.asarray(extended(states) @ system.fields[configuration].T)
 
 
-def extended(states: np.ndarray) -> np.ndarray:
-    """States (..., N) with a 1 appended: (..., N + 1)."""
-    return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
-
-
 def transitions_behind(
     trajectory: Trajectory, first: int = 0, *, together: bool = False
 ) -> Transitions:
@@ -110,8 +106,7 @@ def transitions_behind(
                 f"{' and '.join(trajectory.boundaries[entry])} are reached together"
                 f" at t = {float(run.times[entry])!r}: the motion has no derivative there"
             )
-        lowest = (reached & -reached).bit_length() - 1
-        shape = system.structure.boundaries[source][lowest]
+        shape = system.structure.boundaries[source][min(members_of(reached))]
         row, now, then = system.rows[shape.row], before[here], behind[here]
         resets = fitting_resets(system, source, target, reached, now, then)
         velocities, after = field_at(system, source, now), field_at(system, target, then)
@@ -156,14 +151,11 @@ def fitting_resets(
     The transitions lead from states `before` (n, N) to states `behind` (n, N); `reached` is
     the mask of the boundaries that are reached together.
     """
-    boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
-    known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})
+    found = system.structure.transitions_to(source, members_of(reached), target)
+    known = sorted({transition.reset for transition in found})
     images = np.einsum("rij,nj->rni", system.resets[known], extended(before))
     best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)
     return np.asarray(np.array(known)[best])
-
-
-_ERROR = 64 * np.finfo(float).eps
 
 
 class MotionChanges(NamedTuple):

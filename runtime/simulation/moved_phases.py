@@ -19,13 +19,12 @@ from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.shooting_map import Numbers, flows_over
-from nonsmooth.runtime.simulation.extremes import extremes
 from nonsmooth.runtime.simulation.flow_derivatives import (
     PhaseFlows,
     rule_on,
     rule_pieces,
 )
-from nonsmooth.runtime.simulation.phase_functions import Phases, phase_states
+from nonsmooth.runtime.simulation.phase_functions import Phases, extremes, phase_states
 
 __all__ = ["Differentiated", "MovedPhases"]
 

@@ -15,8 +15,14 @@ import numpy as np
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.simulation.extremes import Extreme, extremes
-from nonsmooth.runtime.simulation.phase_functions import Phases, panels, phases_of, values_at
+from nonsmooth.runtime.simulation.phase_functions import (
+    Extreme,
+    Phases,
+    extremes,
+    panels,
+    phases_of,
+    values_at,
+)
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [

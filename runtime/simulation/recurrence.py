@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from nonsmooth.runtime.model.boundary_sets import numbered
+from nonsmooth.runtime.model.boundary_sets import names_of, numbered
+from nonsmooth.runtime.model.flows import extended
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.engines import Trajectories
@@ -169,8 +170,7 @@ def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[
     """
     if configuration < 0 or reached <= 0:
         return None
-    shapes = structure.boundaries[configuration]
-    names = [shape.name for place, shape in enumerate(shapes) if reached >> place & 1]
+    names = names_of(structure, configuration, reached)
     return structure.configurations[configuration], "+".join(names)
 
 
@@ -178,11 +178,11 @@ def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
     """Scale (n, N) of each state of n motions, over the entries that were kept."""
     states, configurations = motions.last_states, motions.last_configurations
     waits = np.diff(motions.last_times, axis=1)[..., None]
-    extended = np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
+    whole = extended(states)
     # by the velocities behind each entry and, in the phase before it, in front of it
     fields = system.fields[configurations[:, :-1]]
     moved = [
-        np.einsum("nkij,nkj->nki", fields, extended[:, side]) * waits
+        np.einsum("nkij,nkj->nki", fields, whole[:, side]) * waits
         for side in (slice(None, -1), slice(1, None))
     ]
     return variation(motions.structure, states, np.concatenate(moved, axis=1))

@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
+from nonsmooth.runtime.model.modes.natural_units import fall_rates, natural_units
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.simulation.simulate import follow

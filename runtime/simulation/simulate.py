@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     PointGroup,

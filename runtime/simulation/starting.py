@@ -14,7 +14,8 @@ from nonsmooth.runtime.core.values import as_value, axes, real_array
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading_signs
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import Law
-from nonsmooth.runtime.model.parameter_batches import parameter_array
+from nonsmooth.runtime.model.flows import extended
+from nonsmooth.runtime.model.parameters import parameter_array
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
@@ -126,7 +127,7 @@ def check_phases(system: PiecewiseLinear, start: np.ndarray) -> None:
         rest = speed * times - angle
         missed = np.maximum(missed, np.abs(rest - 2 * np.pi * np.round(rest / (2 * np.pi))))
     if missed.min() > _PHASE:
-        names = [system.structure.states[state] for pair in pairs for state in pair]
+        names = [system.structure.states[state] for state in system.structure.forced]
         raise InputError(
             f"the forcings ({', '.join(names)}) are at no time as in the start: their phases to"
             " each other belong to the declaration, as Harmonic(..., phase=...)"
@@ -206,16 +207,16 @@ def configurations_of(
         order = [structure.configuration(wanted)]
     staying = np.full(len(states), -1, dtype=np.int32)
     possible = staying.copy()
-    extended = np.concatenate([states, np.ones((len(states), 1))], axis=1)
+    whole = extended(states)
     with np.errstate(invalid="ignore", over="ignore"):
         for c in order:
-            inside = np.isfinite(extended).all(axis=1)
+            inside = np.isfinite(whole).all(axis=1)
             for row in structure.constraints[c]:
-                value, error = next(orders_along(fields[:, c], rows[:, row], extended))
+                value, error = next(orders_along(fields[:, c], rows[:, row], whole))
                 inside &= np.abs(value) <= error
             stays = inside.copy()
             for boundary in structure.boundaries[c]:
-                orders = orders_along(fields[:, c], rows[:, boundary.row], extended)
+                orders = orders_along(fields[:, c], rows[:, boundary.row], whole)
                 value, error = first = next(orders)
                 inside &= value <= error
                 stays &= leading_signs(chain([first], orders)) <= 0
@@ -223,24 +224,24 @@ def configurations_of(
             possible[(possible < 0) & inside] = c
     found = np.where(staying >= 0, staying, possible)
     if structure.law is not None and wanted is None:
-        for place, resting in _resting(structure.law, fields, rows, extended):
+        for place, resting in _resting(structure.law, fields, rows, whole):
             if found[place] >= 0:
                 at = place if len(rows) > 1 else 0
                 decider = Decider(structure, fields[at], rows[at], fields[:0])
-                targets = decider.beginnings(int(found[place]), extended[place], resting).targets
+                targets = decider.beginnings(int(found[place]), whole[place], resting).targets
                 found[place] = targets[0] if len(targets) == 1 else -1
     return found
 
 
 def _resting(
-    law: Law, fields: np.ndarray, rows: np.ndarray, extended: np.ndarray
+    law: Law, fields: np.ndarray, rows: np.ndarray, whole: np.ndarray
 ) -> Iterator[tuple[int, np.ndarray]]:
     """Yield each state's index that has several of a law's contacts at rest, and their mask."""
-    rests = np.ones((len(law.contacts), len(extended)), dtype=bool)
+    rests = np.ones((len(law.contacts), len(whole)), dtype=bool)
     for place, contact in enumerate(law.contacts):
         for row in (contact.relative, contact.gap):
             # constraints err alike in all configurations: by the fields of the first
-            value, error = next(orders_along(fields[:, 0], rows[:, row], extended))
+            value, error = next(orders_along(fields[:, 0], rows[:, row], whole))
             rests[place] &= np.abs(value) <= error
     for place in np.flatnonzero(rests.sum(axis=0) > 1).tolist():
         yield place, rests[:, place]
@@ -249,14 +250,14 @@ def _resting(
 def _left_open(system: PiecewiseLinear, state: np.ndarray) -> tuple[str, ...]:
     """Configurations that the law leaves open for a start."""
     structure, law = system.structure, system.structure.law
-    extended = np.append(state, 1.0)[None]
+    whole = extended(state[None])
     inside = [c for c in structure.visited if not _violated(system, c, state)]
     if law is None or not inside:
         return ()
     order = sorted(inside, key=lambda c: -len(structure.constraints[c]))
-    for _, resting in _resting(law, system.fields[None], system.rows[None], extended):
+    for _, resting in _resting(law, system.fields[None], system.rows[None], whole):
         decider = Decider(structure, system.fields, system.rows, system.resets)
-        found = decider.beginnings(order[0], extended[0], resting).targets
+        found = decider.beginnings(order[0], whole[0], resting).targets
         return tuple(structure.configurations[c] for c in found)
     return ()
 
@@ -272,23 +273,23 @@ def _number(name: str, given: object) -> float:
 
 
 def orders_along(
-    field: np.ndarray, row: np.ndarray, extended: np.ndarray
+    field: np.ndarray, row: np.ndarray, whole: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield values and errors (n,) of a row and of its derivatives of order 1 to N along a flow.
 
-    `extended` (n, N + 1) are the states and 1; the field (n or 1, N, N + 1) and the row (n
+    `whole` (n, N + 1) are the states and 1; the field (n or 1, N, N + 1) and the row (n
     or 1, N + 1) may be common. Each error is made of the value's rounding, and of that of
     the time at which the state was computed: a position at zero has no size of its own.
     """
-    sizes, lengths = np.abs(extended), np.abs(field)
+    sizes, lengths = np.abs(whole), np.abs(field)
     speed = lengths[:, :, :-1].sum(axis=2).max(axis=1)
     shortest = np.divide(1.0, speed, out=np.zeros_like(speed), where=speed > 0)
-    count = extended.shape[1]
+    count = whole.shape[1]
     bounds = derivatives(np.abs(row), lengths, count + 1, _rates)
     behind = ((bound * sizes).sum(axis=-1) for bound in bounds)
     size = next(behind)
     for function, following in zip(derivatives(row, field, count, _rates), behind, strict=True):
-        value = (function * extended).sum(axis=-1)
+        value = (function * whole).sum(axis=-1)
         yield value, _ERROR * (size + shortest * following)
         size = following
 
@@ -300,10 +301,10 @@ def _rates(rows: np.ndarray, fields: np.ndarray) -> np.ndarray:
 
 def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:
     """Explain which constraint or boundary the state violates; the text is empty if none."""
-    structure, extended = system.structure, np.append(state, 1.0)[None]
+    structure, whole = system.structure, extended(state[None])
 
     def excess(row: int) -> tuple[float, float]:
-        value, error = next(orders_along(system.fields[c][None], system.rows[row][None], extended))
+        value, error = next(orders_along(system.fields[c][None], system.rows[row][None], whole))
         return float(value[0]), float(error[0])
 
     for row in structure.constraints[c]:

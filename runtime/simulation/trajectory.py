@@ -14,6 +14,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, missing_extra
 from nonsmooth.runtime.core.registry import Shown, registered
 from nonsmooth.runtime.core.values import Value, real_array
+from nonsmooth.runtime.model.boundary_sets import members_of, names_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -90,11 +91,8 @@ class Trajectory(Shown):
     @cached_property
     def boundaries(self) -> tuple[tuple[str, ...], ...]:
         """Boundaries that were reached together at each of the times; none at the start."""
-        found: list[tuple[str, ...]] = [()]
-        for source, reached in zip(self.run.configurations, self.run.sets[1:], strict=False):
-            shapes = self.structure.boundaries[source]
-            found.append(tuple(b.name for i, b in enumerate(shapes) if reached >> i & 1))
-        return tuple(found)
+        phases = zip(self.run.configurations, self.run.sets[1:], strict=False)
+        return ((), *(names_of(self.structure, *phase) for phase in phases))
 
     @property
     def states(self) -> np.ndarray:
@@ -129,8 +127,7 @@ class Trajectory(Shown):
     @property
     def open_at(self) -> tuple[str, ...]:
         """Boundaries that are reached together where the laws of contact leave it open."""
-        shapes = self.structure.boundaries[self.run.configurations[-1]]
-        return tuple(b.name for i, b in enumerate(shapes) if self.run.open_at >> i & 1)
+        return names_of(self.structure, self.run.configurations[-1], self.run.open_at)
 
     @property
     def message(self) -> str:
@@ -138,8 +135,7 @@ class Trajectory(Shown):
         found = self.run.status.message
         if not self.options:
             return found
-        here = int(self.run.configurations[-1])
-        reached = frozenset(self.structure.boundary(here, name) for name in self.open_at)
+        here, reached = int(self.run.configurations[-1]), members_of(self.run.open_at)
         if self.structure.orders(here, reached):
             return f"{found}: the orders in which {' and '.join(self.open_at)} act do not agree"
         return f"{found}: {' or '.join(self.options)}"

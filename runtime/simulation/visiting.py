@@ -14,6 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import leading_signs
 from nonsmooth.runtime.model.boundary_sets import members_of
+from nonsmooth.runtime.model.flows import extended
 from nonsmooth.runtime.model.kernels import SystemKernels, grown
 from nonsmooth.runtime.model.loading.growing import Growth, Visit, growth_of
 from nonsmooth.runtime.model.piecewise import piecewise_at
@@ -69,13 +70,13 @@ def _with_starts(
     kernels: SystemKernels, growth: Growth, point: np.ndarray, states: np.ndarray
 ) -> SystemKernels:
     system = piecewise_at(kernels, point, ())
-    extended = np.concatenate([states, np.ones((len(states), 1))], axis=1)
+    whole = extended(states)
     fields, rows = system.fields, system.rows
     signs: dict[int, np.ndarray] = {}
 
     def sign(row: int) -> np.ndarray:
         if row not in signs:
-            value, error = next(orders_along(fields[:1], rows[row][None], extended))
+            value, error = next(orders_along(fields[:1], rows[row][None], whole))
             signs[row] = np.where(np.abs(value) <= error, 0, np.sign(value))
         return signs[row]
 
@@ -103,7 +104,7 @@ def _with_starts(
     kernels = grown(kernels, [(name, ()) for name in first if name is not None])
     for regimes, k in options.items():
         if any(len(each) > 1 for each in regimes):
-            kernels = _at_rest(kernels, growth, point, extended[k], regimes)
+            kernels = _at_rest(kernels, growth, point, whole[k], regimes)
     return kernels
 
 
@@ -115,7 +116,7 @@ def _at_rest(
     kernels: SystemKernels,
     growth: Growth,
     point: np.ndarray,
-    extended: np.ndarray,
+    whole: np.ndarray,
     regimes: Sequence[Sequence[str]],
 ) -> SystemKernels:
     """The system, grown by the configurations of a start at rest.
@@ -136,7 +137,7 @@ def _at_rest(
             left = []
             for index, boundary in enumerate(structure.boundaries[c]):
                 row = system.rows[boundary.row][None]
-                found = orders_along(system.fields[c][None], row, extended[None])
+                found = orders_along(system.fields[c][None], row, whole[None])
                 value, error = start = next(found)
                 if value[0] > error[0] or leading_signs(chain([start], found))[0] > 0:
                     left.append(index)

@@ -13,7 +13,7 @@ from benchmarking.measuring import Row, interleaved
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.kernels import compiled_engine, kernels_of, load_system
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, numbers_at, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries

@@ -14,7 +14,7 @@ from benchmarking.simulation import dop853
 
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.modes import numeric_modes
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import BoundaryShape, Structure, TransitionShape
 from nonsmooth.runtime.shooting.newton import CONVERGED

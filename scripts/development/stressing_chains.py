@@ -19,7 +19,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.modes import numeric_modes
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import BoundaryShape, Structure, TransitionShape
 from nonsmooth.runtime.simulation.engines import run_compiled

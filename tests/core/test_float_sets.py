@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
-from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
 from nonsmooth.runtime.core.values import flint_precision
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from nonsmooth.runtime.core.matrices import exponentials
+from nonsmooth.runtime.core.exponentials.matrices import exponentials
 
 
 @pytest.mark.parametrize("spoiled", [np.nan, np.inf, 1e7])

@@ -21,7 +21,7 @@ from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.exponential_differences import exponential_difference
+from nonsmooth.runtime.core.exponentials.in_doubles import exponential_difference
 from tests.exponentials import UNIT, Factor, error, exact, forced, largest_root, periods, repeated
 from tests.places import CHECKOUT
 

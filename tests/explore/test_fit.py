@@ -27,8 +27,7 @@ from nonsmooth.derive import (
     oscillator,
     read_matrices,
 )
-from nonsmooth.runtime.simulation.extremes import local_maxima
-from nonsmooth.runtime.simulation.phase_functions import phases_of
+from nonsmooth.runtime.simulation.phase_functions import local_maxima, phases_of
 
 k, m, r, c = sp.symbols("k m r c")
 SYSTEM = oscillator(

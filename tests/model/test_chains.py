@@ -10,7 +10,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop
 from nonsmooth.derive import oscillator as declared
-from nonsmooth.runtime.model.modes import numeric_modes
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.model.structure import mode_shapes
 from nonsmooth.runtime.model.time_functions import (
     derivative_matrix,

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from nonsmooth import InputError
-from nonsmooth.runtime.model.completion import complete, complete_system
+from nonsmooth.runtime.model.completion import complete, complete_arrays, complete_system
 from nonsmooth.runtime.model.kernels import load_orbit
-from nonsmooth.runtime.model.parameter_batches import complete_arrays
 
 FRICTION = ["dry-friction/global-stick", "dry-friction/symmetric"]
 E, US, UR = "e1", "us1", "ur1"

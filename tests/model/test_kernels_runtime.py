@@ -15,9 +15,8 @@ from scipy.linalg import expm
 from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model import kernels
-from nonsmooth.runtime.model.completion import complete
+from nonsmooth.runtime.model.completion import complete, complete_arrays
 from nonsmooth.runtime.model.kernels import load_orbit, load_system, orbit_names
-from nonsmooth.runtime.model.parameter_batches import complete_arrays
 from tests.declared import RANGES
 
 SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"

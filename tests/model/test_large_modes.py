@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import expm
 
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
-from nonsmooth.runtime.model.modes import numeric_modes
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.model.time_functions import functions_at
 from tests.large_systems import chain, masses_apart
 

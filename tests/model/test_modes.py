@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from nonsmooth import InputError
-from nonsmooth.runtime.model.modes import numeric_modes
-from nonsmooth.runtime.model.precise_modes import precise_candidates
-from nonsmooth.runtime.model.subspace_modes import subspace_modes
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
+from nonsmooth.runtime.model.modes.precise_modes import precise_candidates
+from nonsmooth.runtime.model.modes.subspace_modes import subspace_modes
 from nonsmooth.runtime.model.time_functions import functions_at
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it

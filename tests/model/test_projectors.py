@@ -4,8 +4,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.model import projectors
-from nonsmooth.runtime.model.projectors import exponentials_at
+from nonsmooth.runtime.model.modes import projectors
+from nonsmooth.runtime.model.modes.projectors import exponentials_at
 from tests.large_systems import chain
 
 

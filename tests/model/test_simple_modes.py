@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.model.modes import grouped_modes, numeric_modes
-from nonsmooth.runtime.model.projectors import exponentials_at
+from nonsmooth.runtime.model.modes.numeric_modes import grouped_modes, numeric_modes
+from nonsmooth.runtime.model.modes.projectors import exponentials_at
 from nonsmooth.runtime.model.time_functions import functions_at
 
 
@@ -65,7 +65,7 @@ def test_a_held_mass_and_a_forcing_drive_the_rest(
 ) -> None:
     """They are no reason to search for clusters in many digits."""
     numeric_modes(held(2, 1))  # whose held mass and forcing are those of the others
-    monkeypatch.setattr("nonsmooth.runtime.model.modes.best_modes", None)
+    monkeypatch.setattr("nonsmooth.runtime.model.modes.numeric_modes.best_modes", None)
     field = held(count, which)
     modes = numeric_modes(field)
     assert modes.shapes[0].length == 2  # the held mass keeps its velocity

@@ -6,7 +6,7 @@ import pytest
 from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.model.kernels import compiled_engine, load_system
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.shooting import table_newton

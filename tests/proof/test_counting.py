@@ -23,8 +23,9 @@ from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.completion import complete, system_parameters
+from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.proof.counting import branch_and_prune

@@ -12,7 +12,7 @@ from mpmath import MPContext
 from scipy.linalg import expm
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.matrices import exponentials
+from nonsmooth.runtime.core.exponentials.matrices import exponentials
 from nonsmooth.runtime.core.taylor_models import range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.shooting.variational import (

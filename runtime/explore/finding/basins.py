@@ -50,7 +50,7 @@ def start_box(
         sizes = np.abs(rows[:, -1:] / rows[:, :-1])
     sizes[~np.isfinite(sizes)] = 0.0
     largest = sizes.max(axis=0, initial=0.0)
-    forced = [state for pair in structure.forcing for state in pair]
+    forced = list(structure.forced)
     largest[forced] = 1.0
     largest = _balanced(np.abs(system.fields), largest)
     limits = np.stack([-2 * largest, 2 * largest], axis=1)

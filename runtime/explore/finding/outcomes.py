@@ -33,7 +33,7 @@ from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
 from nonsmooth.runtime.model.flows import parts_of
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import (
     PiecewiseLinear,
     piecewise_at,
@@ -282,7 +282,7 @@ def _quiet_outcomes(
     translation of the system alone does not grow: it drifts.
     """
     structure = system.structure
-    forced = [state for pair in structure.forcing for state in pair]
+    forced = list(structure.forced)
     own = [state for state in range(states.shape[1]) if state not in forced]
     parts = parts_of(system, configuration, states)
     within = np.abs(up_to_shift(parts, translations_of(system))[:, :, own])

@@ -199,7 +199,7 @@ def sweep(
     diagram = question if resume is None else _resumed(question, resume)
     look = _at_entries if phase is None else _at_phase
     followed = diagram.done > 0
-    forced = [each for pair in structure.forcing for each in pair]
+    forced = list(structure.forced)
     try:
         while diagram.done < grid.size:
             end = min(diagram.done + (_CHUNK if phase is None else 1), grid.size)

@@ -168,7 +168,7 @@ def _weights(system: PiecewiseLinear) -> np.ndarray:
     fastest = float(np.concatenate(rates).max(initial=0.0))
     found = np.ones(len(structure.states))
     found[[position for position, _ in structure.coordinates]] = fastest or 1.0
-    found[[state for pair in structure.forcing for state in pair]] = 0.0
+    found[list(structure.forced)] = 0.0
     return found
 
 
@@ -289,7 +289,7 @@ def _changes(motions: Trajectories, scales: np.ndarray) -> np.ndarray:
     configurations, states = motions.last_configurations, motions.last_states
     other = np.argmax(configurations[:, :-2] == configurations[:, [-2]], axis=1)
     found = states[np.arange(len(states)), other] - states[:, -2]
-    found[:, [state for pair in motions.structure.forcing for state in pair]] = 0.0
+    found[:, list(motions.structure.forced)] = 0.0
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.asarray(found / np.abs(found / scales).max(axis=1, keepdims=True))
 

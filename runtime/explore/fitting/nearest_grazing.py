@@ -18,9 +18,8 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
-from nonsmooth.runtime.simulation.extremes import boundary_rows, local_maxima
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
-from nonsmooth.runtime.simulation.phase_functions import phases_of
+from nonsmooth.runtime.simulation.phase_functions import boundary_rows, local_maxima, phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:

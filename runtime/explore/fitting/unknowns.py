@@ -130,7 +130,7 @@ def unknowns_of(
     structure = structure_of(kernels)
     tables = {table.name: table for table in kernels.parameters}
     starts = dict(zip(start_names(structure.states, [*tables]), structure.states, strict=True))
-    forced = {structure.states[place] for pair in structure.forcing for place in pair}
+    forced = {structure.states[place] for place in structure.forced}
     for name in parameters:
         if name not in tables:
             raise unknown_name("parameter", name, tables)

@@ -17,9 +17,9 @@ from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
-from nonsmooth.runtime.model.completion import complete, system_parameters
+from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.parameters import value_of
+from nonsmooth.runtime.model.parameters import system_parameters, value_of
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in, phases_called
 from nonsmooth.runtime.proof.certificate import GUARD

@@ -18,8 +18,8 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria, same_state
-from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, KeptSystem
 from nonsmooth.runtime.orbits.orbit import Orbit

@@ -19,9 +19,9 @@ from nonsmooth.runtime.events.leading_derivative import (
     derivatives,
     leading,
 )
-from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, rational_tables
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow

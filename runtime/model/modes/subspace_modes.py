@@ -19,7 +19,7 @@ import numpy as np
 
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
-from nonsmooth.runtime.model.simple_modes import NumericModes
+from nonsmooth.runtime.model.modes.simple_modes import NumericModes
 from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = [

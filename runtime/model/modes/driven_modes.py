@@ -17,8 +17,8 @@ from collections.abc import Callable
 import numpy as np
 
 from nonsmooth.runtime.model.factored_flows import matrices_of
-from nonsmooth.runtime.model.natural_units import dependence
-from nonsmooth.runtime.model.simple_modes import NumericModes, is_moderate, simple_modes
+from nonsmooth.runtime.model.modes.natural_units import dependence
+from nonsmooth.runtime.model.modes.simple_modes import NumericModes, is_moderate, simple_modes
 from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = ["driven_modes"]

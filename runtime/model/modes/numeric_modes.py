@@ -16,7 +16,8 @@ The first of four ways that succeeds is taken:
   a constant: it costs half of the next, and a forcing may be faster than the structure by any
   factor.
 - `subspace_modes` where other eigenvalues are equal, and always from `LARGE` states on.
-- `precise_modes`, in many digits, where eigenvalues are neither equal nor apart.
+- `precise_modes`, in many digits, where eigenvalues are neither equal nor apart: chains of at most
+  seven that nearly meet, and series for defective groups of more, as of a cascade of filters.
 """
 
 from __future__ import annotations
@@ -26,13 +27,18 @@ from functools import cache, lru_cache
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.driven_modes import driven_modes
 from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
-from nonsmooth.runtime.model.natural_units import dependence, fall_rates, natural_units
-from nonsmooth.runtime.model.precise_modes import best_modes
-from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, is_moderate, simple_modes
+from nonsmooth.runtime.model.modes.driven_modes import driven_modes
+from nonsmooth.runtime.model.modes.natural_units import dependence, fall_rates, natural_units
+from nonsmooth.runtime.model.modes.precise_modes import best_modes
+from nonsmooth.runtime.model.modes.simple_modes import (
+    ModeGroup,
+    NumericModes,
+    is_moderate,
+    simple_modes,
+)
+from nonsmooth.runtime.model.modes.subspace_modes import LARGE, subspace_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
-from nonsmooth.runtime.model.subspace_modes import LARGE, subspace_modes
 
 __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 

@@ -2,8 +2,8 @@
 
 LAPACK finds the eigenvalues of a whole stack of matrices. Each decomposition is then held
 against its matrix: where the projectors do not sum up to the unit, or miss their eigenvalues by
-more than rounding, the configuration is left to `nonsmooth.runtime.model.modes`, which clusters
-eigenvalues and works in more digits. Every operation acts on one matrix or one entry alone, so
+more than rounding, the configuration is left to `numeric_modes`, which clusters eigenvalues and
+works in more digits. Every operation acts on one matrix or one entry alone, so
 that no digit depends on which other matrices are in the stack.
 """
 
@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.model.factored_flows import Flows
-from nonsmooth.runtime.model.natural_units import dependence
+from nonsmooth.runtime.model.modes.natural_units import dependence
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
 __all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes"]

@@ -21,10 +21,9 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, MOST_POLES
 from nonsmooth.runtime.model.factored_flows import matrices_of
-from nonsmooth.runtime.model.projectors import chain, exponentials_at, newton, poles_of
-from nonsmooth.runtime.model.simple_modes import NumericModes
-from nonsmooth.runtime.model.structure import mode_shapes
-from nonsmooth.runtime.model.subspace_modes import (
+from nonsmooth.runtime.model.modes.projectors import chain, exponentials_at, newton, poles_of
+from nonsmooth.runtime.model.modes.simple_modes import NumericModes
+from nonsmooth.runtime.model.modes.subspace_modes import (
     LONGEST_CHAIN,
     groupings,
     is_real,
@@ -33,6 +32,7 @@ from nonsmooth.runtime.model.subspace_modes import (
     real_parts_of,
     snapped,
 )
+from nonsmooth.runtime.model.structure import mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
 __all__ = ["best_modes", "precise_candidates"]

@@ -6,7 +6,7 @@ where chi_i = s^d + c_(d-1) s^(d-1) + ... + c_0 is given by (c_0, ..., c_(d-1)).
 all coefficients: roots may be equal, nearly equal, zero or complex. Roots far from each other are
 separated by the recursion of divided differences (of the farthest pair, so that nothing cancels
 but what is small already), roots near each other are summed by Taylor's series about their mean
-(McCurdy, Ng and Parlett, 1984). `nonsmooth.runtime.core.exponential_balls` does it rigorously.
+(McCurdy, Ng and Parlett, 1984). `nonsmooth.runtime.core.exponentials.in_balls` does it rigorously.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.matrices import eigenvalues
+from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 
 __all__ = ["divided_differences", "exponential_difference"]
 

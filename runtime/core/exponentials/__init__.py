@@ -1,0 +1,1 @@
+"""Exponentials of matrices and of roots, over each arithmetic."""

@@ -1,0 +1,1 @@
+"""How a configuration without a closed form moves: its modes, from its numbers."""
