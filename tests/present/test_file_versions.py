@@ -26,7 +26,7 @@ KNOWN = {
     "nonsmooth basin certificate": (5, "94d2816c0887"),
     "nonsmooth box certificate": (7, "9a29ce8ea32e"),
     "nonsmooth branch": (4, "66c3a2dfb4e2"),
-    "nonsmooth census": (5, "e7dc97ad2fd4"),
+    "nonsmooth census": (6, "e96ec67f86ec"),
     "nonsmooth certificate": (5, "e8f68e264464"),
     "nonsmooth certified branch": (5, "e710bf3ffbf5"),
     "nonsmooth certified doubling": (2, "14b7c3e7c0aa"),

@@ -125,8 +125,7 @@ def certify(
             "--check",
             metavar="FILE",
             help="Prove a saved certificate again, from the file alone; exit with 1 if it differs."
-            " With FILE.py:ORBIT that declaration has to be the one in the file."
-            " Of a census each orbit is proved again, not that there are no others.",
+            " With FILE.py:ORBIT that declaration has to be the one in the file.",
         ),
     ] = None,
     overwrite: Overwrite = False,

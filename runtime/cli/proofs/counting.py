@@ -23,8 +23,8 @@ Every = Annotated[
     bool,
     typer.Option(
         "--all",
-        help="Prove how many orbits there are with dwell times in a box: tau=0:12.6 for each"
-        " among the arguments. tau=:12.6 begins at 1e-6; 0 does not belong to the box.",
+        help="Prove how many orbits there are with dwell times in a box: tau=0:6.3 for each"
+        " among the arguments. tau=:6.3 begins at 1e-6; 0 does not belong to the box.",
     ),
 ]
 

@@ -95,10 +95,6 @@ def show_census(census: Census) -> None:
         for entry in census.undecided:
             table.add_row(_text(entry.bounds), entry.reason)
         show_table(table, out)
-    if census.beyond:
-        solutions = "solution has" if census.beyond == 1 else "solutions have"
-        follow = "a dwell time that follows and is not positive, or not in the box"
-        out.print(Text(f"{census.beyond} more {solutions} {follow}", style="dim"))
     style = "green" if census.decided else "yellow"
     out.print(Text(census.statement, style=style))
 

@@ -18,6 +18,7 @@ from nonsmooth.runtime.cli.proofs.display_certificates import (
     enclosure_table,
     share_table,
     show_boxes,
+    show_census,
     show_derivatives,
     show_regions,
 )
@@ -63,7 +64,7 @@ def show_check(found: Check) -> None:
         case CertifiedDoubling() as doubling:
             _show_doubling(out, doubling, compared=found.compared)
         case Census() as census:
-            _show_census(out, census, found.claims["listed"], compared=found.compared)
+            _show_census(census, compared=found.compared)
         case BasinCertificate() as basin:
             _show_basin(out, basin)
         case GraphCertificate() as graph:
@@ -153,31 +154,10 @@ def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: 
         out.print(f"{left} of {len(events)} events {'is' if left == 1 else 'are'} not claimed")
 
 
-def _show_census(out: Console, census: Census, listed: str, *, compared: bool) -> None:
-    found = [orbit.certificate for orbit in census.orbits if orbit.certificate is not None]
-    many = "1 orbit is" if len(found) == 1 else f"{len(found)} orbits are"
-    out.print(Text(f"{many} proved again", style="bold"))
-    if listed != "proved":
-        out.print("others are listed without a certificate: nothing is claimed of them")
-    for certificate in found[:1]:
-        out.print(Text(_called(certificate.orbit, compared=compared)))
-        _show_cycle(out, certificate.itinerary)
-        out.print(Text("in the box " + ", ".join(census.box)))
-    names = found[0].dwell_names if found else ()
-    table = listing("orbit", *names, "admissible", "stability")
-    for number, certificate in enumerate(found, 1):
-        claims = certificate.claims
-        words = {"proved": certificate.stability, "refuted": "unstable"}
-        table.add_row(
-            str(number),
-            *(f"{float(certificate.enclosures[name]):.9f}" for name in names),
-            {"proved": "yes", "refuted": "no"}.get(claims["admissibility"], "not claimed"),
-            words.get(claims["stability"], "not claimed"),
-        )
-    if found:
-        show_table(table, out)
-    for certificate in found[:1]:
-        _show_point_values(out, certificate, compared=compared)
+def _show_census(census: Census, *, compared: bool) -> None:
+    bound = compared or census.declaration["parameters"]
+    called = _called(census.orbit, compared=compared)
+    show_census(replace(census, orbit=called, parameters=census.parameters if bound else {}))
 
 
 def _show_basin(out: Console, found: BasinCertificate) -> None:

@@ -66,7 +66,7 @@ from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
+from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
@@ -87,10 +87,6 @@ Proven = (
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_TOLD = "why is not proved again"
-_NOT_COUNTED = (
-    "that there are no other orbits was NOT proved again,"
-    " nor what they were asked for beside the box"
-)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -107,12 +103,9 @@ class Check(Shown):
         ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Its reasons why something is undecided are left out: nothing proves them. Which
-        parameters were chosen is as the file says. Of a census there are the orbits that have
-        a certificate, without the boxes in which they are alone, nor what else they were asked
-        for; it is undecided, as the search was not repeated.
+        parameters were chosen is as the file says.
     claims : dict of str to {"proved", "refuted", "undecided"}
-        What was proved again. Of a census "listed" says whether each of its orbits was;
-        "no others" is undecided.
+        What was proved again.
     compared : bool
         Whether the orbit is the one of its system that has the name that the file gives.
     """
@@ -135,12 +128,6 @@ class _Kind(NamedTuple):
     divides: bool = False  # its check takes processes, and tells how far it is
 
 
-def _listed(census: Census) -> dict[str, str]:
-    """The claims of a census that are proved again: those of the orbits that it lists."""
-    every = all(orbit.certificate is not None for orbit in census.orbits)
-    return {"listed": "proved" if every else "undecided", "no others": "undecided"}
-
-
 def _own(found: Any) -> Mapping[str, str]:
     claims: Mapping[str, str] = found.claims
     return claims
@@ -154,7 +141,7 @@ _KINDS = {
         _Kind(BRANCH, check_branch, certified_branch_of, branch_file_entries, _own),
         _Kind(DOUBLING, check_doubling, certified_doubling_of, doubling_entries, _own),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
-        _Kind(CENSUS, check_census, census_of, census_entries, _listed),
+        _Kind(CENSUS, check_census, census_of, census_entries, _own),
         _Kind(BASIN, check_basin, basin_of, basin_entries, _own, divides=True),
         _Kind(GRAPH, check_graph, graph_of, graph_entries, _own),
         _Kind(CHAOS, check_chaos, chaos_of, chaos_entries, lambda found: {"chaos": found.claim}),
@@ -170,9 +157,6 @@ def check_certificate(
     progress: Callable[[int, int], object] = lambda done, count: None,
 ) -> Check:
     """Check a file: its checksum, its system, and all its claims, from the file alone.
-
-    Of a census the certificates are checked and that they are of different orbits; the search
-    that found no others is not repeated.
 
     Parameters
     ----------
@@ -236,20 +220,8 @@ def check_certificate(
         return Check(str(problem))
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
-    note = _note(content, found, compared, held=declared is None)
-    shown = _listed_alone(found) if isinstance(found, Census) else found
-    return Check(None, note, _without_reasons(shown), kind.claims(found), compared)
-
-
-def _listed_alone(census: Census) -> Census:
-    """A census reduced to its certificates, without what only its search shows."""
-    certified = (orbit.certificate for orbit in census.orbits)
-    return replace(
-        census,
-        conditions=(),
-        orbits=tuple(Counted({}, each) for each in certified if each is not None),
-        undecided=(Open({}, _NOT_TOLD),),
-    )
+    note = _note(content, compared, held=declared is None)
+    return Check(None, note, _without_reasons(found), kind.claims(found), compared)
 
 
 def _without_reasons(found: Any) -> Any:
@@ -301,9 +273,9 @@ def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return found
 
 
-def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
+def _note(content: Mapping[str, Any], compared: bool, *, held: bool) -> str | None:
     """A note on what was not checked; None if there is nothing to note."""
-    notes = [_NOT_COUNTED] if isinstance(found, Census) else []
+    notes = []
     told = _told(content)
     names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)
     if names and held:

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
-from nonsmooth.runtime.core.json_codec import Codec, Exact, decode
+from nonsmooth.runtime.core.json_codec import BlankValue, Codec, Exact, decode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
+from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.certificates import (
     CERTIFICATE,
     CertificateEntries,
     certificate_entries,
     certificate_of,
 )
-from nonsmooth.runtime.present.files.claim_entries import Itinerary, entries_of
+from nonsmooth.runtime.present.files.claim_entries import OrbitProofEntries, entries_of
 from nonsmooth.runtime.proof.certificate import VERSION
 from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
 
@@ -44,14 +43,12 @@ class OpenEntries:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CensusEntries:
+class CensusEntries(OrbitProofEntries):
     """Entries of the file of a census."""
 
-    orbit: str
-    system: str
-    tables: SavedSystem | None
-    parameters: Mapping[str, Value]
-    itinerary: Itinerary
+    given_period: BlankValue
+    largest: Exact
+    declaration: Mapping[str, Any]
     box: tuple[str, ...]
     conditions: tuple[str, ...]
     count: int
@@ -61,16 +58,19 @@ class CensusEntries:
     orbits: tuple[CountedEntries, ...]
     undecided: tuple[OpenEntries, ...]
     bits: int
+    looked: int
+    trees: tuple[str, ...]
 
 
-CENSUS = FileFormat(name="nonsmooth census", what="census", entries=CensusEntries, version=VERSION)
+CENSUS = FileFormat(
+    name="nonsmooth census", what="census", entries=CensusEntries, version=VERSION + 1
+)
 
 
 def census_entries(census: Census) -> CensusEntries:
     """Entries of the file of a census."""
     content = entries_of(census)
-    for name in ("beyond", "looked"):  # of the search, which nobody can prove again
-        content.pop(name, None)
+    content |= {"declaration": dict(census.declaration), "trees": list(census.trees)}
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
             told["certificate"] = CERTIFICATE.content(certificate_entries(orbit.certificate))
@@ -87,14 +87,19 @@ def census_of(entries: CensusEntries) -> Census:
         orbit=entries.orbit,
         system=entries.system,
         parameters=entries.parameters,
+        chosen=entries.chosen,
         itinerary=entries.itinerary,
+        given_period=entries.given_period,
+        largest=entries.largest,
+        declaration=entries.declaration,
         box=entries.box,
         conditions=entries.conditions,
         orbits=tuple(map(_counted, entries.orbits)),
         undecided=tuple(Open(box.bounds, box.reason) for box in entries.undecided),
         bits=entries.bits,
+        trees=entries.trees,
     )
-    follows = ("count", "admissible", "decided", "statement")
+    follows = ("count", "admissible", "decided", "statement", "looked")
     check_follows(entries, {name: getattr(census, name) for name in follows})
     return census
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from nonsmooth.runtime.core.registry import Kept
@@ -62,22 +62,29 @@ class Census(Kept):
     ----------
     orbit, system : str
     parameters : dict of str to Value
+        All physical parameters of the system, exactly.
     itinerary : tuple of (configuration, boundary)
     box : tuple of str
         Bounds of the dwell times, as inequalities.
+    chosen : tuple of str
+        Parameters that the orbit leaves open: the census is for these values.
+    given_period : Value or None
+        What the dwell times sum up to, where it was given.
+    largest : str
+        The largest size of a coordinate.
     conditions : tuple of str
         What else the orbits were asked for.
     orbits : tuple of Counted
         Each proved to exist, and to be another one than the others; by their dwell times.
-    beyond : int or None
-        Solutions with the searched dwell times in the box, and eliminated ones that are not
-        positive, or not in it: they are no orbits. A file does not hold how many.
     undecided : tuple of Open
         Boxes of which nothing is known.
-    looked : int or None
-        Boxes that were looked at. A file does not hold how many.
     bits : int
         Of the certificates.
+    declaration : dict
+        The system, as functions of its parameters, as in the file.
+    trees : tuple of str
+        How the searched boxes are cut, and what is proved of each part: one tree for each number of
+        the forcing's turns.
     """
 
     _kept_by = "save_census"
@@ -86,13 +93,21 @@ class Census(Kept):
     system: str
     parameters: Mapping[str, Value]
     itinerary: tuple[tuple[str, str], ...]
+    chosen: tuple[str, ...]
+    given_period: Value | None
+    largest: str
     box: tuple[str, ...]
     conditions: tuple[str, ...]
     orbits: tuple[Counted, ...]
     undecided: tuple[Open, ...]
     bits: int
-    beyond: int | None = None
-    looked: int | None = None
+    declaration: Mapping[str, Any] = field(repr=False)
+    trees: tuple[str, ...] = field(repr=False)
+
+    @property
+    def looked(self) -> int:
+        """How many boxes the trees have, but for those left open."""
+        return sum(len(tree) - tree.count("?") for tree in self.trees)
 
     @property
     def count(self) -> int:
@@ -142,9 +157,11 @@ class Census(Kept):
         dict
             The census, ready for `json.dumps`.
         """
-        searched = (("beyond", self.beyond), ("looked", self.looked))
         return {
             **orbit_json(self),
+            "chosen": list(self.chosen),
+            "given_period": "" if self.given_period is None else self.given_period.text,
+            "largest": self.largest,
             "box": list(self.box),
             "conditions": list(self.conditions),
             "count": self.count,
@@ -163,7 +180,7 @@ class Census(Kept):
                 {"bounds": _json(box.bounds), "reason": box.reason} for box in self.undecided
             ],
             "bits": self.bits,
-            **{name: number for name, number in searched if number is not None},
+            "looked": self.looked,
         }
 
 
