@@ -22,7 +22,7 @@ from nonsmooth.runtime.checker.points import check
 from nonsmooth.runtime.checker.shape import CENSUS, check_bits, check_shape
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 
-__all__ = ["Counted", "Counting", "Found", "Side", "check_census", "texts_of"]
+__all__ = ["CensusVerdict", "CountedBox", "Counting", "Side", "check_census", "texts_of"]
 
 _BITS = 64  # doubles cut the boxes
 _SIDE = re.compile(r"(?P<low>.+?) (?P<strict><=?) (?P<name>\w+)(?: <= (?P<high>.+))?")
@@ -69,7 +69,7 @@ class Side(NamedTuple):
         return True if time > 0 and time >= low and (high is None or time <= high) else None
 
 
-class Found(NamedTuple):
+class CensusVerdict(NamedTuple):
     """What a covering proves of a box: its orbits, and the boxes of which nothing is known."""
 
     inside: list[tuple[DwellEquations, Root]]  # by their first dwell times
@@ -115,10 +115,10 @@ class Counting:
             self.period = number(values["period"]) if period else None
             self.number, self.turns = number, closing.get("turns", 0)
 
-    def within(self, box: Sequence[str]) -> "Counted":
+    def within(self, box: Sequence[str]) -> "CountedBox":
         """Return the question in a box, whose sides are stated as inequalities."""
         with ctx.workprec(_BITS):
-            return Counted(self, [Side.stated(text) for text in box])
+            return CountedBox(self, [Side.stated(text) for text in box])
 
     @property
     def conditions(self) -> list[str]:
@@ -142,7 +142,7 @@ class Counting:
         return next(k for k in range(1, len(phases) + 1) if phases == phases[k:] + phases[:k])
 
 
-class Counted:
+class CountedBox:
     """The equations whose roots are the orbits in a box, and what their coverings prove.
 
     There is one system of equations for each number of turns of the forcing that fits into the box.
@@ -187,7 +187,7 @@ class Counted:
             if not period < least * (1 - _LITTLE):
                 yield Given(declared.forcing, speeds, period, unit), (window,)
 
-    def judged(self, walks: Sequence[Walk]) -> Found:
+    def judged(self, walks: Sequence[Walk]) -> CensusVerdict:
         """Return what coverings of all equations prove: which roots are orbits in the box."""
         follow = self.counting.follow
         found: list[tuple[DwellEquations, Root, dict[str, Any]]] = []
@@ -214,7 +214,7 @@ class Counted:
         first = self.sides[0].name
         found.sort(key=lambda each: float(each[2][first].mid()))
         left = [(walk.equations, sides) for walk in walks for sides in walk.undecided]
-        return Found([each[:2] for each in found], beyond, left, edges)
+        return CensusVerdict([each[:2] for each in found], beyond, left, edges)
 
     def _small(self, equations: DwellEquations, root: Root) -> bool | None:
         """Return whether no coordinate is too large, and a forcing's time in its period.
@@ -320,7 +320,7 @@ def texts_of(equations: DwellEquations, sides: Sides) -> dict[str, list[str]]:
     return {name: [repr(low), repr(high)] for name, (low, high) in pairs}
 
 
-def _check_listed(content: dict[str, Any], counted: Counted, found: Found) -> None:
+def _check_listed(content: dict[str, Any], counted: CountedBox, found: CensusVerdict) -> None:
     """Demand that orbits and open boxes are those that are found, and certificates of these."""
     listed = iter(enumerate(content["orbits"], 1))
     number, orbit = next(listed, (0, None))

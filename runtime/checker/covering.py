@@ -25,7 +25,7 @@ from nonsmooth.runtime.checker.contraction import (
 from nonsmooth.runtime.checker.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.exact import demand
 
-__all__ = ["CUTS", "Part", "Root", "Walk"]
+__all__ = ["CUTS", "CoveringBox", "Root", "Walk"]
 
 CUTS = "abcdefghijklmnopqrstuvwxyz"
 _SHRUNK = 0.75  # of its size: a box that was made so small may become smaller still
@@ -49,7 +49,7 @@ class Root:
         return inside(self.sides, other.unique) or inside(other.sides, self.unique)
 
 
-class Part:
+class CoveringBox:
     """A box of a covering, with what is proved of it when it is asked for."""
 
     def __init__(self, equations: DwellEquations, sides: Sides) -> None:
@@ -99,7 +99,7 @@ class Part:
                 middle, radius = low + (high - low) / 2, (high - low) / 2
                 radius = factor * radius + _LEAST * max(last - first, abs(middle))
                 wide.append((middle - radius, middle + radius))
-            around = Part(self.equations, tuple(wide))
+            around = CoveringBox(self.equations, tuple(wide))
             if around.image is None or around.empty:
                 return None
             if around.image.unique:
@@ -110,7 +110,7 @@ class Part:
     def _polished(self, root: Root) -> Root:
         """Return the same root in a box as small as the arithmetic allows."""
         for _ in range(_POLISHES):
-            part = Part(self.equations, root.sides)
+            part = CoveringBox(self.equations, root.sides)
             if part.image is None or part.empty:
                 return root
             better = share_of(part.kept, root.sides)
@@ -133,11 +133,11 @@ class Walk:
         # boxes that wait, the next one first, and the letters, the last one first, as linked lists:
         # one assignment changes both
         self._state: tuple[tuple[Any, ...], tuple[Any, ...]] = (
-            (Part(equations, equations.domain), ()),
+            (CoveringBox(equations, equations.domain), ()),
             (),
         )
 
-    def follow(self, advice: Callable[[Part], str]) -> None:
+    def follow(self, advice: Callable[[CoveringBox], str]) -> None:
         """Go on to the end, by the letters that `advice` gives for each box.
 
         `Failure` is raised if a letter says what is not proved.
@@ -146,7 +146,7 @@ class Walk:
             (part, waiting), letters = self._state
             letter = advice(part)
             for sides in reversed(self._inner(part, letter)):
-                waiting = Part(self.equations, sides), waiting
+                waiting = CoveringBox(self.equations, sides), waiting
             self._state = waiting, (letter, letters)
 
     @property
@@ -181,7 +181,7 @@ class Walk:
                 found.append(one)
         return sorted(found)
 
-    def _inner(self, part: Part, letter: str) -> list[Sides]:
+    def _inner(self, part: CoveringBox, letter: str) -> list[Sides]:
         """Return the boxes that are left of a box, if what its letter says is proved."""
         match letter:
             case "-":

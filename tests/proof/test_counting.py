@@ -22,7 +22,7 @@ import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker.census import Counting
 from nonsmooth.runtime.checker.contraction import Linear, balls_of, contract, middles_of
-from nonsmooth.runtime.checker.covering import CUTS, Part, Walk
+from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Walk
 from nonsmooth.runtime.checker.dwell_equations import DwellEquations, _flow_over, _norm
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.cli.program import app
@@ -62,7 +62,7 @@ def covered(problem: Any, limit: int) -> Walk:
     """The walk through a covering that cuts the widest side, or looks closer where that helps."""
     walk, looked = Walk(problem), 0
 
-    def advice(part: Part) -> str:
+    def advice(part: CoveringBox) -> str:
         nonlocal looked
         looked += 1
         if part.excluded or part.empty:

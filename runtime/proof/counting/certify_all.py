@@ -8,10 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.census import Counted as Judge
-from nonsmooth.runtime.checker.census import Counting, Found, texts_of
+from nonsmooth.runtime.checker.census import CensusVerdict, CountedBox, Counting, texts_of
 from nonsmooth.runtime.checker.contraction import Linear, Sides, share_of, weights
-from nonsmooth.runtime.checker.covering import CUTS, Part, Root, Walk
+from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
@@ -125,7 +124,9 @@ def certify_all(
             raise InputError(f"the orbits cannot be counted: {problem}") from None
         _check_size(judge.equations, limit)
         walks = [Walk(equations) for equations in judge.equations]
-        searches = [_Search(walk, _share(progress, k, len(walks))) for k, walk in enumerate(walks)]
+        searches = [
+            _TreeSearch(walk, _share(progress, k, len(walks))) for k, walk in enumerate(walks)
+        ]
         stopped = False
         try:
             begin("searching")
@@ -164,7 +165,7 @@ def certify_all(
     return census
 
 
-class _Search:
+class _TreeSearch:
     """The search for a tree of boxes: where to cut, and when a box is worth a closer look."""
 
     def __init__(self, walk: Walk, progress: Callable[[float], object]) -> None:
@@ -185,7 +186,7 @@ class _Search:
             self.reason = reason
             self.walk.follow(lambda part: "?")
 
-    def _advice(self, part: Part) -> str:
+    def _advice(self, part: CoveringBox) -> str:
         if self.looked >= self._limit:
             self.reason = _MANY
             return "?"
@@ -198,7 +199,7 @@ class _Search:
             self._progress(self._done)
         return letter
 
-    def _letter(self, part: Part, patience: int) -> tuple[str, int]:
+    def _letter(self, part: CoveringBox, patience: int) -> tuple[str, int]:
         """The letter for a box, and the patience with those in it."""
         if part.excluded:
             return "-", 0
@@ -256,7 +257,12 @@ def _check_size(equations: Sequence[DwellEquations], limit: int) -> None:
 
 
 def _certified(
-    asked: Asked, judge: Judge, found: Found, begin: Callable[[str], object], *, stopped: bool
+    asked: Asked,
+    judge: CountedBox,
+    found: CensusVerdict,
+    begin: Callable[[str], object],
+    *,
+    stopped: bool,
 ) -> tuple[list[Counted], list[Open], bool]:
     """The orbits with their certificates, those left open without one, and whether Ctrl-C came."""
     counted, left = [], []
@@ -279,7 +285,7 @@ def _certified(
 
 
 def _accepted(
-    certificate: Certificate, judge: Judge, equations: DwellEquations, root: Root
+    certificate: Certificate, judge: CountedBox, equations: DwellEquations, root: Root
 ) -> tuple[Certificate | None, str]:
     """A certificate, if the checker takes it for a root's, or the reason why there is none."""
     if certificate.claims["existence"] != "proved":
