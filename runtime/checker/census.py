@@ -73,7 +73,6 @@ class CensusVerdict(NamedTuple):
     """What a covering proves of a box: its orbits, and the boxes of which nothing is known."""
 
     inside: list[tuple[DwellEquations, Root]]  # by their first dwell times
-    beyond: int  # solutions with a dwell time that follows, and is not in the box
     left: list[tuple[DwellEquations, Sides]]  # boxes that were left open
     edges: list[tuple[DwellEquations, Root, str]]  # may be orbits of the box, and why
 
@@ -189,23 +188,17 @@ class CountedBox:
 
     def judged(self, walks: Sequence[Walk]) -> CensusVerdict:
         """Return what coverings of all equations prove: which roots are orbits in the box."""
-        follow = self.counting.follow
         found: list[tuple[DwellEquations, Root, dict[str, Any]]] = []
         edges: list[tuple[DwellEquations, Root, str]] = []
-        beyond = 0
         with ctx.workprec(_BITS):
             for walk in walks:
                 for root in walk.roots:
                     dwell = walk.equations.dwell(root.sides, root.coordinates)
-                    holds = {side.name: side.holds(dwell[side.name]) for side in self.sides}
                     asks = [self._small(walk.equations, root)]
-                    asks += [told for name, told in holds.items() if name not in follow]
-                    rest = [holds[name] for name in follow]
+                    asks += [side.holds(dwell[side.name]) for side in self.sides]
                     if False in asks:
                         continue
-                    if False in rest:
-                        beyond += 1
-                    elif None in asks or None in rest:
+                    if None in asks:
                         edges.append((walk.equations, root, _EDGE))
                     elif (again := self._again(walk.equations, root, found)) is None:
                         edges.append((walk.equations, root, _TWICE))
@@ -214,7 +207,7 @@ class CountedBox:
         first = self.sides[0].name
         found.sort(key=lambda each: float(each[2][first].mid()))
         left = [(walk.equations, sides) for walk in walks for sides in walk.undecided]
-        return CensusVerdict([each[:2] for each in found], beyond, left, edges)
+        return CensusVerdict([each[:2] for each in found], left, edges)
 
     def _small(self, equations: DwellEquations, root: Root) -> bool | None:
         """Return whether no coordinate is too large, and a forcing's time in its period.
