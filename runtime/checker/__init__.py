@@ -6,8 +6,7 @@ A file states a declaration of the system and what is claimed. Each kind of file
   what is proved of such an orbit: that is what `certify` states, and what a file is held against;
 - `check_tiles`: a map over a box of parameters, `check_branch`: a branch, also beyond its borders;
 - `check_events`: single events of orbits, `check_doubling`: what is beyond a flip;
-- `check_census`: the orbits of a list, that each exists and no two are one, not that there are
-  no others;
+- `check_census`: all orbits of an itinerary in a box of dwell times, by a tree of its parts;
 - `check_chaos`: coverings and cone conditions of sets, `check_basin`: a contracted core and what
   leads to it, `check_graph`: images of boxes of a section, and trapping regions.
 
@@ -17,9 +16,9 @@ irrational numbers, chains of matrices), sets and flows in double precision with
 rounding, grids of boxes, errors, and what gives work to processes. None of the code that finds
 or proves orbits is.
 
-Orbits at a point, undivided tiles of boxes, branches, also beyond their borders, basins, chaos and
-graphs are proved here alone: others only look for what may be proved. For the rest provers ask
-these functions, or those for a part of a file, before they state anything.
+Orbits at a point, undivided tiles of boxes, branches, also beyond their borders, censuses, basins,
+chaos and graphs are proved here alone: others only look for what may be proved. For the rest
+provers ask these functions, or those for a part of a file, before they state anything.
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 

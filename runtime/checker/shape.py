@@ -401,6 +401,10 @@ _BOUNDS = Named((NUMBER, NUMBER))
 CENSUS = {
     **_FILE,
     **_ORBIT,
+    "chosen": [str],
+    "given_period": str,
+    "largest": NUMBER,
+    "declaration": _STATEMENT["declaration"],
     "box": [str],
     "conditions": [str],
     "count": int,
@@ -412,6 +416,8 @@ CENSUS = {
     ],
     "undecided": [{"bounds": _BOUNDS, "reason": str}],
     "bits": int,
+    "looked": int,
+    "trees": [re.compile(r"[-*=?a-z]*")],
 }
 
 

@@ -266,7 +266,6 @@ def _census(census: Census) -> Told:
     found = [orbit.certificate for orbit in census.orbits if orbit.certificate is not None]
     names = found[0].dwell_names if found else ()
     rows = [[str(number), *_counted(orbit, names)] for number, orbit in enumerate(census.orbits, 1)]
-    beyond = "with a dwell time that follows and is not positive, or not in the box"
     undecided = [(_inequalities(box.bounds), box.reason) for box in census.undecided]
     return f"census of {shown_name(census.orbit)}: {number}", [
         ("box", [*census.box, *census.conditions]),
@@ -274,8 +273,7 @@ def _census(census: Census) -> Told:
         ("statement", [census.statement]),
         ("orbits", Listing(("orbit", *names, "admissible", "stability", ""), rows)),
         ("undecided", Listing(("undecided box", "why"), undecided)),
-        ("beyond", [f"{many(census.beyond, 'solution')} {beyond}"] if census.beyond else []),
-        ("looked at", [] if census.looked is None else [f"{census.looked} boxes"]),
+        ("looked at", [f"{census.looked} boxes"]),
     ]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.completion import complete_system
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -35,7 +34,6 @@ __all__ = [
     "Subject",
     "closing_of",
     "guess_of",
-    "physical_values",
     "subject_near",
     "system_of",
     "unknown_names",
@@ -100,17 +98,6 @@ def subject_near(orbit: Orbit) -> Subject:
         problem.start_names,
         problem.dwell_time_names,
     )
-
-
-def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
-    """Return all parameters of the system from those of an orbit and those that it leaves open.
-
-    `NotCovered` is raised if the system does not take these values.
-    """
-    try:
-        return complete_system(kernels, given).values
-    except InputError as problem:
-        raise NotCovered(str(problem)) from None
 
 
 def _translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:

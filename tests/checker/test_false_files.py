@@ -170,40 +170,7 @@ def test_a_removed_orbit_is_not_counted(folder: Path, tmp_path: Path) -> None:
     content |= {"orbits": [], "count": 0, "admissible": 0}
     told = content["statement"].replace("exactly 1 orbit", "exactly 0 orbits")
     content["statement"] = told.replace("1 admissible", "0 admissible")
-    path = tmp_path / "none.json"
-    assert refusal(content, path) is None  # of no orbit anything is said
-    found = ns.certify.check(path)
-    assert found.claims == {"listed": "proved", "no others": "undecided"}
-    assert "no other orbits was NOT proved again" in str(found.note)
-
-
-def test_an_orbit_that_begins_later_is_not_counted_twice(tmp_path: Path) -> None:
-    path = tmp_path / "twice.json"
-    box = {"tau1": (1, "2.2"), "tau2": ("1.5", "1.6"), "tau3": (1, "2.2"), "tau4": ("1.5", "1.6")}
-    values, phases = {"k": 9, "r": "1/3", "a": 10}, LOOP * 2
-    ns.certify.all(kicked(), values, box, itinerary=phases).save(path)
-    content = json.loads(path.read_text())
-    assert refusal(content, path) is None
-    orbit = next(o for o in content["orbits"] if o["certificate"] is not None)
-    start = [1.0471975512, 1.5707963268, 2.0943951024, 1.5707963268]
-    begun = [*start[2:], *start[:2]]
-    times = [float(orbit["certificate"]["enclosures"][f"tau{k}"]["mid"]) for k in range(1, 5)]
-    guess = begun if abs(times[0] - start[0]) < 0.1 else start
-    other = ns.solve(kicked(), values, guess, itinerary=phases)
-    assert other.converged
-    ns.certify(other).save(tmp_path / "other.json")
-    twin = json.loads((tmp_path / "other.json").read_text())
-    for name in ("format", "version", "package", "sha256"):
-        del twin[name]
-    found = {f"tau{k}": twin["enclosures"][f"tau{k}"] for k in range(1, 5)}
-    unique = {name: [str(float(x["mid"]) - 1e-3), str(float(x["mid"]) + 1e-3)]
-              for name, x in found.items()}  # fmt: skip
-    content["orbits"].append({"unique": unique, "certificate": twin, "reason": ""})
-    content["count"] += 1
-    content["admissible"] += twin["claims"]["admissibility"] == "proved"
-    told = refusal(content, path)
-    assert told is not None
-    assert "may be one" in told
+    assert "an orbit of the box is not listed" in str(refusal(content, tmp_path / "none.json"))
 
 
 def test_a_file_names_no_system_of_another_place(folder: Path, tmp_path: Path) -> None:

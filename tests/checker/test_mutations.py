@@ -116,8 +116,6 @@ NOTES = (
     r"events/\d+/text",
     r"tiles/\d+/looked_at",
     r"start",  # of a branch: from which of its tiles it was followed
-    r"(conditions|undecided)\b.*",  # of the search for all orbits
-    r"orbits/\d+/unique.*",
     r"tried.*",  # of the search for chaos
     r"no_derivatives.*",
 )

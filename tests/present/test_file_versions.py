@@ -23,7 +23,7 @@ KNOWN = {
     "nonsmooth basin certificate": (6, "1c6132538e83"),
     "nonsmooth box certificate": (8, "36d5e1ed82fe"),
     "nonsmooth branch": (4, "b8aed0dfa463"),
-    "nonsmooth census": (6, "c24ab09afea5"),
+    "nonsmooth census": (6, "fc35c9745b8c"),
     "nonsmooth certificate": (6, "b6867ccc646d"),
     "nonsmooth certified branch": (6, "3d0a27190011"),
     "nonsmooth certified doubling": (3, "cd5e8bad0d36"),

@@ -11,6 +11,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, points
+from nonsmooth.runtime.checker.census import CountedBox
 from nonsmooth.runtime.checker.chaos import StretchedSets
 from nonsmooth.runtime.checker.cones import Derivatives
 from nonsmooth.runtime.checker.doubling import JudgedDoubling
@@ -18,7 +19,6 @@ from nonsmooth.runtime.checker.events import JudgedEvent
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import certify_branch as of_branches
-from nonsmooth.runtime.proof.counting import certify_all
 from nonsmooth.runtime.proof.refusals import refusal
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
@@ -182,11 +182,12 @@ def test_cones(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as planted:
-        planted.setattr(certify_all, "check_listed", refusing(certify_all.check_listed))
+        planted.setattr(CountedBox, "check_orbit", refusing(CountedBox.check_orbit))
         found = ns.certify.all(ORBIT, box={"tau": 3, "tau1": 3})
     (counted,) = found.orbits
-    assert (counted.certificate, counted.reason) == (None, PLANTED)
-    assert accepted(found, tmp_path).claims == {"listed": "undecided", "no others": "undecided"}
+    assert (counted.certificate, counted.reason) == (None, "planted")
+    # that there is one orbit, and no other, is proved by the tree
+    assert accepted(found, tmp_path).claims == {"orbits": "proved"}
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, KeyError, TypeError, AttributeError])

@@ -43,7 +43,7 @@ from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
+from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.events.event_certificate import (
     EventCertificate,
@@ -69,10 +69,6 @@ _MOST = 500_000_000  # bytes of a file
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_TOLD = "why is not proved again"
-_NOT_COUNTED = (
-    "that there are no other orbits was NOT proved again,"
-    " nor what they were asked for beside the box"
-)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -89,12 +85,9 @@ class Check(Shown):
         ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Its reasons why something is undecided are left out: nothing proves them. Which
-        parameters were chosen is as the file says. Of a census there are the orbits that have
-        a certificate, without the boxes in which they are alone, nor what else they were asked
-        for; it is undecided, as the search was not repeated.
+        parameters were chosen is as the file says.
     claims : dict of str to {"proved", "refuted", "undecided"}
-        What was proved again. Of a census "listed" says whether each of its orbits was;
-        "no others" is undecided.
+        What was proved again.
     compared : bool
         Whether the orbit is the one of its system that has the name that the file gives.
     """
@@ -122,10 +115,7 @@ _DIVIDED = "nonsmooth basin certificate"  # whose check takes processes, and tel
 
 
 def _claims(found: Proven) -> Mapping[str, str]:
-    """The claims that are proved again: of a census those of the orbits that it lists."""
-    if isinstance(found, Census):
-        every = all(orbit.certificate is not None for orbit in found.orbits)
-        return {"listed": "proved" if every else "undecided", "no others": "undecided"}
+    """The claims that are proved again."""
     return events_claim(found) if isinstance(found, tuple) else found.claims
 
 
@@ -137,9 +127,6 @@ def check_certificate(
     progress: Callable[[int, int], object] = lambda done, count: None,
 ) -> Check:
     """Check a file: its checksum, its system, and all its claims, from the file alone.
-
-    Of a census the certificates are checked and that they are of different orbits; the search
-    that found no others is not repeated.
 
     Parameters
     ----------
@@ -206,20 +193,8 @@ def check_certificate(
         return Check(str(problem))
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
-    note = _note(content, found, compared, held=declared is None)
-    shown = _listed_alone(found) if isinstance(found, Census) else found
-    return Check(None, note, _without_reasons(shown), _claims(found), compared)
-
-
-def _listed_alone(census: Census) -> Census:
-    """A census reduced to its certificates, without what only its search shows."""
-    certified = (orbit.certificate for orbit in census.orbits)
-    return replace(
-        census,
-        conditions=(),
-        orbits=tuple(Counted({}, each, "") for each in certified if each is not None),
-        undecided=(Open({}, _NOT_TOLD),),
-    )
+    note = _note(content, compared, held=declared is None)
+    return Check(None, note, _without_reasons(found), _claims(found), compared)
 
 
 def _without_reasons(found: Any) -> Any:
@@ -260,9 +235,9 @@ def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return found
 
 
-def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
+def _note(content: Mapping[str, Any], compared: bool, *, held: bool) -> str | None:
     """A note on what was not checked; None if there is nothing to note."""
-    notes = [_NOT_COUNTED] if isinstance(found, Census) else []
+    notes = []
     told = _told(content)
     names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)
     if names and held:

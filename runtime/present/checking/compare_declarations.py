@@ -25,7 +25,6 @@ from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, physical_values
 from nonsmooth.runtime.proof.parametric_declaration import (
     PERIOD,
     orbit_declaration,
@@ -116,27 +115,8 @@ def _doubling(content: Content) -> bool:
 
 
 def _census(content: Content) -> bool:
-    """Compare all orbits of a census with their system, and its parameters with theirs."""
-    named, compared = named_in(content), []
-    given = _given_values(content["parameters"])
-    for found in (orbit["certificate"] for orbit in content["orbits"]):
-        if found is None:
-            continue
-        compared.append(_certificate(found))
-        own = _given_values(found["parameters"])
-        values = given
-        if named.derived is not None:
-            chosen = {name: own[name] for name in found["chosen"]}
-            try:
-                values = physical_values(named.derived, {**given, **chosen})
-            except (NotCovered, KeyError) as problem:
-                raise Failure(f"the parameters of the census: {problem}") from None
-        if values != own:
-            raise Failure("an orbit is not at the parameters of the census")
-        period = None if named.derived is None else given.get(named.period)
-        if period is not None and period.text != found["given_period"]:
-            raise Failure("an orbit has not the period of the census")
-    return all(compared)
+    """Compare a census with its system; the certificates have the same declaration."""
+    return _compare(content, _declared_at_point, "at its parameters")
 
 
 def _named_system(content: Content) -> SystemKernels:
@@ -263,7 +243,7 @@ def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]
             exact_tables(named.kernels, tuple(values.values()), work),
             named.start,
             named.dwell,
-            timed=content["closing"]["kind"] == "period",
+            timed=bool(content["given_period"]),
         )
 
 

@@ -13,7 +13,7 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, is_save
 from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.table_solve import whole_names, with_routes
+from nonsmooth.runtime.orbits.table_solve import whole_names
 from nonsmooth.runtime.proof.contact_statement import kernels_with
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
@@ -62,10 +62,7 @@ def named_in(content: Mapping[str, Any]) -> NamedOrbit:
     kernels = system_in(system, None if tables is None else decode(SavedSystem, tables))
     orbits = {f"{system}{'/' if tables is None else ':'}{own}" for own in kernels.module.ORBITS}
     itinerary = [(c, b) for c, b in content["itinerary"]]
-    if "declaration" in content:
-        kernels = kernels_with(kernels, content["declaration"])
-    else:  # of a census each orbit has its own
-        kernels = with_routes(kernels, itinerary)
+    kernels = kernels_with(kernels, content["declaration"])
     cycle = itinerary_shape(structure_of(kernels), itinerary)
     states, own = kernels.table["states"], {table.name for table in kernels.parameters}
     if label == cycle_label(system, len(itinerary)):
@@ -114,7 +111,7 @@ def _of_file(
 
     The checker sees to it that none of them is another name of the system.
     """
-    declared = content.get("declaration")
+    declared = content["declaration"]
     if not declared or not is_saved(content["orbit"]):
         raise Failure(f"{content['orbit']} is no orbit of {content['system']}")
     dwell = tuple(phase["dwell_time"] for phase in declared["phases"])

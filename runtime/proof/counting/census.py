@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated
 
-from nonsmooth.runtime.core.json_codec import IN_ANSWERS, Exact, Follows
+from nonsmooth.runtime.core.json_codec import IN_FILES, BlankValue, Exact, Follows
 from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
-from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.certificate import Certificate, Declaration
 
 __all__ = ["Bounds", "Census", "Counted", "Open"]
 
@@ -64,35 +64,50 @@ class Census(Certified):
     ----------
     orbit, system : str
     parameters : dict of str to Value
+        All physical parameters of the system, exactly.
     itinerary : tuple of (configuration, boundary)
     box : tuple of str
         Bounds of the dwell times, as inequalities.
+    chosen : tuple of str
+        Parameters that the orbit leaves open: the census is for these values.
+    given_period : Value or None
+        What the dwell times sum up to, where it was given.
+    largest : str
+        The largest size of a coordinate.
     conditions : tuple of str
         What else the orbits were asked for.
     orbits : tuple of Counted
         Each proved to exist, and to be another one than the others; by their dwell times.
-    beyond : int or None
-        Solutions with the searched dwell times in the box, and eliminated ones that are not
-        positive, or not in it: they are no orbits. A file does not hold how many.
     undecided : tuple of Open
         Boxes of which nothing is known.
-    looked : int or None
-        Boxes that were looked at. A file does not hold how many.
     bits : int
         Of the certificates.
+    declaration : dict
+        The system, as functions of its parameters, as in the file.
+    trees : tuple of str
+        How the searched boxes are cut, and what is proved of each part: one tree for each number of
+        the forcing's turns.
     """
 
     orbit: KeptOrbitName
     system: str
     parameters: Mapping[str, Value]
     itinerary: tuple[tuple[str, str], ...]
+    chosen: tuple[str, ...]
+    given_period: BlankValue
+    largest: Exact
     box: tuple[str, ...]
     conditions: tuple[str, ...]
     orbits: tuple[Counted, ...]
     undecided: tuple[Open, ...]
     bits: int
-    beyond: Annotated[int | None, IN_ANSWERS] = None
-    looked: Annotated[int | None, IN_ANSWERS] = None
+    declaration: Declaration = field(repr=False)
+    trees: Annotated[tuple[str, ...], IN_FILES] = field(repr=False)
+
+    @Follows
+    def looked(self) -> int:
+        """How many boxes the trees have, but for those left open."""
+        return sum(len(tree) - tree.count("?") for tree in self.trees)
 
     @Follows
     def count(self) -> int:

@@ -1,46 +1,46 @@
-"""Prove how many orbits an itinerary has in a box of dwell times."""
+"""Prove how many orbits an itinerary has in a box of dwell times: the checker does, box by box."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from nonsmooth.runtime.checker.census import check_listed
+import numpy as np
+
+from nonsmooth.runtime.checker.census import CensusVerdict, CountedBox, Counting, texts_of
+from nonsmooth.runtime.checker.contraction import Linear, Sides, share_of, weights
+from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Root, Walk
+from nonsmooth.runtime.checker.dwell_equations import DwellEquations
+from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.orbits.problem import orbit_of
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
-from nonsmooth.runtime.proof.counting.branch_and_prune import (
-    Problem,
-    Root,
-    Searched,
-    search,
-    untouched,
-)
 from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
-from nonsmooth.runtime.proof.counting.contraction import Sides
-from nonsmooth.runtime.proof.counting.dwell_box import Side
-from nonsmooth.runtime.proof.counting.problems import Question
-from nonsmooth.runtime.proof.counting.question import Asked, asked_of
-from nonsmooth.runtime.proof.refusals import as_read, refusal
-
-if TYPE_CHECKING:
-    from flint import arb
+from nonsmooth.runtime.proof.counting.question import Asked, asked_of, box_of
+from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.shooting.newton import CONVERGED
 
 __all__ = ["certify_all"]
 
 _WORK = 64  # bits of the search: doubles cut its boxes
 _LIMIT = 500_000
 _WIDEST = 100.0  # sides of a box that the search drops at once, at most
+_SMALLEST = 1e-9  # of the searched box: sides that are not cut any more
+_SHRUNK = 0.75  # of its size: a box that was made so small is not cut, but looked at again
+_FAR = 3.0  # of a box's radius: an image so large does not help before the box is cut twice
+_UNKNOWN = 1e12  # a radius that is not bounded
+_TOLD = 64  # boxes between two reports
 _STOPPED = "the search was interrupted"
-_EDGE = "a solution may lie on the edge of what is asked for"
-_TWICE = "the orbit may be one of those that are counted, begun later"
-_OTHER = "its certificate is not of this orbit alone"
+_MANY = "too many boxes"
+_SINGULAR = "the equations are nearly singular"
 
 
 def certify_all(
@@ -60,8 +60,7 @@ def certify_all(
 
     Branch and prune in ball arithmetic: a box is dropped when its equations are proved to have
     no root there, and cut until each root has a box in which it is the only one. Then each
-    orbit is certified. The dwell times are searched, of a derived orbit only those that its
-    reduced equations leave: the others follow from them, a first return being the first one.
+    orbit is certified. The checker proves each step, and again from the file.
 
     Parameters
     ----------
@@ -70,17 +69,18 @@ def certify_all(
     parameters : mapping of str to number, text or Value, optional
         As for `solve`, or, with an itinerary, as for `compose`.
     box : mapping of str to (lower, upper) or upper
-        Of each dwell time that is searched, nondimensional. Bounds belong to the box, except
-        a lower bound 0. Without one it is 1e-6: at 0 the equations often have solutions that
-        are no orbits, which balls cannot tell from very short phases.
+        Of each dwell time, nondimensional. Bounds belong to the box, except a lower bound 0.
+        Without one it is 1e-6: at 0 the equations often have solutions that are no orbits, which
+        balls cannot tell from very short phases. Where a phase moves evenly its dwell time
+        follows, and needs no bounds; where it ends at a periodic function, it has the period's.
     itinerary : sequence of (configuration, boundary), optional
         Its dwell times are tau1, tau2, .... Of one that repeats itself, as where a period
         doubles, an orbit counts once wherever it begins, and not if it repeats itself.
     period : number, text or Value, optional
         Of a conservative itinerary.
     largest : float
-        Where dwell times are searched: only orbits whose free coordinates at the start of a
-        phase, which the census names, are not larger.
+        Only orbits count whose free coordinates at the start of a phase, which the census
+        names, are not larger.
     bits : int
         Of the certificates.
     limit : int
@@ -114,59 +114,141 @@ def certify_all(
         raise InputError(f"bits = {bits} is more than {MOST_BITS}")
     if not 0 < largest < math.inf:
         raise InputError(f"largest = {largest!r} is not positive and finite")
+    asked = asked_of(orbit, parameters or {}, itinerary, period, float(largest), bits)
     with flint_precision(_WORK):
-        asked = asked_of(
-            orbit, parameters or {}, box or {}, itinerary, period, float(largest), _WORK
-        )
-        problems = asked.question.problems
-        _check_size(problems, limit)
-        searches, stopped = _searched(problems, limit, begin, progress)
-        roots: list[tuple[Problem, Root]] = []
-        left: list[Open] = []
-        looked = 0
-        for problem, found in zip(problems, searches, strict=True):
-            looked += found.looked
-            roots += [(problem, root) for root in found.roots]
-            names = asked.question.unknowns(problem)
-            reason = "too many boxes" if looked >= limit else "the equations are nearly singular"
-            reason = _STOPPED if found.interrupted else reason
-            left += [Open(_texts(names, sides), reason) for sides in found.undecided]
-        census, halted = _judged(asked, roots, left, looked, bits, begin)
+        entries = asked.entries()
+        try:
+            counting = Counting(entries)
+            sides = box_of(counting, box or {})
+            judge = counting.within(sides)
+        except Failure as problem:
+            raise InputError(f"the orbits cannot be counted: {problem}") from None
+        _check_size(judge.equations, limit)
+        walks = [Walk(equations) for equations in judge.equations]
+        searches = [
+            _TreeSearch(walk, _share(progress, k, len(walks))) for k, walk in enumerate(walks)
+        ]
+        stopped = False
+        try:
+            begin("searching")
+            for search in searches:
+                search.go(limit - sum(other.looked for other in searches))
+        except KeyboardInterrupt:
+            stopped = True
+        for search in searches:
+            search.leave_rest(_STOPPED if stopped else _MANY)
+        try:
+            found = judge.judged(walks)
+        except KeyboardInterrupt:
+            stopped, found = True, judge.judged(walks)
+        reasons = {id(search.walk.equations): search.reason for search in searches}
+        left = [Open(_bounds(*each), reasons[id(each[0])]) for each in found.left]
+        left += [Open(_bounds(own, root.sides), reason) for own, root, reason in found.edges]
+        counted, more, halted = _certified(asked, judge, found, begin, stopped=stopped)
+    census = Census(
+        orbit=asked.problem.name,
+        system=asked.problem.system.name,
+        parameters=asked.values,
+        itinerary=asked.problem.itinerary,
+        chosen=asked.chosen,
+        given_period=asked.period,
+        largest=asked.largest,
+        box=tuple(sides),
+        conditions=tuple(counting.conditions),
+        orbits=tuple(counted),
+        undecided=(*left, *more),
+        bits=bits,
+        declaration=entries["declaration"],
+        trees=tuple(walk.tree for walk in walks),
+    )
     if stopped or halted:
         raise Interrupted(census)
     return census
 
 
-def _searched(
-    problems: Sequence[Problem],
-    limit: int,
-    begin: Callable[[str], object],
-    progress: Callable[[float], object],
-) -> tuple[list[Searched], bool]:
-    """A search of each problem, untouched from the interruption on, and whether there was one."""
-    found: list[Searched] = []
-    try:
-        begin("searching")
-        while len(found) < len(problems) and not (found and found[-1].interrupted):
-            rest = max(1, limit - sum(each.looked for each in found))
-            told = _share(progress, len(found), len(problems))
-            found.append(search(problems[len(found)], rest, told))
-    except KeyboardInterrupt:
-        found.append(untouched(problems[len(found)]))
-    stopped = found[-1].interrupted
-    return [*found, *map(untouched, problems[len(found) :])], stopped
+class _TreeSearch:
+    """The search for a tree of boxes: where to cut, and when a box is worth a closer look."""
+
+    def __init__(self, walk: Walk, progress: Callable[[float], object]) -> None:
+        self.walk, self._progress = walk, progress
+        self._sizes = [high - low for low, high in walk.equations.domain]
+        self._patience = [0]  # of each box that waits: how often it is cut before it is contracted
+        self._limit, self._done, self.looked = 0, 0.0, 0
+        self.reason = _SINGULAR  # why boxes are left open
+
+    def go(self, limit: int) -> None:
+        """Search on, and look at `limit` boxes at most; the others are left open."""
+        self._limit = limit
+        self.walk.follow(self._advice)
+
+    def leave_rest(self, reason: str) -> None:
+        """Leave all boxes open that still wait, for a reason."""
+        if self.walk.waits:
+            self.reason = reason
+            self.walk.follow(lambda part: "?")
+
+    def _advice(self, part: CoveringBox) -> str:
+        if self.looked >= self._limit:
+            self.reason = _MANY
+            return "?"
+        letter, patience = self._letter(part, self._patience.pop())
+        self._patience += [patience] * {"=": 1, "-": 0, "*": 0, "?": 0}.get(letter, 2)
+        self._done += 0.0 if letter in CUTS else self._part_of(part.sides)
+        self._done -= self._part_of(part.kept) if letter == "=" else 0.0
+        self.looked += 1
+        if self.looked % _TOLD == 0:
+            self._progress(self._done)
+        return letter
+
+    def _letter(self, part: CoveringBox, patience: int) -> tuple[str, int]:
+        """The letter for a box, and the patience with those in it."""
+        if part.excluded:
+            return "-", 0
+        image = None if patience else part.image
+        if image is not None:
+            if part.empty:
+                return "-", 0
+            if part.root is not None:
+                return "*", 0
+            if share_of(part.kept, part.sides) < _SHRUNK:
+                return "=", 0
+        if patience == 0:
+            patience = 1 if image is not None and image.ratio < _FAR else 1 + len(part.sides)
+        scores = _smears(part.linear, part.sides)
+        for place in sorted(range(len(scores)), key=lambda k: -scores[k]):
+            low, high = part.sides[place]
+            middle = low + (high - low) / 2
+            if high - low > _SMALLEST * self._sizes[place] and low < middle < high:
+                return CUTS[place], patience - 1
+        return "?", 0
+
+    def _part_of(self, sides: Sides) -> float:
+        pairs = zip(sides, self._sizes, strict=True)
+        return math.prod((high - low) / size for (low, high), size in pairs)
 
 
-def _check_size(problems: Sequence[Problem], limit: int) -> None:
+def _smears(linear: Linear | None, sides: Sides) -> list[float]:
+    """A guess of how much each unknown's side spreads the equations: cut at the largest."""
+    found = []
+    assert linear is not None
+    weight = weights(linear.over)
+    for slope, (low, high) in zip(linear.slopes, sides, strict=True):
+        sizes = [max(float(abs(x).upper()) for x in row) for row in slope.tolist()]
+        score = sum(w * size for w, size in zip(weight, sizes, strict=True)) * (high - low)
+        # where the derivative is not bounded, nothing but the size of the side is known
+        found.append(score if math.isfinite(score) else _UNKNOWN * (high - low))
+    return found
+
+
+def _check_size(equations: Sequence[DwellEquations], limit: int) -> None:
     """Refuse with `TooLarge` a box that the permitted number of small boxes cannot nearly cover.
 
     Solutions recur with each turn of the phases, so boxes are not larger than turns; those that
     were measured are a fifth of a radian.
     """
-    sides = sorted(high - low for problem in problems for low, high in problem.domain)
+    sides = sorted(high - low for own in equations for low, high in own.domain)
     boxes = sum(
-        math.prod(max(1.0, (high - low) / _WIDEST) for low, high in problem.domain)
-        for problem in problems
+        math.prod(max(1.0, (high - low) / _WIDEST) for low, high in own.domain) for own in equations
     )
     if not boxes <= limit:
         raise TooLarge(
@@ -175,138 +257,63 @@ def _check_size(problems: Sequence[Problem], limit: int) -> None:
         )
 
 
-def _judged(
-    asked: Asked,
-    roots: Sequence[tuple[Problem, Root]],
-    left: Sequence[Open],
-    looked: int,
-    bits: int,
-    begin: Callable[[str], object],
-) -> tuple[Census, bool]:
-    """The census of what is proved of each root, and whether Ctrl-C came: the rest is then open."""
-    question = asked.question
-    counted: list[Counted] = []
-    halted = False
-    try:
-        inside, beyond, edges = _inside(asked, roots)
-    except KeyboardInterrupt:
-        halted, inside, beyond = True, [], 0
-        edges = [Open(_texts(question.unknowns(p), root.sides), _STOPPED) for p, root in roots]
-    undecided = [*left, *edges]
-    for number, (problem, root, dwell) in enumerate(inside, 1):
-        certificate, reason = None, _STOPPED
-        if not halted:
-            try:
-                begin(f"certifying orbit {number} of {len(inside)}")
-                certificate, reason = _certified(question, problem, root, bits)
-                if certificate is not None:
-                    unique = _texts(question.unknowns(problem), root.unique)
-                    listed = [*counted, Counted(unique, certificate, "")]
-                    reason = _OTHER
-                    if _is_of(certificate, dwell, asked.sides):
-                        reason = _refused(_census(asked, listed, undecided, beyond, looked, bits))
-                    certificate = None if reason else certificate
-            except KeyboardInterrupt:
-                halted, certificate, reason = True, None, _STOPPED
-        names = question.unknowns(problem)
-        unique = _texts(names, root.unique)
-        if certificate is None and question.surplus:
-            undecided.append(Open(_texts(names, root.sides), reason))
-        else:
-            counted.append(Counted(unique, certificate, reason))
-    return _census(asked, counted, undecided, beyond, looked, bits), halted
-
-
-def _census(
-    asked: Asked,
-    counted: Sequence[Counted],
-    undecided: Sequence[Open],
-    beyond: int,
-    looked: int,
-    bits: int,
-) -> Census:
-    return Census(
-        orbit=asked.label,
-        system=asked.system,
-        parameters=asked.parameters,
-        itinerary=asked.itinerary,
-        box=tuple(str(side) for side in asked.sides),
-        conditions=asked.question.conditions,
-        orbits=tuple(counted),
-        beyond=beyond,
-        undecided=tuple(undecided),
-        looked=looked,
-        bits=bits,
-    )
-
-
-def _refused(census: Census) -> str:
-    """Why the checker refuses the count of a census whose single orbits it proves; "" if not."""
-    return refusal(lambda: check_listed(as_read(stated(census))))
-
-
-def _inside(
-    asked: Asked, roots: Sequence[tuple[Problem, Root]]
-) -> tuple[list[tuple[Problem, Root, dict[str, arb]]], int, list[Open]]:
-    """Roots in the box, sorted, the number of those beyond it, and the undecided ones."""
-    question = asked.question
-    follow = question.follow
-    inside: list[tuple[Problem, Root, dict[str, arb]]] = []
-    edges: list[Open] = []
-    beyond = 0
-    for problem, root in roots:
-        names = question.unknowns(problem)
-        dwell = question.dwell(problem, root)
-        asks = [question.small(problem, root)]
-        asks += [side.holds(dwell[side.name]) for side in asked.sides if side.name not in follow]
-        rest = [side.holds(dwell[side.name]) for side in asked.sides if side.name in follow]
-        if False in asks:
-            continue
-        if False in rest:
-            beyond += 1
-        elif None in asks or None in rest:
-            edges.append(Open(_texts(names, root.sides), _EDGE))
-        elif (again := _again(question, problem, root, inside)) is None:
-            edges.append(Open(_texts(names, root.sides), _TWICE))
-        elif not again:
-            inside.append((problem, root, dwell))
-    first = asked.sides[0].name
-    return sorted(inside, key=lambda each: float(each[2][first].mid())), beyond, edges
-
-
-def _again(
-    question: Question, problem: Problem, root: Root, inside: Sequence[tuple[Any, ...]]
-) -> bool | None:
-    """Whether an orbit is counted already, begun at another phase; None if that is undecided.
-
-    The same is asked of an orbit that repeats itself before its itinerary ends.
-    """
-    others = [root, *(other for its, other, _ in inside if its is problem)]
-    verdicts = [question.again(problem, root, other) for other in others]
-    return True if True in verdicts else None if None in verdicts else False
-
-
 def _certified(
-    question: Question, problem: Problem, root: Root, bits: int
+    asked: Asked,
+    judge: CountedBox,
+    found: CensusVerdict,
+    begin: Callable[[str], object],
+    *,
+    stopped: bool,
+) -> tuple[list[Counted], list[Open], bool]:
+    """The orbits with their certificates, those left open without one, and whether Ctrl-C came."""
+    counted, left = [], []
+    for number, (equations, root) in enumerate(found.inside, 1):
+        certificate, reason = None, _STOPPED
+        if not stopped:
+            try:
+                begin(f"certifying orbit {number} of {len(found.inside)}")
+                certificate = certify(_orbit(asked, equations, root), asked.bits)
+                certificate, reason = _accepted(certificate, judge, equations, root)
+            except InputError as problem:
+                certificate, reason = None, str(problem)
+            except KeyboardInterrupt:
+                stopped, certificate, reason = True, None, _STOPPED
+        if certificate is None and equations.surplus:
+            left.append(Open(_bounds(equations, root.sides), reason))
+        else:
+            counted.append(Counted(_bounds(equations, root.unique), certificate, reason))
+    return counted, left, stopped
+
+
+def _accepted(
+    certificate: Certificate, judge: CountedBox, equations: DwellEquations, root: Root
 ) -> tuple[Certificate | None, str]:
-    try:
-        certificate = certify(question.orbit(problem, root), bits)
-    except InputError as reason:
-        return None, str(reason)
+    """A certificate, if the checker takes it for a root's, or the reason why there is none."""
     if certificate.claims["existence"] != "proved":
         return None, certificate.reasons["existence"]
+    try:
+        judge.check_orbit(as_read(stated(certificate)), equations, root)
+    except Failure as problem:
+        return None, str(problem)
     return certificate, ""
 
 
-def _is_of(certificate: Certificate, dwell: Mapping[str, arb], sides: Sequence[Side]) -> bool:
-    """Whether a certified orbit is in the box, and its dwell times may be those of a root.
-
-    Certified orbits that are in the box are roots, and as many as there are of them that are
-    apart from each other; no more is needed to count them.
-    """
-    found = {name: certificate.enclosures[name].ball for name in dwell}
-    return all(found[n].overlaps(t) for n, t in dwell.items()) and all(
-        side.holds(found[side.name]) for side in sides
+def _orbit(asked: Asked, equations: DwellEquations, root: Root) -> Orbit:
+    """An approximation in floating point of the orbit that a root is."""
+    dwell = equations.dwell(root.sides, root.coordinates)
+    starts = equations.starts(root.sides, root.coordinates)
+    states = [[float(x.mid()) for x in starts[k].entries()[:-1]] for k in sorted(starts)]
+    times = np.array([float(dwell[name].mid()) for name in asked.problem.dwell_time_names])
+    return orbit_of(
+        asked.problem,
+        asked.values,
+        asked.period,
+        times,
+        np.array(states),
+        0.0,
+        DOUBLE,
+        0,
+        CONVERGED,
     )
 
 
@@ -317,5 +324,5 @@ def _share(
     return lambda share: progress((place + share) / count)
 
 
-def _texts(names: Sequence[str], sides: Sides) -> Bounds:
-    return {n: (repr(low), repr(high)) for n, (low, high) in zip(names, sides, strict=True)}
+def _bounds(equations: DwellEquations, sides: Sides) -> Bounds:
+    return {name: (low, high) for name, (low, high) in texts_of(equations, sides).items()}

@@ -1,4 +1,4 @@
-"""What is asked: from what a user gives to a box and the equations that are searched."""
+"""What is asked: from what a user gives to the system, the itinerary and the box of a census."""
 
 from __future__ import annotations
 
@@ -7,78 +7,119 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.checker.census import Counting
+from nonsmooth.runtime.checker.exact import product, reduced
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.model.completion import complete
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
-from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
+from nonsmooth.runtime.model.completion import complete, complete_system
+from nonsmooth.runtime.model.kernels import OrbitKernels, kernels_of, load_orbit
+from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.parameters import system_parameters
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.problem import OrbitProblem
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
-from nonsmooth.runtime.proof.counting.dwell_box import Side, sides_of
-from nonsmooth.runtime.proof.counting.problems import (
-    Question,
-    ReducedQuestion,
-    dwell_question,
-)
-from nonsmooth.runtime.proof.counting.reduced_equations import ReducedProblem, reducible
-from nonsmooth.runtime.proof.orbit_to_prove import (
-    NotCovered,
-    physical_values,
-)
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
+from nonsmooth.runtime.proof.certificate import GUARD
+from nonsmooth.runtime.proof.exact_tables import exact_tables
+from nonsmooth.runtime.proof.parametric_declaration import system_declaration
+from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.proof.symplectic_form import symplectic_form
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from nonsmooth.runtime.shooting.translations import translations_of
 
-__all__ = ["Asked", "asked_of"]
+__all__ = ["Asked", "asked_of", "box_of"]
+
+SHORTEST = "1e-6"
+_HUNDREDTHS = 100
 
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """A box, the question about it, and the names for both."""
+    """An itinerary of a system at one parameter point, and the names for both."""
 
-    label: str
-    system: str
-    parameters: Mapping[str, Value]
-    itinerary: tuple[tuple[str, str], ...]
-    sides: tuple[Side, ...]
-    question: Question
+    problem: OrbitProblem
+    values: Mapping[str, Value]  # all parameters of the system
+    chosen: tuple[str, ...]  # those that the orbit leaves open
+    period: Value | None  # the sum of the dwell times, where it is given
+    largest: str  # largest size of a coordinate
+    bits: int
+
+    def entries(self) -> dict[str, Any]:
+        """What the file of a census states of the question, ready for JSON."""
+        problem, timed = self.problem, self.period is not None
+        cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)
+        work = self.bits + GUARD
+        tables = exact_tables(problem.system, tuple(self.values.values()), work)
+        label = problem.name
+        if len(translations_of(piecewise(problem.system, self.values))):
+            raise InputError(
+                f"{label} does not depend on where it is: its orbits are periodic up to a shift,"
+                " and not counted"
+            )
+        if cycle.structure.forcing:
+            if timed:
+                raise InputError("the period of a forced orbit is the forcing's, and not given")
+            if not tables.exact:
+                raise InputError(
+                    "to count the orbits of a forced system its numbers have to be exact"
+                )
+        elif not timed and tables.exact and symplectic_form(tables, cycle) is not None:
+            raise InputError(
+                f"{label} keeps its energy: its orbits come in families, and only with a given"
+                " period can they be counted"
+            )
+        return {
+            "orbit": label,
+            "system": problem.system.name,
+            "parameters": {name: value.text for name, value in self.values.items()},
+            "chosen": list(self.chosen),
+            "itinerary": [list(phase) for phase in problem.itinerary],
+            "given_period": "" if self.period is None else self.period.text,
+            "largest": self.largest,
+            "bits": self.bits,
+            "declaration": as_read(
+                system_declaration(
+                    problem.system, cycle, tables, problem.start_names, problem.dwell_time_names,
+                    timed=timed,
+                )
+            ),
+        }  # fmt: skip
 
 
 def asked_of(
     orbit: Any,
     parameters: Mapping[str, object],
-    box: Mapping[str, Any],
     itinerary: Sequence[tuple[str, str]] | None,
     period: object,
     largest: float,
     bits: int,
 ) -> Asked:
-    """The question that `certify_all` is asked, with its box.
+    """Return what `certify_all` is asked, but for its box.
 
-    `parameters` are physical ones, or those of the named orbit. `box` has bounds of the dwell
-    times, as for `sides_of`; without an itinerary that of the named orbit is taken. `period` (the
-    sum of the dwell times) and `largest` (size of a coordinate) are in the system's units, and
-    `bits` is the working precision. `InputError` for names or values that do not fit, or orbits
-    that are not counted.
+    `parameters` are physical ones, or those of the named orbit; without an itinerary that of the
+    named orbit is taken. `InputError` is raised for names or values that do not fit, or orbits that
+    are not counted.
     """
+    size = f"{largest:g}"
     if itinerary is not None:
-        kernels = kernels_of(orbit)
-        kernels = with_routes(kernels, itinerary)
-        cycle = itinerary_shape(structure_of(kernels), itinerary)
-        taken = {*cycle.structure.states, *(p.name for p in kernels.parameters)}
+        kernels = with_routes(kernels_of(orbit), itinerary)
         values = system_parameters(kernels, parameters)
-        names = dwell_names(len(cycle), taken)
-        start = start_names(cycle.structure.states, {*names, *values})
-        own = _period(period)
-        return _of_cycle(None, kernels, values, cycle, names, start, box, own, largest, bits)
+        problem = OrbitProblem(kernels, tuple((c, b) for c, b in itinerary))
+        itinerary_shape(structure_of(kernels), problem.itinerary)
+        return Asked(problem, values, (), _period(period), size, bits)
     named = load_orbit(orbit)
     if named.table.get("symmetry"):
         raise InputError(
             f"{named.name} is declared by a symmetry: give its whole itinerary instead"
         )
-    phases = [(configuration, boundary) for configuration, boundary, _ in named.table["phases"]]
-    cycle = itinerary_shape(structure_of(named.system), phases)
+    phases = tuple(
+        (configuration, boundary) for configuration, boundary, _ in named.table["phases"]
+    )
     if named.derived:
-        return _derived(orbit, named, cycle, parameters, box, period, largest, bits)
+        if period is not None:
+            raise InputError(f"{named.name} takes its period, if any, among its parameters")
+        return _derived(orbit, named, parameters, phases, size, bits)
     reference = named.table["reference"] or {"parameters": {}}
     given = {**reference["parameters"], **parameters}
     declared = named.table.get("period")
@@ -86,19 +127,16 @@ def asked_of(
         own = given.pop(declared["name"], None)
         period = own if period is None else period
     values = system_parameters(named.system, given)
-    names = unknowns_of(named)
-    dwell, start, own = names[: len(cycle)], names[len(cycle) :], _period(period)
-    return _of_cycle(named.name, named.system, values, cycle, dwell, start, box, own, largest, bits)
+    problem = OrbitProblem(named.system, phases, label=named.name, names=tuple(unknowns_of(named)))
+    return Asked(problem, values, (), _period(period), size, bits)
 
 
 def _derived(
     orbit: Any,
     kernels: OrbitKernels,
-    cycle: ItineraryShape,
     parameters: Mapping[str, object],
-    box: Mapping[str, Any],
-    period: object,
-    largest: float,
+    phases: tuple[tuple[str, str], ...],
+    largest: str,
     bits: int,
 ) -> Asked:
     if kernels.table["vanishing"] or kernels.solved_for:
@@ -106,49 +144,18 @@ def _derived(
             f"{kernels.name} is a border collision, with {', '.join(kernels.solved_for)} among"
             " its unknowns: its orbits cannot be counted"
         )
-    if period is not None:
-        raise InputError(f"{kernels.name} takes its period, if any, among its parameters")
     point = complete(kernels, parameters)
     given = {**point.values, **point.opened}
-    if reducible(kernels):
-        sides = sides_of(kernels.dwell_times, kernels.reduced, box)
-        bounds = {side.name: side.floats for side in sides}
-        domain = [bounds[name] for name in kernels.reduced]
-        problem = ReducedProblem(kernels, list(point.values.values()), domain)
-        question = ReducedQuestion(kernels, orbit, point, (problem,))
-        return Asked(kernels.name, kernels.system.name, given, cycle.itinerary, sides, question)
-    left = [p.name for p in kernels.open_parameters if p.name not in point.opened]
-    if left:
-        raise InputError(
-            f"{kernels.name}: {', '.join(left)} left open, and needed to count its orbits"
-        )
-    try:  # those that are chosen play no part in this orbit
-        values = physical_values(kernels, given)
-    except NotCovered as reason:
-        raise InputError(f"{kernels.name}: {reason}") from None
-    own, names = point.values.get(kernels.period_name or ""), kernels.dwell_times
-    start = start_names(cycle.structure.states, {*names, *values})
-    return _of_cycle(
-        kernels.name, kernels.system, values, cycle, names, start, box, own, largest, bits
-    )
-
-
-def _of_cycle(
-    label: str | None,
-    kernels: SystemKernels,
-    values: Mapping[str, Value],
-    cycle: ItineraryShape,
-    names: tuple[str, ...],
-    start: tuple[str, ...],
-    box: Mapping[str, Any],
-    period: Value | None,
-    largest: float,
-    bits: int,
-) -> Asked:
-    sides = sides_of(names, names, box)
-    question = dwell_question(label, kernels, values, cycle, sides, start, period, largest, bits)
-    told = label or cycle_label(kernels.name, len(cycle))
-    return Asked(told, kernels.name, values, cycle.itinerary, sides, question)
+    if all(table.name in point.opened for table in kernels.open_parameters):
+        found = complete_system(kernels, given)
+    else:  # large enough for the orbit next to the reference, if there is one
+        near = solve(orbit, parameters, throw=False)
+        found = near.problem.physical(near) if near.converged else complete_system(kernels, given)
+    values, dwell = found.values, kernels.dwell_times
+    start = start_names(kernels.system.table["states"], {*dwell, *values})
+    problem = OrbitProblem(kernels.system, phases, label=kernels.name, names=(*dwell, *start))
+    period = point.values.get(kernels.period_name or "")
+    return Asked(problem, values, found.chosen, period, largest, bits)
 
 
 def _period(period: object) -> Value | None:
@@ -158,3 +165,74 @@ def _period(period: object) -> Value | None:
     if not 0 < float(value) < math.inf:
         raise InputError(f"period = {value} is not positive and finite")
     return value
+
+
+def box_of(counting: Counting, box: Mapping[str, Any]) -> list[str]:
+    """Return the sides of a box as inequalities, one for each dwell time.
+
+    `box` gives an upper bound, or both; the lower one is 1e-6 by default. Dwell times that follow
+    only have to be positive, and one without bounds that ends where a periodic function of it is
+    zero is at most its period. `InputError` is raised for unknown names, bounds that are missing or
+    not in order.
+    """
+    names = counting.declared.dwell
+    for name in box:
+        if name not in names:
+            raise unknown_name("dwell time", str(name), list(names))
+    found, missing = [], []
+    for place, name in enumerate(names):
+        if name in box:
+            found.append(_side(name, box[name]))
+        elif name in counting.follow:
+            found.append(f"0 < {name}")
+        elif (period := _period_of(counting, place)) is not None:
+            upper = math.floor(_HUNDREDTHS * period + 1) / _HUNDREDTHS
+            found.append(f"{SHORTEST} <= {name} <= {upper}")
+        else:
+            missing.append(name)
+    if missing:
+        wanted = ", ".join(missing)
+        raise InputError(f"the box has no bounds of {wanted}, as in {missing[0]}=0:10")
+    return found
+
+
+def _side(name: str, bounds: Any) -> str:
+    if isinstance(bounds, Sequence) and not isinstance(bounds, str):
+        if len(bounds) != 2:
+            raise InputError(f"{name}: {len(bounds)} bounds are given, not two")
+        first, last = bounds
+    else:
+        first, last = SHORTEST, bounds
+    try:
+        lower, upper = as_value(first), as_value(last)
+    except InputError as problem:
+        raise InputError(f"{name}: {problem}") from None
+    if not 0 <= float(lower) < float(upper):
+        raise InputError(f"{name}: {lower} and {upper} are not bounds of a dwell time, in order")
+    return f"{lower} {'<' if lower.exact == 0 else '<='} {name} <= {upper}"
+
+
+def _period_of(counting: Counting, place: int) -> float | None:
+    """Return the period of a phase's boundary function; None where it is not known to have one.
+
+    If its first derivative g solves g'' = -w^2 g, the function is periodic: it is first zero within
+    one period, if ever.
+    """
+    declared = counting.declared
+    if not declared.rational:
+        return None
+    _, kept, _ = declared.known[place]
+    step, rates = declared.steps[place], []
+    row = step.exit
+    for _ in range(3):
+        row = reduced(product(row, step.field), kept)
+        rates.append(row)
+    first, _, third = rates
+    pivot = next((k for k, x in enumerate(first) if x), None)
+    if pivot is None:
+        return None
+    ratio = third[pivot] / first[pivot]
+    if any(x != ratio * y for x, y in zip(third, first, strict=True)):
+        return None
+    square = -float(counting.number(ratio).mid())
+    return 2 * math.pi / math.sqrt(square) if square > 0 else None

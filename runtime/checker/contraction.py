@@ -1,0 +1,274 @@
+"""What can be told of one box of unknowns: that no root is in it, or one, or where all of them are.
+
+Equations are G(u) (q, 1) = 0 for unknowns u, in the box, and coordinates q. Preconditioners and
+weights are guesses: what they are does not matter, since every statement is about their products
+with balls, for the very numbers that were taken. The linear equations for q are not divided by, so
+that there are no poles: where G(u) has full rank over a box there is no root in it.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from flint import arb, arb_mat
+
+__all__ = [
+    "Image",
+    "Linear",
+    "Sides",
+    "balls_of",
+    "contract",
+    "enclosed",
+    "excluding",
+    "floats_around",
+    "inside",
+    "middles_of",
+    "share_of",
+    "touching",
+    "weights",
+]
+
+Sides = tuple[tuple[float, float], ...]  # of a box: exactly these doubles
+
+_INFLATED = 1.5  # of the radii of coordinates, so that their image may lie inside
+_TINY = arb(2) ** -40
+_ENOUGH = 1e-4  # of a row's size: radii that do not hinder
+_LEAST = 1e-300  # of a radius that is divided by
+_UNKNOWN = 1e12  # a radius that is not bounded
+
+
+class Linear(NamedTuple):
+    """G over a box: in its middle, its derivatives by the unknowns over it, and an enclosure.
+
+    All matrices are m x (d + 1), for d coordinates.
+    """
+
+    centre: Any
+    slopes: tuple[Any, ...]
+    over: Any
+    # rows (d + 1) that are zero on (q, 1) for some numbers in their balls, at all that is asked for
+    asked: Sequence[Sequence[Any]] = ()
+    # no coordinate of the roots that are asked for has a larger absolute value
+    largest: Any = arb(0)
+    # the box may hold a root that is none of the problem's: that it has none can be proved, but not
+    # that it has one
+    trivial: bool = False
+
+
+class Image(NamedTuple):
+    """Krawczyk's image of a box."""
+
+    sides: Sides  # contains every root of the box
+    coordinates: tuple[Any, ...]  # contain those of every root of the box
+    unique: bool  # the image lies inside: there is one root in the box, and no other
+    empty: bool  # image and box are apart: there is no root
+    ratio: float  # largest radius of the image in units of the box's
+
+    def within(self, sides: Sides) -> Sides:
+        """Return the box that the image and a box have in common; a side may be turned around."""
+        pairs = zip(self.sides, sides, strict=True)
+        return tuple((max(a, c), min(b, d)) for (a, b), (c, d) in pairs)
+
+
+def balls_of(sides: Sides) -> list[Any]:
+    """Return balls that contain the sides of a box, one for each."""
+    return [arb(low).union(arb(high)) for low, high in sides]
+
+
+def middles_of(sides: Sides) -> list[Any]:
+    """Return exact numbers near the middle of each side, and inside it."""
+    return [arb(low + (high - low) / 2) for low, high in sides]
+
+
+def floats_around(ball: Any) -> tuple[float, float]:
+    """Return doubles below and above a ball."""
+    low, high = float(ball.lower()), float(ball.upper())
+    return math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
+
+
+def enclosed(boxes: Iterable[Sides]) -> Sides:
+    """Return the smallest box around all boxes, of which there is at least one."""
+    columns = zip(*boxes, strict=True)
+    return tuple((min(a for a, _ in c), max(b for _, b in c)) for c in map(list, columns))
+
+
+def inside(sides: Sides, other: Sides) -> bool:
+    """Return whether a box is part of another one, or equal to it."""
+    return all(a <= c and d <= b for (c, d), (a, b) in zip(sides, other, strict=True))
+
+
+def touching(one: Sides, other: Sides) -> bool:
+    """Return whether two boxes have a point in common, edges included."""
+    return all(a <= d and c <= b for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+def share_of(part: Sides, whole: Sides) -> float:
+    """Return the least share of a side that a part of a box keeps."""
+    shares = [(d - c) / (b - a) for (c, d), (a, b) in zip(part, whole, strict=True) if b > a]
+    return min(shares, default=1.0)
+
+
+def excluding(linear: Linear) -> bool:
+    """Return whether no point of a box is a root with coordinates that are not too large.
+
+    First all coordinates that a root may have are tried in each equation. For any matrix C, a
+    vector v with G v = 0 makes C G singular, too; C is about the inverse of G in the middle, in
+    which rows count less the less is known of them. That q is not too large is one more row for
+    each coordinate: q / largest = a number in [-1, 1]. Without these rows a curve on which the
+    equations for q are singular could not be distinguished from roots that are far away.
+    """
+    over, width = linear.over, linear.over.ncols() - 1
+    coordinates = _coordinates(linear)
+    if coordinates is None:
+        return True
+    column = arb_mat([[x] for x in (*coordinates, arb(1))])
+    rows = arb_mat([*over.tolist(), *linear.asked])
+    if any(x > 0 or x < 0 for x in (rows * column).entries()):
+        return True
+    if width == 0:
+        return False
+    share = 1 / linear.largest
+    asked = [*linear.asked, *([*(share * int(i == j) for j in range(width)), arb(0, 1)]
+                              for i in range(width))]  # fmt: skip
+    over = arb_mat([*over.tolist(), *asked])
+    centre = arb_mat([*linear.centre.tolist(), *asked]).mid()
+    guess = _inverse(centre, weights(over))
+    if guess is None:
+        return False
+    determinant = (guess * over).det()
+    return bool(determinant > 0 or determinant < 0)
+
+
+def contract(linear: Linear, sides: Sides) -> Image | None:
+    """Return Krawczyk's image of a box, or None where the equations are singular over it.
+
+    With z = (q, u), F(z) = G(u) (q, 1) and any matrix Y, all roots of a box Z around z are in
+    z - Y F(z) + (I - Y F'(Z)) (Z - z); if that is inside Z, there is one (Krawczyk, 1969). Of more
+    equations than unknowns as many are taken as there are unknowns: there is one root at most.
+    """
+    if linear.trivial:
+        return None
+    rows, width = linear.centre.nrows(), linear.centre.ncols()
+    coordinates = _coordinates(linear)
+    if coordinates is None:
+        return Image(sides, (), unique=False, empty=True, ratio=0.0)
+    points = [q.mid() for q in coordinates]
+    column, middle = (arb_mat([[x] for x in (*qs, arb(1))]) for qs in (coordinates, points))
+    values = (linear.centre * middle).entries()
+    jacobian = [[linear.over[i, j] for j in range(width - 1)] for i in range(rows)]
+    for slope in linear.slopes:
+        for row, entry in zip(jacobian, (slope * column).entries(), strict=True):
+            row.append(entry)
+    count = len(jacobian[0])
+    kept = _rows(jacobian, count)
+    matrix = arb_mat([jacobian[i] for i in kept])
+    try:
+        inverse = matrix.mid().inv().mid()
+    except ZeroDivisionError:
+        return None
+    centres = [*points, *middles_of(sides)]
+    wide = [q + arb(0, (_INFLATED - 1) * q.rad() + _TINY * (1 + abs(q.mid()))) for q in coordinates]
+    box = [*wide, *balls_of(sides)]
+    if width > 1:  # the column is wider now, and the derivatives with it
+        column = arb_mat([[x] for x in (*wide, arb(1))])
+        entries = [(slope * column).entries() for slope in linear.slopes]
+        for place, i in enumerate(kept):
+            for j, by in enumerate(entries):
+                matrix[place, width - 1 + j] = by[i]
+    unit = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
+    offsets = [b - c for b, c in zip(box, centres, strict=True)]
+    moved = (
+        (unit - inverse * matrix) * arb_mat([[d] for d in offsets])
+        - inverse * arb_mat([[values[i]] for i in kept])
+    ).entries()
+    if not all(x.is_finite() for x in moved):
+        return None
+    image = [c + m for c, m in zip(centres, moved, strict=True)]
+    unique = all(b.contains_interior(k) for b, k in zip(box, image, strict=True))
+    within = all(
+        low < k and k < high for (low, high), k in zip(sides, image[width - 1 :], strict=True)
+    )
+    empty = any(not b.overlaps(k) for b, k in zip(box, image, strict=True))
+    shares = [
+        float(k.rad()) / max(float(b.rad()), _LEAST)
+        for b, k in zip(box[width - 1 :], image[width - 1 :], strict=True)
+    ]
+    return Image(
+        tuple(floats_around(k) for k in image[width - 1 :]),
+        tuple(image[: width - 1]),
+        unique and within,
+        empty,
+        max(shares, default=0.0),
+    )
+
+
+def weights(over: Any) -> list[float]:
+    """Return a weight of each row: the smaller its entries' radii are, the more it counts.
+
+    Digits beyond a few count no more, so that weighted rows stay comparable.
+    """
+    radii = [max(float(x.rad()) for x in row) for row in over.tolist()]
+    sizes = [max(float(abs(x).lower()) for x in row) for row in over.tolist()]
+    return [
+        1 / (radius + _ENOUGH * size + _LEAST) if radius < math.inf else 1 / _UNKNOWN
+        for radius, size in zip(radii, sizes, strict=True)
+    ]
+
+
+def _coordinates(linear: Linear) -> list[Any] | None:
+    """Return enclosures of the coordinates q of every root in a box: least squares in balls.
+
+    None if they are all too large.
+    """
+    over, width = linear.over, linear.over.ncols() - 1
+    if width == 0:
+        return []
+    allowed = [arb(0, linear.largest)] * width
+    centre = arb_mat([row[:width] for row in linear.centre.mid().tolist()])
+    guess = _inverse(centre, weights(over))
+    if guess is None:
+        return allowed
+    product = (guess * over).tolist()
+    left = arb_mat([row[:width] for row in product])
+    right = arb_mat([[-row[width]] for row in product])
+    try:
+        found = left.solve(right).entries()
+    except ZeroDivisionError:
+        return allowed
+    if not all(x.is_finite() for x in found):
+        return allowed
+    if not all(x.overlaps(y) for x, y in zip(found, allowed, strict=True)):
+        return None
+    return [x if x.rad() < y.rad() else y for x, y in zip(found, allowed, strict=True)]
+
+
+def _rows(jacobian: list[list[Any]], count: int) -> list[int]:
+    """Return the numbers of as many rows as there are unknowns, about as independent as can be."""
+    if len(jacobian) == count:
+        return list(range(count))
+    left = [[float(x.mid()) for x in row] for row in jacobian]
+    left = [[x if math.isfinite(x) else 0.0 for x in row] for row in left]
+    chosen: list[int] = []
+    for _ in range(count):
+        sizes = [sum(x * x for x in row) if i not in chosen else -1.0 for i, row in enumerate(left)]
+        best = max(range(len(left)), key=sizes.__getitem__)
+        chosen.append(best)
+        for row in left if sizes[best] > 0 else ():
+            share = sum(x * y for x, y in zip(row, left[best], strict=True)) / sizes[best]
+            if row is not left[best]:
+                row[:] = [x - share * y for x, y in zip(row, left[best], strict=True)]
+    return sorted(chosen)
+
+
+def _inverse(middle: Any, weight: Sequence[float]) -> Any:
+    """Return about a left inverse of a matrix with weighted rows; None if it is singular."""
+    rows = zip(middle.tolist(), weight, strict=True)
+    weighted = arb_mat([[x * w for x in row] for row, w in rows]).mid()
+    transposed = weighted.transpose()
+    try:
+        found = ((transposed * weighted).mid().inv().mid() * transposed).tolist()
+    except ZeroDivisionError:
+        return None
+    found = [[x * w for x, w in zip(row, weight, strict=True)] for row in found]
+    finite = all(x.is_finite() for row in found for x in row)
+    return arb_mat(found).mid() if finite else None

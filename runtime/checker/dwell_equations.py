@@ -1,0 +1,430 @@
+"""The equations of any cycle in its dwell times, in balls, from what a file declares.
+
+Given the dwell times, closure and switching are linear in the start's coordinates q: together
+they are G(u) (q, 1) = 0. The start is sought where what is exactly true of it leaves the
+fewest coordinates. A boundary on which a phase exactly begins is met at time 0 whatever the
+orbit; its condition is divided by the power of the time by which it vanishes there. A phase of
+exactly constant velocity is one affine map up to its boundary, and its dwell time no unknown.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from flint import arb, arb_mat, fmpq
+
+from nonsmooth.runtime.checker.contraction import (
+    Linear,
+    Sides,
+    balls_of,
+    floats_around,
+    middles_of,
+)
+from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.exact import leading, reduced
+
+__all__ = ["DwellEquations", "Given", "Setting"]
+
+_TERMS = 48
+_FLOW_TERMS = 16
+_TINY = arb(2) ** -40
+_SERIES = 4  # norm of field and time up to which the divided flow is summed as a series
+_KEPT = 40_000  # matrix exponentials
+
+Number = Callable[[Any], Any]
+
+
+class Setting:
+    """Where the start of a cycle is sought, and which conditions hold whatever the orbit is.
+
+    `still` has of each phase of exactly constant velocity the affine map up to its boundary and
+    the row of its dwell time, where the state at its start is known. Nothing is eliminated where
+    the sum of the dwell times is given (`timed`).
+    """
+
+    def __init__(self, declared: StatedSystem, *, timed: bool) -> None:
+        size, count = declared.size, len(declared.steps)
+        facts = declared.known if declared.rational else [([], [], [])] * count
+        starts = [{_pivot(row): row for row in begins} for begins, _, _ in facts]
+        forced = declared.forced
+        # whether the exact conditions of an orbit do not contradict each other
+        self.possible = not any(size in start for start in starts)
+        known = [{k: row for k, row in start.items() if k not in forced} for start in starts]
+        self.rotation = max(range(count), key=lambda k: (len(known[k]), -k))
+        fixed = known[self.rotation]
+        # states whose values at the start are the coordinates q
+        self.places = [k for k in range(size) if k not in fixed and k not in forced]
+        columns = [*self.places, *forced, size]
+        # rows: the state at the start from (q, cosines and sines of the forcings, 1)
+        self.embedding = [
+            [-fixed[k][j] if k in fixed else fmpq(int(k == j)) for j in columns]
+            for k in range(size)
+        ]
+        self.embedding.append([fmpq(int(j == size)) for j in columns])
+        self.order = [*range(self.rotation, count), *range(self.rotation)]  # of the phases
+        self.still: dict[int, tuple[Any, Any]] = {}
+        if declared.rational and not timed:
+            stills = {k: _still(declared, k, facts[k][1]) for k in range(count)}
+            self.still = {k: found for k, found in stills.items() if found is not None}
+            if len(self.still) == count:
+                self.still = {}
+        self.zeros = [
+            leading(step.exit, step.field, begins, 0)[0] if declared.rational else 0
+            for step, (begins, _, _) in zip(declared.steps, facts, strict=True)
+        ]  # order of the zero at time 0 of each phase's boundary function
+
+    @property
+    def searched(self) -> list[int]:
+        """The phases whose dwell times are unknowns, from the start on."""
+        return [k for k in self.order if k not in self.still]
+
+
+class Given(NamedTuple):
+    """The conditions that close a cycle: forcings, and the sum of the dwell times."""
+
+    pairs: Sequence[Sequence[int]] = ()  # states of the forcings, cos(w t) and sin(w t)
+    speeds: Sequence[Any] = ()  # their w
+    period: Any = None  # the sum of the dwell times
+    unit: Any = None  # common period of the forcings: their times are sought in one of it
+
+
+class _Flow(NamedTuple):
+    """The flow over a time, and the switching condition by the state in front of it."""
+
+    flow: Any
+    row: Any
+    rate: Any  # the derivative of that row by the time
+
+
+class _Passed(NamedTuple):
+    """G, then rows of the dwell times that follow, with derivatives, and the phases' starts."""
+
+    matrix: Any
+    slopes: list[Any]
+    starts: dict[int, Any]
+
+
+class DwellEquations:
+    """Equations of a cycle in its dwell times, at the working precision.
+
+    Unknowns are a forcing's time at the start, where there is one, and the dwell times that are
+    searched, from the start on; the last of these is none where the sum is given, and `last` is its
+    range. `domain` is the range of the unknowns. No coordinate of the start is larger than
+    `largest` in the roots that come out. The setting has to be possible.
+    """
+
+    def __init__(
+        self,
+        declared: StatedSystem,
+        setting: Setting,
+        number: Number,
+        given: Given,
+        bounds: Mapping[str, tuple[float, float]],
+        window: Sequence[tuple[float, float]],
+        largest: Any,
+    ) -> None:
+        self.setting, self.given, self.largest, self.declared = setting, given, largest, declared
+        names = [declared.dwell[k] for k in setting.searched]
+        timed = given.period is not None
+        self.last = bounds[names[-1]] if timed else None
+        self.first = len(window)
+        self.names = [*["forcing time"] * self.first, *names[: len(names) - timed]]
+        self.domain: Sides = (*window, *(bounds[name] for name in self.names[self.first :]))
+
+        def numbers(rows: Sequence[Sequence[Any]]) -> Any:
+            return arb_mat([list(map(number, row)) for row in rows])
+
+        self._fields = [numbers(step.field) for step in declared.steps]
+        self._rows = [numbers([step.exit]) for step in declared.steps]
+        self._resets = [numbers(step.reset) for step in declared.steps]
+        self._still = {k: (numbers(a), numbers([t])) for k, (a, t) in setting.still.items()}
+        self._follow = [bounds[declared.dwell[k]] for k in setting.order if k in setting.still]
+        self._embedding = numbers(setting.embedding)
+        self._width = width = len(setting.places) + 1
+        count = len(self.domain)
+        self._unmoved = arb_mat(declared.size + 1, width * count)
+        # a forcing's time, and the dwell times; the last is what the others leave of the period
+        rates = [[int(own == j) for j in range(count)] for own in range(count)]
+        rates += [[-int(j >= self.first) for j in range(count)]] if timed else []
+        self._rates = [_times_unit(rate, width) for rate in rates]
+        self._kept: dict[tuple[int, float, float, bool], _Flow] = {}
+        self._norms = [_norm(field) for field in self._fields]
+        self._powers = [_powers(*each) for each in zip(self._fields, self._rows, strict=True)]
+
+    @property
+    def surplus(self) -> bool:
+        """Whether a period is given: the closure of one coordinate then follows from the energy."""
+        return self.last is not None and not self.first
+
+    def linear(self, sides: Sides) -> Linear | None:
+        """Return G over a box of unknowns; None where the last dwell time is out of its range."""
+        balls, middles = balls_of(sides), middles_of(sides)
+        times = self._times(balls)
+        if self.last is not None and (times[-1] < self.last[0] or times[-1] > self.last[1]):
+            return None
+        searched = self.setting.searched
+        divided = {k: self._divides(k, t) for k, t in zip(searched, times, strict=True)}
+        points = tuple((float(x), float(x)) for x in middles)
+        centre, _, _ = self._passage(middles, points, divided, slopes=False)
+        natural, slopes, _ = self._passage(balls, sides, divided, slopes=True)
+        mean = centre
+        for slope, ball, middle in zip(slopes, balls, middles, strict=True):
+            mean = mean + slope * (ball - middle)
+        pairs = zip(mean.entries(), natural.entries(), strict=True)
+        over = arb_mat(centre.nrows(), centre.ncols(), [_sharper(*pair) for pair in pairs])
+        trivial = any(
+            self.setting.zeros[k] and not time > 0 and not divided[k]
+            for k, time in zip(searched, times, strict=True)
+        )
+        count = centre.nrows() - len(self._still)
+        longest = sum(times, arb(0)).upper()
+        follow = zip(self._follow, over.tolist()[count:], strict=True)
+        asked = [self._follows(*each, longest) for each in follow]
+        centre, over, *slopes = (arb_mat(m.tolist()[:count]) for m in (centre, over, *slopes))
+        return Linear(centre, tuple(slopes), over, asked, self.largest, trivial)
+
+    def _follows(self, side: tuple[float, float], row: Sequence[Any], scale: Any) -> list[Any]:
+        """Return the row of a condition: that a dwell time, a row on (q, 1), is in its range.
+
+        With s any number in [0, 1] it is a + (b - a) s, or, where there is no upper end b, the
+        time a + T (1 - s) / s. Any T > 0 will do.
+        """
+        share, (low, high) = arb("0.5 +/- 0.5"), side
+        if high < math.inf:
+            return [*row[:-1], row[-1] - (low + (high - low) * share)]
+        return [*(share * x for x in row[:-1]), share * (row[-1] - low + scale) - scale]
+
+    def dwell(self, sides: Sides, coordinates: Sequence[Any]) -> dict[str, Any]:
+        """Return all dwell times by name, over a box of unknowns and coordinates of the start."""
+        searched = zip(self.setting.searched, self._times(balls_of(sides)), strict=True)
+        found = {self.declared.dwell[k]: time for k, time in searched}
+        starts = self.starts(sides, coordinates) if self._still else {}
+        for k, (_, row) in self._still.items():
+            found[self.declared.dwell[k]] = (row * starts[k])[0, 0]
+        return found
+
+    def begun_later(self, sides: Sides, phases: int) -> Iterator[Sides]:
+        """Yield boxes of unknowns of the same orbits, begun a number of phases later.
+
+        The itinerary has to be the same from there. A forced cycle gives one box for each of the
+        three nearest turns, which may be in the domain.
+        """
+        balls = balls_of(sides)
+        times = self._times(balls)
+        cut = sum(1 for k in self.setting.order[:phases] if k not in self.setting.still)
+        turned = times[cut:] + times[:cut]
+        rest = tuple(floats_around(t) for t in turned)[: len(sides) - self.first]
+        if not self.first:
+            yield rest
+            return
+        later = balls[0] + sum(times[:cut], arb(0))
+        for time in self.turned(later):
+            yield (floats_around(time), *rest)
+
+    def turned(self, time: Any) -> Iterator[Any]:
+        """Yield a time of the forcing whole turns earlier: the three nearest to the domain."""
+        (begin, _), *_ = self.domain
+        turns = round(float(((time - begin) / self.given.unit).mid()) - 0.5)
+        for number in (turns - 1, turns, turns + 1):
+            yield time - number * self.given.unit
+
+    def starts(self, sides: Sides, coordinates: Sequence[Any]) -> dict[int, Any]:
+        """Return the state (N + 1, 1) at the start of each phase, over a box of unknowns.
+
+        `coordinates` are those that the dwell times leave open.
+        """
+        whole = dict.fromkeys(self.setting.order, False)
+        starts = self._passage(balls_of(sides), sides, whole, slopes=False).starts
+        column = arb_mat([[x] for x in (*coordinates, arb(1))])
+        return {k: state * column for k, state in starts.items()}
+
+    def carried(self, state: Sequence[Any], dwell: Mapping[str, Any]) -> list[Any]:
+        """Return the state (N) where the start is sought, from that where the cycle begins."""
+        column = arb_mat([[x] for x in (*state, arb(1))])
+        for k in range(self.setting.rotation):
+            flow = (self._fields[k] * dwell[self.declared.dwell[k]]).exp()
+            column = self._resets[k] * (flow * column)
+        return list(column.entries()[:-1])
+
+    def _times(self, unknowns: Sequence[Any]) -> list[Any]:
+        times = list(unknowns[self.first :])
+        if self.given.period is not None:
+            times.append(self.given.period - sum(times, arb(0)))
+        return times
+
+    def _divides(self, place: int, time: Any) -> bool:
+        """Return whether a phase's switching condition is divided over a time."""
+        order = self.setting.zeros[place]
+        return bool(order and self._norms[place] * abs(time).upper() <= _SERIES)
+
+    def _passage(
+        self, unknowns: Sequence[Any], sides: Sides, divided: Mapping[int, bool], *, slopes: bool
+    ) -> _Passed:
+        start, begun = self._start(unknowns)
+        width, count = self._width, len(unknowns) if slopes else 0
+        begins = self._unmoved if slopes else arb_mat(start.nrows(), 0)
+        if self.first and slopes:
+            begins = begins + begun * self._rates[0]
+        times = iter(enumerate(self._times(unknowns), self.first))
+        state, changes, values, slope_rows, starts = start, begins, [], [], {}
+        followed: list[Any] = []
+        for k in self.setting.order:
+            starts[k] = state
+            if k in self._still:
+                flow, row = self._still[k]
+                followed.append(((row * state).entries(), (row * changes).entries()))
+                state, changes = flow * state, flow * changes
+            else:
+                own, time = next(times)
+                side = sides[own] if own < len(sides) else None
+                flow, row, rate = self._flow(k, time, side, divided[k])
+                values.append((row * state).entries())
+                if slopes:
+                    by = row * changes + (rate * state) * self._rates[own]
+                    slope_rows.append(by.entries())
+                state = flow * state
+                if slopes:
+                    changes = flow * changes + (self._fields[k] * state) * self._rates[own]
+            state, changes = self._resets[k] * state, self._resets[k] * changes
+        change, moved = state - start, changes - begins
+        places = self.setting.places
+        values += [[change[k, i] for i in range(width)] for k in places]
+        slope_rows += [[moved[k, i] for i in range(width * count)] for k in places if slopes]
+        values += [value for value, _ in followed]
+        slope_rows += [by for _, by in followed if slopes]
+        by_unknown = [
+            arb_mat([row[j * width : (j + 1) * width] for row in slope_rows]) for j in range(count)
+        ]
+        return _Passed(arb_mat(values), by_unknown, starts)
+
+    def _start(self, unknowns: Sequence[Any]) -> tuple[Any, Any]:
+        """Return the start as a matrix on (q, 1), and its derivative by the forcing's time."""
+        count = len(self.setting.places)
+        inner = arb_mat(count + 2 * len(self.given.pairs) + 1, count + 1)
+        rate = arb_mat(inner.nrows(), count + 1)
+        for k in range(count):
+            inner[k, k] = 1
+        for k, speed in enumerate(self.given.speeds):
+            sine, cosine = (speed * unknowns[0]).sin_cos()
+            place = count + 2 * k
+            inner[place, count], inner[place + 1, count] = cosine, sine
+            rate[place, count], rate[place + 1, count] = -speed * sine, speed * cosine
+        inner[inner.nrows() - 1, count] = 1
+        return self._embedding * inner, self._embedding * rate
+
+    def _flow(
+        self, place: int, time: Any, side: tuple[float, float] | None, divided: bool
+    ) -> _Flow:
+        if side is None:
+            return self._computed(place, time, divided)
+        key = (place, *side, divided)
+        found = self._kept.get(key)
+        if found is None:
+            if len(self._kept) >= _KEPT:
+                self._kept.clear()
+            found = self._kept[key] = self._computed(place, time, divided)
+        return found
+
+    def _computed(self, place: int, time: Any, divided: bool) -> _Flow:
+        """Return flow and switching condition over a time that may be wide."""
+        flow = _flow_over(self._fields[place], self._norms[place], time)
+        if divided:
+            return _Flow(flow, *self._divided(place, time))
+        row = self._rows[place] * flow
+        return _Flow(flow, row, row * self._fields[place])
+
+    def _divided(self, place: int, time: Any) -> tuple[Any, Any]:
+        """Return the row n exp(B t) / t^m without its first m terms, and its derivative.
+
+        The first terms vanish. Those from k = K on, where s = |B| |t| <= S, add up to at most
+        |n| |B|^m S^(K-m) / K! * 2, those of the derivative to |n| |B|^(m+1) S^(K-m-1) / (K-1)! * 2.
+        """
+        powers, order = self._powers[place], self.setting.zeros[place]
+        width = powers[0].ncols()
+        row, rate = arb_mat(1, width), arb_mat(1, width)
+        for k in range(_TERMS - 1, order - 1, -1):
+            row = row * time + powers[k]
+        for k in range(_TERMS - 1, order, -1):
+            rate = rate * time + powers[k] * (k - order)
+        size = sum((abs(x).upper() for x in self._rows[place].entries()), arb(0))
+        tail = size * (1 + self._norms[place]) ** (order + 1) * arb(_SERIES) ** (_TERMS - order)
+        tail = 2 * tail / arb(_TERMS).gamma()
+        wide = arb_mat([[arb(0, tail.upper())] * width])
+        return row + wide, rate + wide
+
+
+def _pivot(row: Sequence[Any]) -> int:
+    return next(j for j, x in enumerate(row) if x)
+
+
+def _still(declared: StatedSystem, place: int, kept: Any) -> tuple[Any, Any] | None:
+    """Return the map to its boundary, and the row of its dwell time, of a phase that moves evenly.
+
+    With f the constant velocity the time is t = -n y / n f, and the end is y + f t. None is
+    returned where the velocity is not constant by what is known all along the phase, or along the
+    boundary.
+    """
+    step, size = declared.steps[place], declared.size
+    rates = [reduced(row, kept) for row in step.field]
+    if any(any(row[:-1]) for row in rates):
+        return None
+    velocity = [row[-1] for row in rates]
+    speed = sum((n * f for n, f in zip(step.exit, velocity, strict=True) if n and f), fmpq(0))
+    if not speed:
+        return None
+    declared.exactly.divisors.append(speed)
+    time = [-n / speed for n in step.exit]
+    ends = [[f * time[j] + int(i == j) for j in range(size + 1)] for i, f in enumerate(velocity)]
+    return ends, time
+
+
+def _sharper(first: Any, second: Any) -> Any:
+    """Return what two balls around one number have in common, or the first if that is unknown."""
+    if not first.is_finite():
+        return second
+    return first.intersection(second) if second.is_finite() else first
+
+
+def _flow_over(field: Any, norm: Any, time: Any) -> Any:
+    """Return exp (B t) over a time that may be wide: a Taylor polynomial around its middle m.
+
+    With s = |B| |t - m| the terms from K >= 2 s on add up to at most 2 s^K / K! times the flow over
+    the time m.
+    """
+    middle = time.mid()
+    flow = (field * middle).exp()
+    width = abs(time - middle).upper()
+    if width.is_zero():
+        return flow
+    reach = (norm * width).upper()
+    if not 2 * reach <= _FLOW_TERMS:
+        return (field * arb(0, width)).exp() * flow
+    term, power, total, left, k = flow, arb(1), flow, arb(2), 0
+    while k < 2 * reach or left > _TINY:
+        k += 1
+        left, power = (left * reach / k).upper(), (power * width).upper()
+        term = field * term / k
+        # even powers of a number around zero are not negative
+        total = total + term * (arb(0, power) if k % 2 else arb(0).union(power))
+    size, tail = flow.nrows(), arb(0, (left * _norm(flow)).upper())
+    return total + arb_mat(size, size, [tail] * size**2)
+
+
+def _times_unit(rate: Sequence[int], width: int) -> Any:
+    """Return unit matrices side by side, each times a number: one change in each column."""
+    return arb_mat([[x * int(i == k) for x in rate for k in range(width)] for i in range(width)])
+
+
+def _norm(field: Any) -> Any:
+    """Return the largest absolute column sum of a matrix, rounded up."""
+    size = field.nrows()
+    sums = [sum((abs(field[i, j]).upper() for i in range(size)), arb(0)) for j in range(size)]
+    return max((total.upper() for total in sums), key=float)
+
+
+def _powers(field: Any, row: Any) -> list[Any]:
+    """Return the rows n B^k / k! for each k."""
+    found = [row]
+    for k in range(1, _TERMS):
+        found.append(found[-1] * field / k)
+    return found
