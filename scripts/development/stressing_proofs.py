@@ -12,7 +12,9 @@ import numpy as np
 from mpmath import mpf, workdps
 
 import nonsmooth as ns
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.proof.certificate import Certificate
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
@@ -42,7 +44,7 @@ def proofs_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
     return verdicts, told
 
 
-def _orbits(rng: np.random.Generator, name: str) -> Iterator[ns.Orbit]:
+def _orbits(rng: np.random.Generator, name: str) -> Iterator[Orbit]:
     """The orbit on which a random oscillator settles, and that of its itinerary beside it."""
     system, data, start = random_oscillator(rng, name)
     data["d"] = rng.uniform(0.1, 0.5)
@@ -68,7 +70,7 @@ def _orbits(rng: np.random.Generator, name: str) -> Iterator[ns.Orbit]:
         yield beside
 
 
-def judged(orbit: ns.Orbit) -> tuple[str, list[str]]:
+def judged(orbit: Orbit) -> tuple[str, list[str]]:
     """The claims of an orbit's certificate in words, and everything in it that is not so."""
     certificate = ns.certify(orbit)
     claims = certificate.claims
@@ -89,7 +91,7 @@ def judged(orbit: ns.Orbit) -> tuple[str, list[str]]:
     return verdict, wrong
 
 
-def _unlike_the_file(certificate: ns.Certificate) -> Iterator[str]:
+def _unlike_the_file(certificate: Certificate) -> Iterator[str]:
     """What the check of a certificate's file says otherwise than the certificate."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "certificate.json"
@@ -101,7 +103,7 @@ def _unlike_the_file(certificate: ns.Certificate) -> Iterator[str]:
         yield f"its file shows {check.claims}"
 
 
-def _outside(certificate: ns.Certificate, refined: ns.Orbit) -> Iterator[str]:
+def _outside(certificate: Certificate, refined: Orbit) -> Iterator[str]:
     """Enclosures that do not hold the refined orbit's number."""
     numbers = {**refined.unknowns, "period": refined.period}
     for name, ball in certificate.enclosures.items():
@@ -109,7 +111,7 @@ def _outside(certificate: ns.Certificate, refined: ns.Orbit) -> Iterator[str]:
             yield f"{name} is {numbers[name]}, outside of {ball}"
 
 
-def _follows(orbit: ns.Orbit) -> bool | None:
+def _follows(orbit: Orbit) -> bool | None:
     """Whether the engine's motion from the orbit's start goes its way and comes back.
 
     None where no motion can start there in doubles.

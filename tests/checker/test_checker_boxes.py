@@ -17,7 +17,7 @@ from flint import arb, fmpq
 from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth import InputError, Orbit
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.edges import neighbours
@@ -28,6 +28,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from tests.certified import loop, signed
 

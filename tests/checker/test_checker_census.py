@@ -18,16 +18,17 @@ from nonsmooth.runtime.checker.census import _apart, _check_side
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.present.checking.check_file import Check
 from nonsmooth.runtime.present.files.censuses import CensusEntries
 from nonsmooth.runtime.present.files.certificates import certificate_of
-from nonsmooth.runtime.proof.counting.census import Counted, Open
+from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
 from tests.certified import LOOP, kicked, signed, unhashed
 
 _HEAD = ("format", "version", "package", "sha256")
 
 
 @cache
-def _census() -> ns.Census:
+def _census() -> Census:
     values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
     return ns.certify.all(kicked(), values, box, itinerary=LOOP)
 
@@ -41,7 +42,7 @@ def content(tmp_path: Path) -> dict[str, Any]:
     return found
 
 
-def checked(content: dict[str, Any], folder: Path) -> ns.Check:
+def checked(content: dict[str, Any], folder: Path) -> Check:
     """What the check says of changed content whose checksums are right."""
     for orbit in content["orbits"]:
         if orbit["certificate"] is not None:
@@ -59,7 +60,7 @@ def test_the_certificates_are_proved_again_and_the_search_is_not(
     assert found.note is not None
     assert "no other orbits was NOT proved again" in found.note
     assert found.claims == {"listed": "proved", "no others": "undecided"}
-    assert isinstance(found.certificate, ns.Census)
+    assert isinstance(found.certificate, Census)
     # what nothing proves is not told either: why claims are undecided, and what the search tells
     told, known = (
         json.loads(unhashed([orbit.certificate.to_json() for orbit in census.orbits]))
@@ -95,8 +96,8 @@ def test_what_the_search_alone_tells_is_not_told_again(
     content["statement"] = _told(whole)
     found = checked(content, tmp_path)
     assert found.difference is None
-    assert isinstance(true.certificate, ns.Census)
-    assert isinstance(found.certificate, ns.Census)
+    assert isinstance(true.certificate, Census)
+    assert isinstance(found.certificate, Census)
     assert unhashed(found.certificate.to_json()) == unhashed(true.certificate.to_json())
     assert (found.note, found.claims["no others"]) == (true.note, "undecided")
 

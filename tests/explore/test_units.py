@@ -24,6 +24,8 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.scaled_systems import DAMPING, FORCE, LENGTH, MASS, RATE, STIFFNESS
 
 UNITS = [
@@ -183,12 +185,12 @@ def stopped() -> System:
 
 
 @cache
-def motions_between_stops(length: Any, rate: Any, mass: Any) -> ns.Found:
+def motions_between_stops(length: Any, rate: Any, mass: Any) -> Found:
     given = {"length": length, "rate": rate, "mass_unit": mass, "w": "1.9", "load": 0}
     return ns.find_orbits(stopped(), given, 3, transitions=200, seed=1)
 
 
-def between_stops(length: Any, rate: Any, mass: Any) -> ns.Orbit:
+def between_stops(length: Any, rate: Any, mass: Any) -> Orbit:
     """The orbit that is its own mirror image."""
     return motions_between_stops(length, rate, mass).orbits[0].orbit
 

@@ -20,6 +20,7 @@ from nonsmooth.runtime.model.table_derivatives import stepped_tables, table_rate
 from nonsmooth.runtime.orbits import many_derivatives as many
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from tests.places import GALLERY
 
@@ -68,7 +69,7 @@ def chain() -> tuple[ns.derive.System, dict[str, float]]:
 
 
 @pytest.fixture(scope="module")
-def forced() -> tuple[ns.derive.System, dict[str, float], ns.Orbit]:
+def forced() -> tuple[ns.derive.System, dict[str, float], Orbit]:
     system, data = chain()
     found = ns.find_orbits(system, data, 40, seed=1).orbits
     return system, data, min(found, key=lambda one: len(one.itinerary)).orbit
@@ -99,7 +100,7 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
     return [*found, *((system, data, settled(system, data), None) for system, data in freely)]
 
 
-def settled(system: ns.derive.System, data: dict[str, float]) -> ns.Orbit:
+def settled(system: ns.derive.System, data: dict[str, float]) -> Orbit:
     """The orbit of a forced system of two coordinates on which a motion from rest settles."""
     motion = ns.simulate(system, data, [0, 0, 0, 0, 1, 0], transitions=800)
     return ns.solve(system, data, itinerary=ns.itinerary_of(motion))
@@ -139,7 +140,7 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
     orbit = settled(GEARED, TURNED)
     data, guess = {"i": TURNED["i"]}, [*orbit.dwell_times, *orbit.states[0]]
 
-    def solved(i: float) -> ns.Orbit:
+    def solved(i: float) -> Orbit:
         return ns.solve(GEARED, {**TURNED, "i": i}, guess, itinerary=orbit.itinerary)
 
     values = {**TURNED, "i": [TURNED["i"]]}
@@ -226,7 +227,7 @@ def test_a_family_that_is_lost_has_no_derivative_in_any_unit(
     assert have_derivatives(orbit, data) == {"c": False, "k": True}
 
 
-def have_derivatives(orbit: ns.Orbit, data: dict[str, float]) -> dict[str, bool]:
+def have_derivatives(orbit: Orbit, data: dict[str, float]) -> dict[str, bool]:
     """Of many orbits, of which this is one, by parameters; the last one is given as an array."""
     *_, (name, value) = data.items()
     found = ns.solve(

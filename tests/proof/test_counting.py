@@ -29,6 +29,7 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.proof.counting import branch_and_prune
 from nonsmooth.runtime.proof.counting.branch_and_prune import Root, search
+from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.counting.contraction import (
     Linear,
     balls_of,
@@ -51,7 +52,7 @@ IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
 
 
-def times(census: ns.Census) -> np.ndarray:
+def times(census: Census) -> np.ndarray:
     """Certified dwell times, an orbit in each row."""
     certificates = [orbit.certificate for orbit in census.orbits]
     assert all(c is not None for c in certificates)
