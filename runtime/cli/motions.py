@@ -268,7 +268,7 @@ def find(
                 starts,
                 transitions=transitions,
                 box=limits,
-                seed=seed,
+                rng=seed,
                 progress=begin,
             )
         )

@@ -134,7 +134,7 @@ def _batches() -> Iterator[tuple[str, tuple[Any, dict[str, float], Any]]]:
         yield f"{name} by tables", (orbit.system.name, data, _along(tables, given))
     for masses in (1, 2, 3):
         system, data = _chain(masses)
-        found = ns.find_orbits(system, data, 40, seed=1).orbits
+        found = ns.find_orbits(system, data, 40, rng=1).orbits
         orbit = min(found, key=lambda one: len(one.itinerary)).orbit
         yield f"forced chain of {masses}", (system, data, _along(orbit, None))
 

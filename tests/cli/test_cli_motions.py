@@ -277,7 +277,7 @@ def test_seed_and_box_reach_the_search(found):
     ("options", "part"),
     [
         ("--transitions 1", "transitions = 1"),
-        ("--seed -1", "seed = -1"),
+        ("--seed -1", "-1 is no seed"),
         ("--box x1=2:1", "box of x1: 2.0 to 1.0 is no interval"),
         ("--box x1=nan:1", "'nan'"),
         ("--box x1=1", "'x1=1' is not NAME=A:B"),

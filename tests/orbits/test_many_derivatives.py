@@ -71,7 +71,7 @@ def chain() -> tuple[ns.derive.System, dict[str, float]]:
 @pytest.fixture(scope="module")
 def forced() -> tuple[ns.derive.System, dict[str, float], Orbit]:
     system, data = chain()
-    found = ns.find_orbits(system, data, 40, seed=1).orbits
+    found = ns.find_orbits(system, data, 40, rng=1).orbits
     return system, data, min(found, key=lambda one: len(one.itinerary)).orbit
 
 

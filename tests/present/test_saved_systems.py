@@ -75,7 +75,7 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
     "orbit.json": lambda source, path: ns.solve(f"{source}:one").save(path),
     "sharp.json": lambda source, path: ns.solve(f"{source}:one", digits=40).save(path),
     "found.json": lambda source, path: ns.find_orbits(
-        source, DATA, 5, transitions=50, seed=1
+        source, DATA, 5, transitions=50, rng=1
     ).save(path),
     "motion.npz": lambda source, path: ns.simulate(
         source, DATA, {"x": -1, "v": 0}, transitions=5

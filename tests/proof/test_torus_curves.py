@@ -55,7 +55,7 @@ def orbit(**values: object) -> Orbit:
 @cache
 def guess() -> tuple[float, ...]:
     """Of the dwell time and the start, from a motion that has settled."""
-    found = ns.find_orbits(system(), GIVEN, n=12, transitions=400, seed=1)
+    found = ns.find_orbits(system(), GIVEN, n=12, transitions=400, rng=1)
     (settled,) = [f.orbit for f in found.orbits if len(f.itinerary) == 1]
     return tuple(map(float, settled.unknowns.values()))
 
