@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.checker.census import check_listed
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
@@ -113,10 +113,9 @@ def certify_all(
         raise InputError(f"bits = {bits} is more than {MOST_BITS}")
     if not 0 < largest < math.inf:
         raise InputError(f"largest = {largest!r} is not positive and finite")
+    values, bounds = by_name("parameters", parameters), by_name("box", box)
     with flint_precision(_WORK):
-        asked = asked_of(
-            orbit, parameters or {}, box or {}, itinerary, period, float(largest), _WORK
-        )
+        asked = asked_of(orbit, values, bounds, itinerary, period, float(largest), _WORK)
         problems = asked.question.problems
         _check_size(problems, limit)
         searches, stopped = _searched(problems, limit, begin, progress)
