@@ -18,11 +18,11 @@ from nonsmooth.runtime.orbits.refine import MOST_DIGITS
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_extensions"))
 
-# Names that have pages of their own: the public ones, the parts of results, all of `certify`.
+# Names that have pages of their own: the public ones, what they return, all of `certify`.
 PACKAGES = (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch)
 DOCUMENTED = {f"{package.__name__}.{name}" for package in PACKAGES for name in package.__all__}
-PARTS = re.findall(r"^   ~(.*)$", (HERE / "reference" / "python.rst").read_text("utf-8"), re.M)
-DOCUMENTED |= {f"nonsmooth.runtime.{part}" for part in PARTS}
+RECORDS = re.findall(r"^   ~(.*)$", (HERE / "reference" / "python.rst").read_text("utf-8"), re.M)
+DOCUMENTED |= {f"nonsmooth.{record}" for record in RECORDS}
 METHODS = {f"nonsmooth.certify.{name}" for name in vars(type(nonsmooth.certify))}
 for page in (HERE / "reference" / "api").glob("*.rst"):
     if page.stem not in DOCUMENTED | METHODS:

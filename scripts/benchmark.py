@@ -266,6 +266,7 @@ def single(quick: bool) -> Iterator[Row]:
     """One orbit from Python."""
     import nonsmooth as ns
     from nonsmooth.runtime.model.kernels import load_orbit
+    from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 
     kernels = load_orbit(NAME)
@@ -283,7 +284,7 @@ def single(quick: bool) -> Iterator[Row]:
     yield Row("solve, numeric part", timed(numeric, len(repeat)), 100e-6)
     yield Row("solve, whole call", timed(whole, len(repeat)))
 
-    def gradients(orbit: ns.Orbit) -> Callable[[], object]:
+    def gradients(orbit: Orbit) -> Callable[[], object]:
         return lambda: [orbit.derivatives().trace for _ in repeat]
 
     orbit = ns.solve(NAME)

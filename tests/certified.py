@@ -15,7 +15,6 @@ from typing import Any, get_type_hints
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth import Orbit
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -32,6 +31,12 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.present.checking.check_file import Check
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 __all__ = ["FORCED", "accepted", "certified_over", "claimed", "edited", "forced", "kicked", "loop",
            "prove_basin", "prove_branch", "prove_doubling", "prove_graph", "rooted", "signed",
@@ -161,24 +166,24 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     return ns.solve(kernels, given, itinerary=found)
 
 
-def prove_basin() -> ns.BasinCertificate:
+def prove_basin() -> BasinCertificate:
     """Of a box of starts of the kicked mass, from which motions rise at once, or fall first."""
     box = {"x": (0, 2), "v": (-2, 2)}
     return ns.certify.basin(loop(a="9/4"), box=box, side=0.5)
 
 
-def prove_branch() -> ns.CertifiedBranch:
+def prove_branch() -> CertifiedBranch:
     """Of an orbit with dry friction, from a grazing beyond a flip."""
     return ns.certify.branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
 
 
-def prove_doubling() -> ns.CertifiedDoubling:
+def prove_doubling() -> CertifiedDoubling:
     """What branches off at that flip, in one tile."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
     return ns.certify.doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
-def prove_graph() -> ns.GraphCertificate:
+def prove_graph() -> GraphCertificate:
     """Of speeds of the kicked mass, which tend to one."""
     data = {"k": 1, "r": "1/2", "a": 10}
     return ns.certify.region(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
@@ -186,7 +191,7 @@ def prove_graph() -> ns.GraphCertificate:
 
 def certified_over(
     orbit: Orbit, parameter: str, low: object, high: object, **asked: Any
-) -> ns.CertifiedBranch:
+) -> CertifiedBranch:
     """What is proved of an orbit's branch between two rational values of a parameter."""
     ends = str(low), str(high)
     lower, upper = (float(Fraction(end)) for end in ends)
@@ -194,7 +199,7 @@ def certified_over(
     return ns.certify.branch(branch, interval=ends, **asked)
 
 
-def accepted(found: Any, folder: Path) -> ns.Check:
+def accepted(found: Any, folder: Path) -> Check:
     """The check of the file of what was found: it holds."""
     found.save(folder / "found.json")
     check = ns.certify.check(folder / "found.json")

@@ -15,9 +15,9 @@ import numpy as np
 import sympy as sp
 from scipy.linalg import expm, null_space
 
-from nonsmooth import Orbit
 from nonsmooth.derive import Itinerary, Phase, SecondOrder
 from nonsmooth.derive.systems import declaration
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 
 @cache

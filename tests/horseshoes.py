@@ -8,10 +8,10 @@ from typing import Any
 
 from flint import fmpq
 
-from nonsmooth import ChaosCertificate
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system

@@ -13,7 +13,6 @@ import numpy as np
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth import Orbit
 from nonsmooth.derive import EquationSystem, Itinerary, derive_equations
 from nonsmooth.derive.document.blocks import Document, Line
 from nonsmooth.derive.document.describe import describe_orbit
@@ -22,6 +21,7 @@ from nonsmooth.derive.document.view import naming_of
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 

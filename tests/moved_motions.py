@@ -26,6 +26,7 @@ from nonsmooth.runtime.core.arithmetic import Balls
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 BITS = 220
 STEP = Fraction(1, 10**20)
@@ -93,9 +94,7 @@ def random_oscillator(
 class MovedMotion:
     """A motion's sequence of configurations, followed in fifty digits from moved numbers."""
 
-    def __init__(
-        self, system: System, motion: ns.Trajectory, apart: np.ndarray | None = None
-    ) -> None:
+    def __init__(self, system: System, motion: Trajectory, apart: np.ndarray | None = None) -> None:
         self.system, self.motion = system, motion
         linearisation = MotionLinearisation(motion, np.empty(0), apart)
         self.transitions, self.instants = linearisation.transitions, linearisation.instants

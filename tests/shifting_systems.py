@@ -6,6 +6,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, RigidStop, System, oscillator
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 A, c, g, i, k, r, u, w = sp.symbols("A c g i k r u w")
 GROUND = Friction("x", kinetic=u, static=u, velocity=0, name="ground")
@@ -32,7 +33,7 @@ GEARED = oscillator(
 TURNED = {"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5, "k": 0.6, "A": 1.0, "w": 1.1}
 
 
-def settled_orbit(system: System, data: Any, start: Any = (0, 0, 0, 0, 1, 0)) -> ns.Orbit:
+def settled_orbit(system: System, data: Any, start: Any = (0, 0, 0, 0, 1, 0)) -> Orbit:
     """The orbit on which a motion settles."""
     motion = ns.simulate(system, data, start, transitions=800)
     return ns.solve(system, data, itinerary=ns.itinerary_of(motion))

@@ -158,7 +158,7 @@ def fit(
                 sigma=_sigma(sigma),
                 loss=loss,
                 starts=starts,
-                seed=seed,
+                rng=seed,
                 progress=progress,
             )
         )

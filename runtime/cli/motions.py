@@ -222,7 +222,7 @@ def find(
                 starts,
                 transitions=transitions,
                 box=ends(box),
-                seed=seed,
+                rng=seed,
                 progress=begin,
             )
         )

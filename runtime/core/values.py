@@ -209,6 +209,24 @@ def real_array(label: str, given: Any) -> "np.ndarray":
     raise InputError(f"{label}: no array of real numbers")
 
 
+def random_generator(rng: Any) -> "np.random.Generator":
+    """The generator of a seed, a seed sequence or a generator; an `InputError` refuses others.
+
+    Examples
+    --------
+    >>> random_generator(1).integers(10) == random_generator(1).integers(10)
+    np.True_
+    """
+    import numpy as np
+
+    try:
+        if not isinstance(rng, bool):
+            return np.random.default_rng(rng)
+    except (TypeError, ValueError):
+        pass
+    raise InputError(f"{one_line(repr(rng), 60)} is no seed and no generator of random numbers")
+
+
 def real_number(label: str, given: Any) -> float:
     """The real number that is given; an `InputError` refuses anything else."""
     array = real_array(label, given)

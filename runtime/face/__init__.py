@@ -10,142 +10,45 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.core.registry import register
 
 if TYPE_CHECKING:
-    from nonsmooth._certify import certify
-    from nonsmooth.runtime.core.differentiable import DifferentiableFunction
-    from nonsmooth.runtime.core.errors import (
-        InputError,
-        Interrupted,
-        MissingExtra,
-        NoConvergence,
-        NonsmoothError,
+    from nonsmooth._certify import certify as certify
+    from nonsmooth.runtime.core.differentiable import (
+        DifferentiableFunction as DifferentiableFunction,
     )
-    from nonsmooth.runtime.explore.charting.chart import chart
-    from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
-    from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
-    from nonsmooth.runtime.explore.continuation.event import Event
-    from nonsmooth.runtime.explore.design.design import design
-    from nonsmooth.runtime.explore.design.optimum import Design
-    from nonsmooth.runtime.explore.finding.find import find_orbits
-    from nonsmooth.runtime.explore.finding.found import Found
-    from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
-    from nonsmooth.runtime.explore.fitting.fit import fit
-    from nonsmooth.runtime.explore.fitting.fit_record import Fit
-    from nonsmooth.runtime.explore.fitting.measurements import Experiment
-    from nonsmooth.runtime.orbits.derivatives import orbit_function
-    from nonsmooth.runtime.orbits.motion import Motion
-    from nonsmooth.runtime.orbits.orbit import Orbit, Orbits
-    from nonsmooth.runtime.orbits.refine import refine
-    from nonsmooth.runtime.orbits.solve import solve
-    from nonsmooth.runtime.present.checking.check_file import Check
-    from nonsmooth.runtime.present.files.loading import load
-    from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-    from nonsmooth.runtime.proof.certificate import Certificate
-    from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-    from nonsmooth.runtime.proof.counting.census import Census
-    from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-    from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-    from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
-    from nonsmooth.runtime.proof.motion.motion_proof import Proof
-    from nonsmooth.runtime.simulation.engines import Trajectories
-    from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
-    from nonsmooth.runtime.simulation.lyapunov import lyapunov
-    from nonsmooth.runtime.simulation.motion_function import motion_function
-    from nonsmooth.runtime.simulation.observables import observe
-    from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
-    from nonsmooth.runtime.simulation.simulate import simulate
-    from nonsmooth.runtime.simulation.trajectory import Trajectory
+    from nonsmooth.runtime.core.errors import InputError as InputError
+    from nonsmooth.runtime.core.errors import Interrupted as Interrupted
+    from nonsmooth.runtime.core.errors import MissingExtra as MissingExtra
+    from nonsmooth.runtime.core.errors import NoConvergence as NoConvergence
+    from nonsmooth.runtime.core.errors import NonsmoothError as NonsmoothError
+    from nonsmooth.runtime.explore.charting.chart import chart as chart
+    from nonsmooth.runtime.explore.continuation.continue_orbit import (
+        continue_orbit as continue_orbit,
+    )
+    from nonsmooth.runtime.explore.design.design import design as design
+    from nonsmooth.runtime.explore.finding.find import find_orbits as find_orbits
+    from nonsmooth.runtime.explore.finding.sweep import sweep as sweep
+    from nonsmooth.runtime.explore.fitting.fit import fit as fit
+    from nonsmooth.runtime.explore.fitting.measurements import Experiment as Experiment
+    from nonsmooth.runtime.orbits.derivatives import orbit_function as orbit_function
+    from nonsmooth.runtime.orbits.refine import refine as refine
+    from nonsmooth.runtime.orbits.solve import solve as solve
+    from nonsmooth.runtime.present.files.loading import load as load
+    from nonsmooth.runtime.simulation.last_cycle import itinerary_of as itinerary_of
+    from nonsmooth.runtime.simulation.lyapunov import lyapunov as lyapunov
+    from nonsmooth.runtime.simulation.motion_function import motion_function as motion_function
+    from nonsmooth.runtime.simulation.observables import observe as observe
+    from nonsmooth.runtime.simulation.returns import poincare_map as poincare_map
+    from nonsmooth.runtime.simulation.simulate import simulate as simulate
 
     __version__: str
 
-__all__ = [
-    "BasinCertificate",
-    "BoxCertificate",
-    "Branch",
-    "Census",
-    "Certificate",
-    "CertifiedBranch",
-    "CertifiedDoubling",
-    "ChaosCertificate",
-    "Check",
-    "Design",
-    "DifferentiableFunction",
-    "Event",
-    "EventCertificate",
-    "Experiment",
-    "Fit",
-    "Found",
-    "GraphCertificate",
-    "InputError",
-    "Interrupted",
-    "Locus",
-    "MissingExtra",
-    "Motion",
-    "NoConvergence",
-    "NonsmoothError",
-    "Orbit",
-    "Orbits",
-    "PoincareMap",
-    "Proof",
-    "Recurrence",
-    "Sweep",
-    "Trajectories",
-    "Trajectory",
-    "__version__",
-    "certify",
-    "chart",
-    "continue_orbit",
-    "design",
-    "find_orbits",
-    "fit",
-    "itinerary_of",
-    "load",
-    "lyapunov",
-    "motion_function",
-    "observe",
-    "orbit_function",
-    "poincare_map",
-    "refine",
-    "simulate",
-    "solve",
-    "sweep",
-]
-
 _HOMES = {
-    "BoxCertificate": "runtime.proof.boxes.box_certificate",
-    "Census": "runtime.proof.counting.census",
-    "Check": "runtime.present.checking.check_file",
-    "Certificate": "runtime.proof.certificate",
-    "CertifiedBranch": "runtime.proof.branch.certified_branch",
-    "CertifiedDoubling": "runtime.proof.doubling.certified_doubling",
-    "BasinCertificate": "runtime.proof.basin.basin_certificate",
-    "ChaosCertificate": "runtime.proof.chaos.chaos_certificate",
     "DifferentiableFunction": "runtime.core.differentiable",
-    "Branch": "runtime.explore.continuation.branch",
-    "Design": "runtime.explore.design.optimum",
-    "Event": "runtime.explore.continuation.event",
-    "EventCertificate": "runtime.proof.events.event_certificate",
     "Experiment": "runtime.explore.fitting.measurements",
-    "Fit": "runtime.explore.fitting.fit_record",
-    "Found": "runtime.explore.finding.found",
-    "GraphCertificate": "runtime.proof.graphs.graph_certificate",
     "InputError": "runtime.core.errors",
     "Interrupted": "runtime.core.errors",
-    "Locus": "runtime.explore.continuation.continue_event",
     "MissingExtra": "runtime.core.errors",
-    "Motion": "runtime.orbits.motion",
     "NoConvergence": "runtime.core.errors",
     "NonsmoothError": "runtime.core.errors",
-    "Orbit": "runtime.orbits.orbit",
-    "Orbits": "runtime.orbits.orbit",
-    "PoincareMap": "runtime.simulation.returns",
-    "Proof": "runtime.proof.motion.motion_proof",
-    "Recurrence": "runtime.simulation.last_cycle",
-    "Sweep": "runtime.explore.finding.sweep",
-    "Trajectories": "runtime.simulation.engines",
-    "Trajectory": "runtime.simulation.trajectory",
     "certify": "_certify",
     "chart": "runtime.explore.charting.chart",
     "continue_orbit": "runtime.explore.continuation.continue_orbit",
@@ -164,6 +67,7 @@ _HOMES = {
     "solve": "runtime.orbits.solve",
     "sweep": "runtime.explore.finding.sweep",
 }
+__all__ = [*_HOMES, "__version__"]
 
 # where the records' `plot`, `save` and displays stand: above them, and imported when asked for
 register(

@@ -23,7 +23,7 @@ from nonsmooth.runtime.simulation.phase_functions import (
     phases_of,
     values_at,
 )
-from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.runtime.simulation.trajectory import Trajectory, check_trajectory
 
 __all__ = [
     "ContactObservables",
@@ -185,6 +185,7 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     >>> ns.observe(motion).duration > 0
     True
     """
+    check_trajectory(trajectory)
     system, structure = trajectory.system, trajectory.structure
     phases = phases_of(trajectory, since)
     duration = trajectory.end - float(since)

@@ -200,7 +200,7 @@ def poincare_map(
     point = piecewise(system, parameters)
     structure = point.structure
     structure.check_listed("a Poincaré map")
-    if len(section) != 3:
+    if not isinstance(section, list | tuple) or len(section) != 3:
         raise InputError("a section is (configuration, boundary, configuration)")
     source, target = structure.configuration(section[0]), structure.configuration(section[2])
     boundary = structure.boundary(source, section[1])

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, missing_extra
+from nonsmooth.runtime.core.errors import InputError, missing_extra, one_line
 from nonsmooth.runtime.core.registry import Shown, registered
 from nonsmooth.runtime.core.values import Value, real_array
 from nonsmooth.runtime.model.boundary_sets import members_of, names_of
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
-__all__ = ["Trajectory"]
+__all__ = ["Trajectory", "check_trajectory"]
 
 _ROUNDING = 1e-14  # of the end of a motion
 
@@ -355,3 +355,9 @@ class Trajectory(Shown):
 
     def _phases(self, times: np.ndarray) -> np.ndarray:
         return np.searchsorted(self.times, times, side="right") - 1
+
+
+def check_trajectory(given: object) -> None:
+    """Refuse what is no motion."""
+    if not isinstance(given, Trajectory):
+        raise InputError(f"{one_line(repr(given), 60)} is no motion: `simulate` gives one")

@@ -42,7 +42,7 @@ def chains(quick: bool) -> Iterator[Row]:
     """Branches of chains over the frequency of their forcing, with all events."""
     for count, must in ((1, 0.2), (3, 1.0), (7, 3.0)):
         kernels = load_system(forced_chain(count))
-        found = nonsmooth.find_orbits(kernels, {"Omega": "0.7"}, 40, transitions=400, seed=1)
+        found = nonsmooth.find_orbits(kernels, {"Omega": "0.7"}, 40, transitions=400, rng=1)
         orbit = found.orbits[0].orbit
         branch = nonsmooth.continue_orbit(orbit, "Omega", (0.65, 0.75))
         yield Row(

@@ -14,6 +14,8 @@ from benchmarking.measuring import Row
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["BatchTime", "GradientTime", "batch_times", "derivatives", "gradient_times"]
 
@@ -75,7 +77,7 @@ def _time(masses: int, transitions: int) -> GradientTime:
     state = {name: 0.0 for name in (f"{a}{i}" for a in "xv" for i in range(1, masses + 1))}
     parameters = list(data)
 
-    def simulate() -> ns.Trajectory:
+    def simulate() -> Trajectory:
         return ns.simulate(system, data, state, transitions=transitions)
 
     motion = simulate()
@@ -132,12 +134,12 @@ def _batches() -> Iterator[tuple[str, tuple[Any, dict[str, float], Any]]]:
         yield f"{name} by tables", (orbit.system.name, data, _along(tables, given))
     for masses in (1, 2, 3):
         system, data = _chain(masses)
-        found = ns.find_orbits(system, data, 40, seed=1).orbits
+        found = ns.find_orbits(system, data, 40, rng=1).orbits
         orbit = min(found, key=lambda one: len(one.itinerary)).orbit
         yield f"forced chain of {masses}", (system, data, _along(orbit, None))
 
 
-def _along(orbit: ns.Orbit, given: dict[str, float] | None) -> dict[str, Any]:
+def _along(orbit: Orbit, given: dict[str, float] | None) -> dict[str, Any]:
     guess = [*orbit.dwell_times, *orbit.states[0]]
     return {"guess": guess, "itinerary": orbit.itinerary, "given": given}
 

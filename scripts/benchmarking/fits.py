@@ -12,6 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import least_squares
 
 import nonsmooth as ns
+from nonsmooth.runtime.explore.fitting.fit_record import Fit
 
 __all__ = ["fits"]
 
@@ -75,7 +76,7 @@ def by_differences(data: dict[str, np.ndarray]) -> Any:
     return least_squares(residuals, [GUESS["k"], GUESS["r"], START["v"]], x_scale="jac")
 
 
-def by_derivatives(system: Any, data: dict[str, np.ndarray]) -> ns.Fit:
+def by_derivatives(system: Any, data: dict[str, np.ndarray]) -> Fit:
     """The fit of this package."""
     return ns.fit(
         system, data, parameters=TRUTH | GUESS, free=["k", "r", "v0"], start=START, sigma=NOISE

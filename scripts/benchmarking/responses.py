@@ -26,6 +26,7 @@ from benchmarking.peer_responses import (
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["responses"]
 
@@ -58,7 +59,7 @@ def two_masses() -> Any:
     )
 
 
-def our_motion(orbit: ns.Orbit, phases: np.ndarray) -> np.ndarray:
+def our_motion(orbit: Orbit, phases: np.ndarray) -> np.ndarray:
     """States (4, phases) of an orbit over the phases of the force."""
     trajectory, omega = orbit.trajectory(), 2 * np.pi / orbit.period
     begin = trajectory(np.zeros(1))[0]
@@ -66,7 +67,7 @@ def our_motion(orbit: ns.Orbit, phases: np.ndarray) -> np.ndarray:
     return np.asarray(trajectory(times)[:, :4].T)
 
 
-def settled() -> ns.Orbit:
+def settled() -> Orbit:
     """The orbit with one contact from which all branches begin."""
     system = two_masses()
     rest = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
@@ -153,7 +154,7 @@ def _top(omega: np.ndarray, motions: np.ndarray) -> float:
 
 
 @cache
-def _known(branch: Any) -> tuple[list[ns.Orbit], np.ndarray]:
+def _known(branch: Any) -> tuple[list[Orbit], np.ndarray]:
     """The orbits of a branch and their motions, without its ends, where the contact vanishes."""
     orbits = [branch.orbit_at(place) for place in range(len(branch))]
     orbits = [orbit for orbit in orbits if orbit.converged]

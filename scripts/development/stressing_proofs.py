@@ -12,7 +12,10 @@ import numpy as np
 from mpmath import mpf, workdps
 
 import nonsmooth as ns
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+from nonsmooth.runtime.proof.certificate import Certificate
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
@@ -61,7 +64,7 @@ def branches_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
     return verdicts, told
 
 
-def _orbits(rng: np.random.Generator, name: str) -> Iterator[ns.Orbit]:
+def _orbits(rng: np.random.Generator, name: str) -> Iterator[Orbit]:
     """The orbit on which a random oscillator settles, and that of its itinerary beside it."""
     system, data, start = random_oscillator(rng, name)
     data["d"] = rng.uniform(0.1, 0.5)
@@ -87,7 +90,7 @@ def _orbits(rng: np.random.Generator, name: str) -> Iterator[ns.Orbit]:
         yield beside
 
 
-def judged(orbit: ns.Orbit) -> tuple[str, list[str]]:
+def judged(orbit: Orbit) -> tuple[str, list[str]]:
     """The claims of an orbit's certificate in words, and everything in it that is not so."""
     certificate = ns.certify(orbit)
     claims = certificate.claims
@@ -108,7 +111,7 @@ def judged(orbit: ns.Orbit) -> tuple[str, list[str]]:
     return verdict, wrong
 
 
-def judged_branch(orbit: ns.Orbit, rng: np.random.Generator) -> tuple[list[str], list[str]]:
+def judged_branch(orbit: Orbit, rng: np.random.Generator) -> tuple[list[str], list[str]]:
     """Verdicts of the parts of an orbit's certified branch, and all in it that is not so.
 
     Of a branch that turns only the file: a parameter has several of its orbits.
@@ -136,7 +139,7 @@ def judged_branch(orbit: ns.Orbit, rng: np.random.Generator) -> tuple[list[str],
     return [part.verdict for part in certified.intervals], wrong
 
 
-def _as_stated(verdict: str, orbit: ns.Orbit) -> bool:
+def _as_stated(verdict: str, orbit: Orbit) -> bool:
     """Whether the engine's motion and the multipliers of an orbit are as is stated."""
     follows, largest = _follows(orbit), max(map(abs, orbit.multipliers), default=0.0)
     if verdict == "not admissible":
@@ -146,7 +149,7 @@ def _as_stated(verdict: str, orbit: ns.Orbit) -> bool:
     return follows is not False and (largest < 1) == (verdict == "stable")
 
 
-def _unlike_the_file(certificate: ns.Certificate | ns.CertifiedBranch) -> Iterator[str]:
+def _unlike_the_file(certificate: Certificate | CertifiedBranch) -> Iterator[str]:
     """What the check of a certificate's file says otherwise than the certificate."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "certificate.json"
@@ -158,7 +161,7 @@ def _unlike_the_file(certificate: ns.Certificate | ns.CertifiedBranch) -> Iterat
         yield f"its file shows {check.claims}"
 
 
-def _outside(certificate: ns.Certificate, refined: ns.Orbit) -> Iterator[str]:
+def _outside(certificate: Certificate, refined: Orbit) -> Iterator[str]:
     """Enclosures that do not hold the refined orbit's number."""
     numbers = {**refined.unknowns, "period": refined.period}
     for name, ball in certificate.enclosures.items():
@@ -166,7 +169,7 @@ def _outside(certificate: ns.Certificate, refined: ns.Orbit) -> Iterator[str]:
             yield f"{name} is {numbers[name]}, outside of {ball}"
 
 
-def _follows(orbit: ns.Orbit) -> bool | None:
+def _follows(orbit: Orbit) -> bool | None:
     """Whether the engine's motion from the orbit's start goes its way and comes back.
 
     None where no motion can start there in doubles.

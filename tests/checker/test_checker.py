@@ -24,7 +24,7 @@ import sympy as sp
 from flint import arb, arb_mat, ctx
 
 import nonsmooth as ns
-from nonsmooth import Certificate, InputError
+from nonsmooth import InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.__main__ import judged
@@ -39,6 +39,7 @@ from nonsmooth.runtime.checker.stability import (
     others_below,
 )
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import forced, loop, signed, unhashed
 
 STICK = "dry-friction/global-stick"

@@ -17,7 +17,7 @@ from flint import arb, fmpq
 from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth import InputError, Orbit
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.edges import neighbours
@@ -401,6 +401,8 @@ def test_a_map_of_a_system_that_is_neither_built_in_nor_held(tmp_path: Path) -> 
 OWN = """
 import sympy as sp
 from nonsmooth.derive import Itinerary, Parameter, Reference, RigidStop, oscillator, Harmonic
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 r = Parameter("r", "restitution", lower=0, upper=1)
 F = Parameter("F", "amplitude")

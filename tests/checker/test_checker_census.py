@@ -15,11 +15,13 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.census import Side
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.present.checking.check_file import Check
+from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import LOOP, claimed, kicked, signed, unhashed
 
 
 @cache
-def _census() -> ns.Census:
+def _census() -> Census:
     values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
     return ns.certify.all(kicked(), values, box, itinerary=LOOP)
 
@@ -33,7 +35,7 @@ def content(tmp_path: Path) -> dict[str, Any]:
     return found
 
 
-def checked(content: dict[str, Any], folder: Path) -> ns.Check:
+def checked(content: dict[str, Any], folder: Path) -> Check:
     """What the check says of changed content whose checksums are right."""
     path = folder / "changed.json"
     path.write_text(json.dumps(signed(content)))
@@ -44,7 +46,7 @@ def test_a_census_is_proved_again_by_its_tree(content: dict[str, Any], tmp_path:
     found = checked(content, tmp_path)
     assert found.difference is None
     assert found.claims == {"orbits": "proved"}
-    assert isinstance(found.certificate, ns.Census)
+    assert isinstance(found.certificate, Census)
     assert "exactly 2 orbits" in found.certificate.statement
     # what nothing proves is not told either: why claims are undecided
     told = json.loads(unhashed([orbit.certificate.to_json() for orbit in found.certificate.orbits]))
@@ -67,7 +69,7 @@ def _stated(content: dict[str, Any]) -> dict[str, Any]:
         "decided": not content["undecided"],
         "looked": sum(len(tree) - tree.count("?") for tree in content["trees"]),
     }
-    content["statement"] = claimed(ns.Census, content).statement
+    content["statement"] = claimed(Census, content).statement
     return content
 
 
@@ -128,7 +130,7 @@ def test_an_orbit_without_a_certificate_is_proved_by_the_tree(
     content["orbits"][1].update(certificate=None, reason="none was asked for")
     found = checked(_stated(content), tmp_path)
     assert found.difference is None
-    assert isinstance(found.certificate, ns.Census)
+    assert isinstance(found.certificate, Census)
     assert "exactly 2 orbits" in found.certificate.statement
     assert "1 undecided" in found.certificate.statement
 

@@ -39,8 +39,10 @@ from nonsmooth.runtime.checker.stability import (
 )
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
+from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from tests.certified import LOOP, loop, signed, unhashed
 from tests.explore import test_continuation_forced as impacts
 
@@ -76,18 +78,18 @@ def gated() -> Any:
     return load_system(system)
 
 
-def limited(parameter: str, lower: float, upper: float) -> ns.Branch:
+def limited(parameter: str, lower: float, upper: float) -> Branch:
     given = {"r": "1/2", "fast": "3", "slow": "3", "gate": "1", parameter: str((lower + upper) / 2)}
     orbit = ns.solve(gated(), given, [*[np.pi, np.pi / 2], *[0.0, 2.0]], itinerary=LOOP)
     return ns.continue_orbit(orbit, parameter, (lower, upper))
 
 
-def followed(name: str, parameter: str, lower: float, upper: float) -> ns.Branch:
+def followed(name: str, parameter: str, lower: float, upper: float) -> Branch:
     return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 
 
 SYMMETRIC, STICK = "dry-friction/symmetric", "dry-friction/global-stick"
-BRANCHES: dict[str, Callable[[], ns.Branch]] = {
+BRANCHES: dict[str, Callable[[], Branch]] = {
     "symmetric": lambda: followed(SYMMETRIC, "V", 0.6, 1.3),
     "stick": lambda: followed(STICK, "V", 0.5, 1.6),
     "impacts": impacts.branch,
@@ -112,7 +114,7 @@ KINDS = {
 
 
 @cache
-def proved(name: str) -> tuple[ns.EventCertificate, ...]:
+def proved(name: str) -> tuple[EventCertificate, ...]:
     branch = BRANCHES[name]()
     return tuple(ns.certify.event(branch, event) for event in branch.events)
 

@@ -25,6 +25,8 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.cli.tables import show_result
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
     LOOP,
     forced,
@@ -42,11 +44,11 @@ SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for
 STICK = "dry-friction/global-stick"
 
 
-def _census(**bounds: str) -> ns.Census:
+def _census(**bounds: str) -> Census:
     return ns.certify.all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
-def _events(*branches: ns.Branch) -> Any:
+def _events(*branches: Branch) -> Any:
     found = [ns.certify.event(branch, event) for branch in branches for event in branch.events]
 
     class Several:

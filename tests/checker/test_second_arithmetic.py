@@ -12,10 +12,11 @@ import pytest
 from mpmath import iv, mp, workdps
 
 import nonsmooth as ns
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import loop
 
 DIGITS = 50
-ORBITS: dict[str, Callable[[], ns.Orbit]] = {
+ORBITS: dict[str, Callable[[], Orbit]] = {
     "global-stick": lambda: ns.solve("dry-friction/global-stick"),
     "symmetric": lambda: ns.solve("dry-friction/symmetric", {"V": "1.1"}),
     "kicked": loop,

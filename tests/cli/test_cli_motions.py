@@ -275,7 +275,7 @@ def test_seed_and_box_reach_the_search(found):
     ("options", "part"),
     [
         ("--transitions 1", "transitions = 1"),
-        ("--seed -1", "seed = -1"),
+        ("--seed -1", "-1 is no seed"),
         ("x1=2:1", "box of x1: 2.0 to 1.0 is no interval"),
         ("x1=nan:1", "'nan'"),
         ("z1=0:1", "unknown state 'z1'"),

@@ -14,13 +14,14 @@ from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import period_map_kernel
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.latex_reader import REVERSIBLE, written_of
 
 NAME = "dry-friction/global-stick"
 DATA = [{}, {"V": "0.9", "eta": "1.05", "chi": "0.48"}]
 
 
-def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> ns.Orbit:
+def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> Orbit:
     return ns.refine(ns.solve(name, parameters or {}), 50)
 
 
@@ -44,7 +45,7 @@ def test_both_routes_give_one_orbit_to_50_digits(name: str, parameters: dict[str
 
 
 def solved(
-    orbit: ns.Orbit, equations: EquationSystem, kernel: Callable[..., Any], guess: list[Any]
+    orbit: Orbit, equations: EquationSystem, kernel: Callable[..., Any], guess: list[Any]
 ) -> tuple[list[Any], list[Any]]:
     """Dwell times and start by Newton's method on the conditions in the dwell times alone."""
     lib, size = orbit.arithmetic, len(equations.unknowns) - len(guess)
@@ -83,7 +84,7 @@ def test_other_starts_have_maps_of_their_own(by: int) -> None:
 
 
 def numbers_of(
-    orbit: ns.Orbit, equations: EquationSystem, matrix: sp.Matrix, **changed: Any
+    orbit: Orbit, equations: EquationSystem, matrix: sp.Matrix, **changed: Any
 ) -> sp.Matrix:
     """A matrix over the entries of the map, at an orbit some of whose values are changed."""
     symbols, values = (*equations.parameters, *equations.unknowns), orbit.values | changed

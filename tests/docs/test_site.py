@@ -17,10 +17,12 @@ import nonsmooth.jax
 import nonsmooth.torch
 from tests.chromium import Seen, Window, served, window
 from tests.cli.terminal import all_commands
-from tests.places import CHECKOUT
+from tests.places import CHECKOUT, records
 
 PACKAGES = (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch)
 PUBLIC = {f"{package.__name__}.{n}" for package in PACKAGES for n in package.__all__}
+PUBLIC |= {f"nonsmooth.certify.{n}" for n in vars(type(nonsmooth.certify)) if n[0] != "_"}
+PUBLIC |= {f"{record.__module__}.{name}" for name, record in records().items()}
 WITHOUT_PAGE = {"nonsmooth.__version__"}
 WIDTHS = (1280, 400)
 # Addresses of what a search has found, when it is done.

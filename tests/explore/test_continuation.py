@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth import Branch
-from nonsmooth.runtime.explore.continuation.event import KINDS
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.intervals import admissible_intervals
 from nonsmooth.runtime.orbits.admissible import boundary_curves
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import loop
 from tests.core.test_result_files import composed as timed
 from tests.places import GALLERY
@@ -36,7 +37,7 @@ def stick(parameter: str = "V", lower: float = 0.8, upper: float = 1.3) -> Branc
     return nonsmooth.continue_orbit(nonsmooth.solve(STICK), parameter, (lower, upper))
 
 
-def composed() -> nonsmooth.Orbit:
+def composed() -> Orbit:
     return nonsmooth.solve("dry-friction", DATA, [1, 2, 1.5, 3.3], itinerary=PHASES)
 
 
@@ -214,7 +215,7 @@ def test_what_is_zero_all_along_is_no_event() -> None:
 
 
 def test_the_docstring_of_an_event_names_every_kind() -> None:
-    assert re.findall(r'"([a-z-]+)"', str(inspect.getdoc(nonsmooth.Event))) == list(KINDS)
+    assert re.findall(r'"([a-z-]+)"', str(inspect.getdoc(Event))) == list(KINDS)
 
 
 def test_an_interrupt_while_events_are_located_loses_no_point(

@@ -16,6 +16,8 @@ from scipy.integrate import solve_ivp
 
 import nonsmooth
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 W, R = 2.8, 0.8
 
@@ -40,7 +42,7 @@ def system() -> System:
 
 
 @cache
-def orbit(sigma: float = 0, c: float = 0) -> nonsmooth.Orbit:
+def orbit(sigma: float = 0, c: float = 0) -> Orbit:
     return nonsmooth.solve(
         system(),
         {"r": R, "sigma": sigma, "w": W, "c": c},
@@ -50,7 +52,7 @@ def orbit(sigma: float = 0, c: float = 0) -> nonsmooth.Orbit:
 
 
 @cache
-def branch() -> nonsmooth.Branch:
+def branch() -> Branch:
     return nonsmooth.continue_orbit(orbit(), "sigma", (-2.0, 0.14), step=0.02)
 
 
@@ -159,7 +161,7 @@ def stops() -> System:
 
 
 @cache
-def mirrored() -> nonsmooth.Orbit:
+def mirrored() -> Orbit:
     """From one stop to the other, which its mirror image is."""
     data = {"r": 0.7, "w": 1.3, "f": 2}
     motion = nonsmooth.simulate(stops(), data, [0, 1, 1, 0], transitions=400)

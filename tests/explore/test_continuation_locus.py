@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import nonsmooth
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.continue_event import Locus
 from nonsmooth.runtime.model.naming import shown_name
 from tests.cli.test_cli import run
 from tests.explore.test_continuation_forced import branch as impacts
@@ -18,23 +20,23 @@ SYMMETRIC = "dry-friction/symmetric"
 
 
 @cache
-def branch() -> nonsmooth.Branch:
+def branch() -> Branch:
     return nonsmooth.continue_orbit(nonsmooth.solve(SYMMETRIC), "V", (0.6, 1.3))
 
 
 @cache
-def flips() -> nonsmooth.Locus:
+def flips() -> Locus:
     (flip,) = (event for event in branch().events if event.kind == "flip")
     return nonsmooth.continue_orbit(branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache
-def composed_folds() -> nonsmooth.Locus:
+def composed_folds() -> Locus:
     (fold,) = (event for event in impacts().events if event.kind == "fold")
     return nonsmooth.continue_orbit(impacts(), "w", (2.7, 2.9), event=fold, step=0.1)
 
 
-def same(first: nonsmooth.Locus, second: nonsmooth.Locus) -> None:
+def same(first: Locus, second: Locus) -> None:
     for name in ("values", "unknowns"):
         np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
     assert shown_name(first.name) == shown_name(second.name)

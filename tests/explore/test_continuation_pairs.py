@@ -15,6 +15,7 @@ import sympy as sp
 
 import nonsmooth
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.explore.test_continuation_forced import R, W, branch, closed_forms
 
 START = -0.2  # of q
@@ -39,7 +40,7 @@ def system() -> System:
     )
 
 
-def pair(kind: str, d: float, step: float = 0.1) -> nonsmooth.Branch:
+def pair(kind: str, d: float, step: float = 0.1) -> Branch:
     event = [event for event in branch().events if event.kind == kind][-1]
     place = {"flip": closed_forms()[1], "fold": closed_forms()[0]}.get(kind, event.value)
     sigma = branch().parameter_values

@@ -7,6 +7,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import InputError, observe
 from nonsmooth.derive import Parameter, SoftStop, oscillator
+from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.places import GALLERY
 
 PAGE = GALLERY / "den_hartog.py"
@@ -48,7 +49,7 @@ def test_a_branch_stays_inside_its_interval_where_the_end_is_singular() -> None:
     assert branch.parameter_values.min() >= 0.5
 
 
-def soft_stop() -> ns.Branch:
+def soft_stop() -> Branch:
     """A mass 2 on a spring 2 that meets a stop of stiffness 6 at x = 1, over its period."""
     system = oscillator(
         "soft-stop",

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import nonsmooth
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.event import Event
 from tests.cli.test_cli import run
 from tests.explore.test_continuation_forced import R, W, branch, mirrored, stops, system
 from tests.explore.test_continuation_pairs import pair
@@ -19,13 +21,13 @@ PAGE = GALLERY / "impact_oscillator.py"
 
 
 @cache
-def doubled() -> nonsmooth.Branch:
+def doubled() -> Branch:
     flip = [event for event in branch().events if event.kind == "flip"][-1]
     orbit = branch().switch(flip)
     return nonsmooth.continue_orbit(orbit, "sigma", (-0.1, -0.02), step=0.05)
 
 
-def flip_of_doubled() -> nonsmooth.Event:
+def flip_of_doubled() -> Event:
     (event,) = (event for event in doubled().events if event.kind == "flip")
     return event
 

@@ -11,6 +11,8 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design.largest import radius_rows
+from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
 from tests.places import GALLERY
 
@@ -19,23 +21,23 @@ DATA = {"us1": 1, "ur1": 1, "us2": 1}
 
 
 @cache
-def symmetric() -> ns.Orbit:
+def symmetric() -> Orbit:
     return ns.solve("dry-friction/symmetric")
 
 
 @cache
-def whole() -> ns.Orbit:
+def whole() -> Orbit:
     """With all that admissibility depends on."""
     return ns.solve("dry-friction/symmetric", DATA)
 
 
 @cache
-def stablest() -> ns.Design:
+def stablest() -> Design:
     return ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)})
 
 
 @cache
-def stable_enough(most: str = "0.9") -> ns.Design:
+def stable_enough(most: str = "0.9") -> Design:
     """With a limit of the spectral radius, that of another begins at the optimum."""
     begin = whole() if most == "0.9" else stable_enough().orbit
     limit = f"spectral_radius<={most}"
@@ -43,7 +45,7 @@ def stable_enough(most: str = "0.9") -> ns.Design:
 
 
 @cache
-def impacts() -> ns.Orbit:
+def impacts() -> Orbit:
     return ns.solve(IMPACTS)
 
 
@@ -297,7 +299,7 @@ def test_conditions_are_read_as_written() -> None:
 
 
 def test_the_multiplier_of_a_wanted_multiplier_is_what_it_costs() -> None:
-    def at(wanted: str) -> ns.Design:
+    def at(wanted: str) -> Design:
         over = {"V": (0.6, 1.5), "eta": (3.5, 4.5)}
         return ns.design(
             symmetric(), minimise="period", over=over, subject_to=[f"multiplier={wanted}"]

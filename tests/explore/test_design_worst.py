@@ -11,6 +11,8 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design import worst_over
+from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.places import GALLERY
 
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
@@ -19,17 +21,17 @@ CUT_OFF: Any = {"minimise": "peak:x", "over": {"d": (7, 8.5)}, "worst_over": {"w
 
 
 @cache
-def damper() -> ns.Orbit:
+def damper() -> Orbit:
     return ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 8})
 
 
 @cache
-def tuned() -> ns.Design:
+def tuned() -> Design:
     return ns.design(damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over=WINDOW)
 
 
 @cache
-def cut_off() -> ns.Design:
+def cut_off() -> Design:
     return ns.design(damper(), **CUT_OFF)
 
 
@@ -178,7 +180,7 @@ def test_an_interrupted_design_goes_on_to_the_same_end() -> None:
     with pytest.raises(ns.Interrupted) as stopped:
         ns.design(damper(), **CUT_OFF, progress=stop)
     part = stopped.value.partial
-    assert isinstance(part, ns.Design)
+    assert isinstance(part, Design)
     assert part.message == "interrupted"
     assert not part.converged
     whole = ns.design(damper(), **CUT_OFF, resume=part)

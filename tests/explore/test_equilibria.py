@@ -26,7 +26,7 @@ def test_a_state_that_vanishes_is_zero(seed: int) -> None:
         load=list(stiffness * place),
         elements=[SoftStop("x1", at=100, stiffness=1, name="far")],
     )
-    (entry,) = find_orbits(system, {}, 1, transitions=20, seed=1).equilibria
+    (entry,) = find_orbits(system, {}, 1, transitions=20, rng=1).equilibria
     found = entry.equilibrium
     assert found.state[[0, 2, 3, 4, 5]].tolist() == [0.0] * 5
     assert not np.signbit(found.state).any()

@@ -33,7 +33,7 @@ STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
 @cache
 def found(name):
     data, starts = {"A": (A, 800), "B": (B, 120)}[name]
-    return find_orbits("dry-friction", data, starts, transitions=1500, seed=1)
+    return find_orbits("dry-friction", data, starts, transitions=1500, rng=1)
 
 
 def names_of(result, x, y):
@@ -175,7 +175,7 @@ def test_labels_are_where_the_starts_lead():
 @pytest.mark.slow
 def test_equal_seeds_give_equal_results():
     one, same, other = (
-        find_orbits("dry-friction", B, 30, transitions=600, seed=seed, threads=threads)
+        find_orbits("dry-friction", B, 30, transitions=600, rng=seed, threads=threads)
         for seed, threads in ((4, 1), (4, 2), (5, 1))
     )
     np.testing.assert_array_equal(one.starts, same.starts)
@@ -193,11 +193,19 @@ def test_both_engines_find_the_same(monkeypatch):
     results = []
     for backend in ("c", "numpy"):
         monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
-        results.append(find_orbits("dry-friction", B, 2, transitions=130, seed=2))
+        results.append(find_orbits("dry-friction", B, 2, transitions=130, rng=2))
     for result in results:
         assert {round(o.period, 6) for o in result.orbits if o.starts} <= {9.598694, 19.409498}
     np.testing.assert_array_equal(results[0].starts, results[1].starts)
     np.testing.assert_array_equal(results[0].labels, results[1].labels)
+
+
+def test_a_generator_of_random_numbers_gives_what_its_seed_gives():
+    sources = (2, np.random.SeedSequence(2), np.random.default_rng(2), 3)
+    drawn = [find_orbits("dry-friction", B, 2, transitions=20, rng=rng).starts for rng in sources]
+    np.testing.assert_array_equal(drawn[0], drawn[1])
+    np.testing.assert_array_equal(drawn[0], drawn[2])
+    assert (drawn[0] != drawn[3]).all()
 
 
 def test_a_box_reaches_twice_as_far_as_any_boundary():
@@ -268,8 +276,8 @@ def test_starts_inside_the_stop_are_drawn_again():
         ({"n": 2.5}, "n = 2.5"),
         ({"transitions": 1}, "transitions = 1"),
         ({"threads": 0}, "threads = 0"),
-        ({"seed": -1}, "seed = -1"),
-        ({"seed": "luck"}, "seed = 'luck'"),
+        ({"rng": -1}, "-1 is no seed"),
+        ({"rng": "luck"}, "'luck' is no seed"),
         ({"box": {"z1": (0, 1)}}, "unknown state 'z1'"),
         ({"box": {"x1": (1, 0)}}, "no interval"),
         ({"box": {"x1": (0, np.inf)}}, "no interval"),

@@ -277,7 +277,7 @@ def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
     found, again = (
         ns.fit(
             SYSTEM, {WALL: impacts(6, 1e-3, 2)}, parameters={"m": 1, "c": 0.02}, bounds=limits,
-            start=START, sigma=1e-3, starts=6, seed=7, progress=lambda *done: told.append(done),
+            start=START, sigma=1e-3, starts=6, rng=7, progress=lambda *done: told.append(done),
         )
         for _ in range(2)
     )  # fmt: skip

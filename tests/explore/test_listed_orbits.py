@@ -126,7 +126,7 @@ def same_motion(one, other):
 def test_what_is_listed_is_true(build, seed, tmp_path):
     rng = np.random.default_rng(seed)
     data = {name: f"{rng.uniform(*bounds):.2f}" for name, bounds in RANGES[build].items()}
-    found = ns.find_orbits(build(), data, 1, transitions=130, seed=seed)
+    found = ns.find_orbits(build(), data, 1, transitions=130, rng=seed)
     orbits = [entry.orbit for entry in found.orbits]
     assert orbits
     for place, orbit in enumerate(orbits):

@@ -15,6 +15,8 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.explore.test_continuation_forced import R, W, branch, closed_forms
 
 D = 1e-2
@@ -43,7 +45,7 @@ def system() -> System:
 
 
 @cache
-def first() -> ns.Orbit:
+def first() -> Orbit:
     """The orbit at q = 0 on one side of the fold."""
     fold, sigma = closed_forms()[0], branch().parameter_values
     near = branch().orbit_at(int(np.argmin(abs(sigma - fold - D))))
@@ -52,7 +54,7 @@ def first() -> ns.Orbit:
     return ns.solve(system(), data, guess, itinerary=near.itinerary)
 
 
-def followed(kind: str, stop: int | None = None, **options: Any) -> ns.Branch:
+def followed(kind: str, stop: int | None = None, **options: Any) -> Branch:
     """The branch, or what it has when so many points were told."""
 
     def progress(done: int, *_: int) -> None:
@@ -68,7 +70,7 @@ def followed(kind: str, stop: int | None = None, **options: Any) -> ns.Branch:
 
 
 @cache
-def whole(kind: str) -> ns.Branch:
+def whole(kind: str) -> Branch:
     return followed(kind)
 
 
@@ -78,7 +80,7 @@ def points_of(step: float) -> int:
     return len(followed("closed", step=step))
 
 
-def turned(found: ns.Branch) -> np.ndarray:
+def turned(found: Branch) -> np.ndarray:
     """Angles around the middle of the ellipse from each point to the next, in one direction."""
     across = whole("closed").quantity("v0")
     middle, size = (across.max() + across.min()) / 2, np.ptp(across) / 2

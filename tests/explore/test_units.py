@@ -24,6 +24,8 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.scaled_systems import DAMPING, FORCE, LENGTH, MASS, RATE, STIFFNESS
 
 UNITS = [
@@ -96,7 +98,7 @@ def answers(name: str, length: Any, rate: Any, mass: Any) -> Any:
     """Orbits that are found, events along the branch of the first, and what is proved of it."""
     declare, values, (low, high) = SYSTEMS[name]
     given = {"length": length, "rate": rate, "mass_unit": mass, **values}
-    found = ns.find_orbits(declare(), given, 4, transitions=150, seed=3)
+    found = ns.find_orbits(declare(), given, 4, transitions=150, rng=3)
     # those to which motions come: which unstable ones are met on the way is a matter of rounding
     listed = [each.orbit for each in found.orbits if each.starts]
     first = listed[0]
@@ -157,7 +159,7 @@ def test_equilibria_are_the_same_in_all_units(units: Any) -> None:
     listed = []
     for length, rate, mass in ((1, 1, 1), units):
         given = {"length": length, "rate": rate, "mass_unit": mass}
-        found = ns.find_orbits(bistable(), given, 8, transitions=100, seed=2)
+        found = ns.find_orbits(bistable(), given, 8, transitions=100, rng=2)
         places = [each.equilibrium.state[0] / float(length) for each in found.equilibria]
         listed.append((places, [(each.starts, each.mirror) for each in found.equilibria]))
     (wanted, starts), (places, of_units) = listed
@@ -183,12 +185,12 @@ def stopped() -> System:
 
 
 @cache
-def motions_between_stops(length: Any, rate: Any, mass: Any) -> ns.Found:
+def motions_between_stops(length: Any, rate: Any, mass: Any) -> Found:
     given = {"length": length, "rate": rate, "mass_unit": mass, "w": "1.9", "load": 0}
-    return ns.find_orbits(stopped(), given, 3, transitions=200, seed=1)
+    return ns.find_orbits(stopped(), given, 3, transitions=200, rng=1)
 
 
-def between_stops(length: Any, rate: Any, mass: Any) -> ns.Orbit:
+def between_stops(length: Any, rate: Any, mass: Any) -> Orbit:
     """The orbit that is its own mirror image."""
     return motions_between_stops(length, rate, mass).orbits[0].orbit
 

@@ -78,3 +78,21 @@ def test_values_by_names_are_refused_where_they_are_none(wrong: Any) -> None:
     ):
         with pytest.raises(ns.InputError, match="by names"):
             asked()
+
+
+def test_what_is_of_another_kind_is_refused() -> None:
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+    tiles = ns.certify.box(ns.solve(STICK), {"V": ("0.999", "1.001")}, tiles=1)
+    found: Any = ns.find_orbits("rigid-stop", data, 1, transitions=3)
+    calls: list[tuple[Callable[[], object], str]] = [
+        (lambda: ns.poincare_map("rigid-stop", data, 3), "a section is"),
+        (lambda: ns.observe(3), "3 is no motion"),
+        (lambda: ns.itinerary_of(3), "3 is no motion"),
+        (lambda: ns.certify.all(STICK, box=3), "3 does not give values by names"),
+        (lambda: tiles.where(3), "3 is no tile"),
+        (lambda: tiles.tile_at(3), "3 does not give values by names"),
+        (lambda: found.share([1, 2, 3.5]), "is no outcome of one start"),
+    ]
+    for refused, told in calls:
+        with pytest.raises(ns.InputError, match=told):
+            refused()

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from nonsmooth import InputError, Orbit, refine, solve
+from nonsmooth import InputError, refine, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.solve import search
 from nonsmooth.runtime.present.report import orbit_json
 from tests.declared import Declared

@@ -17,6 +17,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits import solve as solving
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.handmade import DATA, MIRROR, declared, two_stops
 from tests.pictures import figure_in, figure_of_saved
 
@@ -55,7 +56,7 @@ def run(*arguments: str) -> tuple[int, str, str]:
 
 def test_solve_composes() -> None:
     found = orbit()
-    assert isinstance(found, nonsmooth.Orbit)
+    assert isinstance(found, Orbit)
     assert list(found.unknowns) == ["ta", "tb", "x0", "v0", "c0", "s0"]
     assert found.unknowns["ta"] == pytest.approx(np.pi / 1.7, abs=1e-13)
     assert found.unknowns["x0"] == pytest.approx(-0.5, abs=1e-13)

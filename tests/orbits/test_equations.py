@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth import Orbit
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 NAMES = {
     "dry-friction/global-stick": "V",

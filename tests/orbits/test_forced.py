@@ -11,6 +11,7 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, o
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.starting import start_state
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 ONE = [("free", "stop-reaches-stop")]
 DATA = {"zeta": "0.05", "Omega": 2, "r": "0.8"}
@@ -37,7 +38,7 @@ def impact(second: float = 0.0) -> System:
     )
 
 
-def settled(system: System, data: dict, transitions: int = 800) -> ns.Trajectory:
+def settled(system: System, data: dict, transitions: int = 800) -> Trajectory:
     return ns.simulate(system, data, {"x": "-0.5", "v": 0}, transitions=transitions)
 
 

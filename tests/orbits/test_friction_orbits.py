@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, NoConvergence, Orbit, refine, solve
+from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.coulomb_friction import Friction
 from tests.declared import Declared, random_points
 from tests.derive.test_equations import MP, Derived

@@ -11,6 +11,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.places import GALLERY
 
 DATA = {"m": 2.0, "F": 1.0, "w": 1.3, "g": 0.1, "r": 0.6, "d": 0.3}
@@ -34,14 +35,14 @@ def two_masses(place: Any, *more: Any, coupled: bool) -> System:
     )
 
 
-def settled(system: System) -> ns.Orbit:
+def settled(system: System) -> Orbit:
     """The orbit on which a motion from rest settles."""
     start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0.0)
     motion = ns.simulate(system, DATA, start, until=400)
     return ns.solve(system, DATA, itinerary=ns.itinerary_of(motion))
 
 
-def lost(orbit: ns.Orbit) -> float:
+def lost(orbit: Orbit) -> float:
     """What the forcing brings over a period, without what the dampers take."""
     motion, total = orbit.trajectory(), 0.0
     nodes, weights = np.polynomial.legendre.leggauss(40)

@@ -20,6 +20,7 @@ from nonsmooth.runtime.model.table_derivatives import stepped_tables, table_rate
 from nonsmooth.runtime.orbits import many_derivatives as many
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from tests.places import GALLERY
 from tests.shifting_systems import CAPSULE, GEARED, SHAKEN, TURNED, settled_orbit
@@ -48,9 +49,9 @@ def chain() -> tuple[ns.derive.System, dict[str, float]]:
 
 
 @pytest.fixture(scope="module")
-def forced() -> tuple[ns.derive.System, dict[str, float], ns.Orbit]:
+def forced() -> tuple[ns.derive.System, dict[str, float], Orbit]:
     system, data = chain()
-    found = ns.find_orbits(system, data, 40, seed=1).orbits
+    found = ns.find_orbits(system, data, 40, rng=1).orbits
     return system, data, min(found, key=lambda one: len(one.itinerary)).orbit
 
 
@@ -113,7 +114,7 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
     orbit = settled_orbit(GEARED, TURNED)
     data, guess = {"i": TURNED["i"]}, [*orbit.dwell_times, *orbit.states[0]]
 
-    def solved(i: float) -> ns.Orbit:
+    def solved(i: float) -> Orbit:
         return ns.solve(GEARED, {**TURNED, "i": i}, guess, itinerary=orbit.itinerary)
 
     values = {**TURNED, "i": [TURNED["i"]]}
@@ -200,7 +201,7 @@ def test_a_family_that_is_lost_has_no_derivative_in_any_unit(
     assert have_derivatives(orbit, data) == {"c": False, "k": True}
 
 
-def have_derivatives(orbit: ns.Orbit, data: dict[str, float]) -> dict[str, bool]:
+def have_derivatives(orbit: Orbit, data: dict[str, float]) -> dict[str, bool]:
     """Of many orbits, of which this is one, by parameters; the last one is given as an array."""
     *_, (name, value) = data.items()
     found = ns.solve(

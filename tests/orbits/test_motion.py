@@ -9,8 +9,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
 import nonsmooth
-from nonsmooth import InputError, Motion
+from nonsmooth import InputError
 from nonsmooth.runtime.model.kernels import orbit_names
+from nonsmooth.runtime.orbits.motion import Motion
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
@@ -24,7 +26,7 @@ POINTS = [
 
 
 @cache
-def orbit(name: str = ORBIT, point: int | None = None) -> nonsmooth.Orbit:
+def orbit(name: str = ORBIT, point: int | None = None) -> Orbit:
     return nonsmooth.solve(name, {} if point is None else POINTS[point][1])
 
 

@@ -209,7 +209,7 @@ def test_a_capsule_moves_on_as_it_does_when_it_is_simulated():
 
 
 def test_orbits_are_found_up_to_their_shift():
-    found = ns.find_orbits(SLED, PULLED, 10, transitions=200, seed=0)
+    found = ns.find_orbits(SLED, PULLED, 10, transitions=200, rng=0)
     (entry,) = found.orbits
     assert entry.period == pytest.approx(sled().period, abs=1e-12)
     assert entry.starts > 5
@@ -225,7 +225,7 @@ def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outco
     dragged = pulled("dragged", [[0, 0], [0, 1]] if damper == "0" else [[c, -c], [0, 1]])
     data = PULLED if damper == "0" else {**PULLED, "c": damper}
     box = {"v": (-2.6, 2.6), "v_y": (-2.6, 2.6)}
-    found = ns.find_orbits(dragged, data, 30, transitions=100, box=box, seed=0)
+    found = ns.find_orbits(dragged, data, 30, transitions=100, box=box, rng=0)
     sliding = found.starts[found.labels == outcome]
     assert set(found.outcomes) == {outcome}
     assert len(sliding) == 30 - sum(entry.starts for entry in found.orbits) > 0

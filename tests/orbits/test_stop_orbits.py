@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh, expm
 from scipy.optimize import brentq
 
-from nonsmooth import NoConvergence, Orbit, solve
+from nonsmooth import NoConvergence, solve
 from nonsmooth.derive import Configuration, SecondOrder, derive_equations
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
@@ -25,6 +25,7 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.declared import Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"

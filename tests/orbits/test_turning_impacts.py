@@ -8,7 +8,6 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth import Orbit
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -21,6 +20,7 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.runtime.orbits.equations import equations_of
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.report import trace_proof_json
 
 X, Y, V, W = sp.symbols("x y v w", real=True)

@@ -1,7 +1,8 @@
 """Public names say what they take, give, refuse, and how they are used.
 
-numpydoc sections are demanded of what `nonsmooth` and `nonsmooth.derive` export: of functions, of
-classes and of the public methods of these. Ruff's pydocstyle cannot tell whether they are complete.
+numpydoc sections are demanded of what `nonsmooth` and `nonsmooth.derive` export, and of the results
+that the reference lists: of functions, of classes and of their public methods. What a function
+returns is listed there. Ruff's pydocstyle cannot tell whether they are complete.
 """
 
 import ast
@@ -21,7 +22,7 @@ import nonsmooth
 import nonsmooth.derive
 import nonsmooth.jax
 import nonsmooth.torch
-from tests.places import CHECKOUT
+from tests.places import CHECKOUT, records
 
 ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
 
@@ -38,18 +39,28 @@ def public() -> Iterator[tuple[str, str, Any]]:
                 for target in (n for n in vars(type(found)) if not n.startswith("_")):
                     yield "function", f"{name}.{target}", getattr(found, target)
             elif inspect.isclass(found):
-                yield "class", name, found
-                for attribute, member in vars(found).items():
-                    if isinstance(member, property | cached_property):
-                        inner = member.fget if isinstance(member, property) else member.func
-                        kind = "property"
-                    else:
-                        inner, kind = getattr(member, "__func__", member), "method"
-                    if not attribute.startswith("_") and inspect.isfunction(inner):
-                        yield kind, f"{name}.{attribute}", inner
+                yield from members(name, found)
+    for name, found in records().items():
+        if hasattr(found, "_repr_html_"):
+            yield from members(name, found)
+
+
+def members(name: str, found: type) -> Iterator[tuple[str, str, Any]]:
+    """Kind, name and object of a class and of its public methods and properties."""
+    yield "class", name, found
+    for attribute, member in vars(found).items():
+        if isinstance(member, property | cached_property):
+            inner = member.fget if isinstance(member, property) else member.func
+            kind = "property"
+        else:
+            inner, kind = getattr(member, "__func__", member), "method"
+        if not attribute.startswith("_") and inspect.isfunction(inner):
+            yield kind, f"{name}.{attribute}", inner
 
 
 PUBLIC = list(public())
+KNOWN = {name for kind, name, _ in PUBLIC if kind == "class"} | {*records()}
+KNOWN |= {"Any", "Callable", "Dataset", "None"}
 
 
 def sections(docstring: str) -> dict[str, str]:
@@ -86,6 +97,9 @@ def test_docstrings_are_complete(kind: str, name: str, found: Any) -> None:
     wanted = set(signature.parameters) - {"self", "cls"}
     described = entries(told.get("Parameters", ""))
     assert wanted == described, f"not described, or not there: {sorted(wanted ^ described)}"
+    annotation = str(signature.return_annotation)
+    unknown = set(re.findall(r"(?<![.\w])[A-Z]\w+", annotation)) - KNOWN
+    assert kind != "function" or not unknown, f"not in the reference: {sorted(unknown)}"
     if kind != "property" and signature.return_annotation not in (None, "None"):
         assert "Returns" in told
     missing = {error for error in raised(found) & ERRORS if error not in told.get("Raises", "")}

@@ -22,6 +22,7 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.explore.design import worst_over
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.places import CHECKOUT, GALLERY
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
@@ -551,7 +552,7 @@ def test_stick_slip_has_derived_kernels_too(tmp_path: Path) -> None:
     code, _, err = run("generate", page("mass_on_belt"), "--out", str(folder))
     assert code == 0, err
     orbit = ns.solve(f"{folder}:stick-slip", {"V": "0.7"})
-    assert isinstance(orbit, ns.Orbit)
+    assert isinstance(orbit, Orbit)
     angle = 0.3 / 0.7
     assert orbit.period == pytest.approx(2 * (math.pi - math.atan(angle) + angle), rel=1e-14)
     assert orbit.trace == 0

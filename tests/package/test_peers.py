@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 
-import nonsmooth as ns
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.places import CHECKOUT
 
 sys.path.append(str(CHECKOUT / "scripts"))
@@ -18,7 +18,7 @@ from benchmarking.responses import our_motion, settled
 
 
 @pytest.fixture(scope="module")
-def orbit() -> ns.Orbit:
+def orbit() -> Orbit:
     return settled()
 
 
@@ -38,7 +38,7 @@ def test_elements_touch_as_long_as_the_first_zero_of_their_reaction_says(element
     assert kept < 1
 
 
-def test_a_motion_shoots_onto_itself_and_has_the_orbits_multipliers(orbit: ns.Orbit) -> None:
+def test_a_motion_shoots_onto_itself_and_has_the_orbits_multipliers(orbit: Orbit) -> None:
     states = our_motion(orbit, np.zeros(1))[:, 0]
     shooting, omega = Shooting(1e-9), 0.635
     unknowns = np.array([*states[:2], *(states[2:] / omega), omega])
@@ -50,7 +50,7 @@ def test_a_motion_shoots_onto_itself_and_has_the_orbits_multipliers(orbit: ns.Or
     np.testing.assert_allclose(jacobian[:, 4], (ahead - behind) / 2e-6, atol=1e-5)
 
 
-def test_harmonics_tend_to_the_orbit_and_follow_it_through_its_fold(orbit: ns.Orbit) -> None:
+def test_harmonics_tend_to_the_orbit_and_follow_it_through_its_fold(orbit: Orbit) -> None:
     phases = 2 * np.pi * np.arange(512) / 512
     motion = our_motion(orbit, phases)[:2]
     errors = []

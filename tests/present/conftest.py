@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-import nonsmooth as ns
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.paper import writing
 from tests.present.formulas import given_formulas
 
@@ -77,6 +77,6 @@ def paper(tmp_path_factory: pytest.TempPathFactory) -> Paper:
 
 
 @pytest.fixture(scope="session")
-def orbits() -> dict[str, ns.Orbit]:
+def orbits() -> dict[str, Orbit]:
     """The orbits of the paper, to be put in the place of its computation."""
     return dict(writing.paper_orbits(lambda step: None))

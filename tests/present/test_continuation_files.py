@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import nonsmooth
+from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.cli.test_cli import run
 from tests.core.test_result_files import composed, file_of
 from tests.pictures import figure_in
@@ -19,11 +20,11 @@ STICK = "dry-friction/global-stick"
 
 
 @cache
-def branch() -> nonsmooth.Branch:
+def branch() -> Branch:
     return nonsmooth.continue_orbit(nonsmooth.solve(STICK), "V", (0.8, 1.3), step=0.05)
 
 
-def same(first: nonsmooth.Branch, second: nonsmooth.Branch) -> None:
+def same(first: Branch, second: Branch) -> None:
     for name in ("parameter_values", "unknowns", "period", "multipliers", "trace", "admissible"):
         np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
     for name in ("name", "parameter", "unknown_names", "stability", "events", "ends", "start"):

@@ -11,6 +11,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import SoftStop, oscillator
+from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 
 pytest.importorskip("matplotlib")
@@ -36,7 +37,7 @@ def test_labels_of_near_levels_do_not_overlap(kind: str) -> None:
 
 
 @cache
-def branch() -> ns.Branch:
+def branch() -> Branch:
     orbit = ns.solve("dry-friction/global-stick")
     return ns.continue_orbit(orbit, "V", (0.99, 1.01), step=0.5)
 

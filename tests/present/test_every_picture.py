@@ -15,6 +15,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from tests.certified import loop
 
@@ -190,7 +191,7 @@ def flips() -> Any:
 
 
 @cache
-def swept() -> ns.Sweep:
+def swept() -> Sweep:
     data = {name: value for name, value in FRICTION.items() if name != "V"}
     return ns.sweep(
         "dry-friction",

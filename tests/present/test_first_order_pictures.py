@@ -7,8 +7,8 @@ import sympy as sp
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth import Trajectory
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, System, Transition
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 pytest.importorskip("matplotlib")
 

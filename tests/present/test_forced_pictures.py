@@ -10,6 +10,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError, sweep
+from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.places import GALLERY
 
 PAGE = str(GALLERY / "impact_oscillator.py")
@@ -68,7 +69,7 @@ def test_wrong_strobes(changes: dict, match: str) -> None:
 
 
 @cache
-def branch(name: str) -> ns.Branch:
+def branch(name: str) -> Branch:
     orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
     interval = {"w": (2.38, 2.42), "sigma": (-0.01, 0.01)}[name]
     return ns.continue_orbit(orbit, name, interval, step=0.5)

@@ -13,27 +13,43 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.explore.finding.sweep import Sweep
+from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files import kept
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.cli.test_cli import run
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of
 
 TYPES: dict[str, type] = {
-    "nonsmooth orbit": ns.Orbit,
-    "nonsmooth found orbits": ns.Found,
-    "nonsmooth branch": ns.Branch,
-    "nonsmooth locus": ns.Locus,
-    "nonsmooth design": ns.Design,
-    "nonsmooth sweep": ns.Sweep,
-    "nonsmooth fit": ns.Fit,
-    "nonsmooth certificate": ns.Certificate,
-    "nonsmooth box certificate": ns.BoxCertificate,
+    "nonsmooth orbit": Orbit,
+    "nonsmooth found orbits": Found,
+    "nonsmooth branch": Branch,
+    "nonsmooth locus": Locus,
+    "nonsmooth design": Design,
+    "nonsmooth sweep": Sweep,
+    "nonsmooth fit": Fit,
+    "nonsmooth certificate": Certificate,
+    "nonsmooth box certificate": BoxCertificate,
     "nonsmooth event certificate": tuple,
-    "nonsmooth certified branch": ns.CertifiedBranch,
-    "nonsmooth certified doubling": ns.CertifiedDoubling,
-    "nonsmooth basin certificate": ns.BasinCertificate,
-    "nonsmooth chaos certificate": ns.ChaosCertificate,
-    "nonsmooth graph certificate": ns.GraphCertificate,
-    "nonsmooth census": ns.Census,
+    "nonsmooth certified branch": CertifiedBranch,
+    "nonsmooth certified doubling": CertifiedDoubling,
+    "nonsmooth basin certificate": BasinCertificate,
+    "nonsmooth chaos certificate": ChaosCertificate,
+    "nonsmooth graph certificate": GraphCertificate,
+    "nonsmooth census": Census,
 }
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}
 OF_KINDS = {"nonsmooth orbit", "nonsmooth found orbits"}
@@ -84,7 +100,7 @@ def test_a_file_gives_what_was_saved(kind: str, folder: Path, tmp_path: Path) ->
 def test_motions_and_charts_are_read_too(folder: Path) -> None:
     for ending in ("npz", "csv"):
         motion = ns.load(folder / f"motion.{ending}")
-        assert type(motion) is ns.Trajectory
+        assert type(motion) is Trajectory
         assert motion.transitions == 5
     assert dict(ns.load(str(folder / "line.zarr")).sizes) == {"V": 2}
 

@@ -16,6 +16,7 @@ import nonsmooth
 from nonsmooth import InputError, MissingExtra
 from nonsmooth.derive import derive_equations
 from nonsmooth.derive.systems import dry_friction
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from tests.cli.test_cli import run
 from tests.pictures import figure_of
@@ -37,7 +38,7 @@ CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
 
 
 @cache
-def orbit(name: str = ORBIT) -> nonsmooth.Orbit:
+def orbit(name: str = ORBIT) -> Orbit:
     return nonsmooth.solve(name)
 
 

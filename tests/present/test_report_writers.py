@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-import nonsmooth as ns
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.paper import writing
 from tests.present.conftest import Paper, written
 from tests.present.formulas import notes
@@ -226,7 +226,7 @@ def test_full_stop_stays_with_its_formula(inline: dict[str, str]) -> None:
     ],
 )
 def test_unknown_latex_is_refused(
-    latex: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, orbits: dict[str, ns.Orbit]
+    latex: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, orbits: dict[str, Orbit]
 ) -> None:
     monkeypatch.setattr(writing, "paper_orbits", lambda begin: orbits)
     with pytest.raises(ValueError, match="latex2mathml does not know all of"):

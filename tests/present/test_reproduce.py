@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-import nonsmooth as ns
 from nonsmooth import MissingExtra, refine, solve
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.paper import writing
 from tests.browser import inspect_page
 from tests.cli.test_cli import run, told
@@ -83,7 +83,7 @@ def test_every_printed_number_stands_beside_ours(results: dict[str, Any]) -> Non
 
 
 def test_verdicts_are_those_of_the_numbers_and_not_written_down(
-    results: dict[str, Any], orbits: dict[str, ns.Orbit], tmp_path: Path,
+    results: dict[str, Any], orbits: dict[str, Orbit], tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     """Of other data the printed digits are others, and a number agrees if it does in all rows."""
@@ -195,7 +195,7 @@ def test_markdown_and_html_have_every_number(paper: Paper, results: dict[str, An
 
 
 def test_proofs_stand_before_the_last_chapter(
-    paper: Paper, results: dict[str, Any], orbits: dict[str, ns.Orbit]
+    paper: Paper, results: dict[str, Any], orbits: dict[str, Orbit]
 ) -> None:
     chapters = re.findall(r"^## (.*)$", paper.read("report.md"), re.MULTILINE)
     assert chapters[-2] == "Proofs"

@@ -15,17 +15,18 @@ import pytest
 import nonsmooth
 from nonsmooth import InputError
 from nonsmooth.runtime.model.kernels import orbit_names
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 ORBIT = "dry-friction/global-stick"
 
 
 @cache
-def orbit() -> nonsmooth.Orbit:
+def orbit() -> Orbit:
     return nonsmooth.solve(ORBIT, {"eta": "0.98", "us2": "4/5"})
 
 
 @cache
-def exchanged() -> nonsmooth.Orbit:
+def exchanged() -> Orbit:
     return nonsmooth.solve(
         ORBIT, {"chi": 0.5}, unknown=["e1", "e2"], given={"ta": 1, "tau": "2*pi/3"}
     )
@@ -81,7 +82,7 @@ def refusal(path: Path) -> str:
     ],
 )
 def test_round_trip(
-    make: Callable[[], nonsmooth.Orbit], digits: int | None, arithmetic: str, path: Path
+    make: Callable[[], Orbit], digits: int | None, arithmetic: str, path: Path
 ) -> None:
     before = make()
     if digits is not None:

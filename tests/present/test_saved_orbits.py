@@ -24,7 +24,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("saved")
     text = (GALLERY / "two_stops.py").read_text()
     (folder / "gear.py").write_text(text[: text.index("RIGHT, LEFT")])
-    found = ns.find_orbits(folder / "gear.py", DATA, 20, transitions=300, seed=1)
+    found = ns.find_orbits(folder / "gear.py", DATA, 20, transitions=300, rng=1)
     assert len(found.orbits) > 1
     found.save(folder / "found.json")
     return folder

@@ -18,6 +18,8 @@ from nonsmooth import InputError
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.model.saved_system import SavedSystem
 from tests.user_systems import declare
 
@@ -43,14 +45,14 @@ DATA = {"w": "2", "k": "1", "gap": "0", "r": "0.8"}
 TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 
 
-def sweep(source: Path) -> ns.Sweep:
+def sweep(source: Path) -> Sweep:
     values, start = {n: v for n, v in DATA.items() if n != "w"}, {"x": -1, "v": 0}
     return ns.sweep(
         source, values, "w", [1.9, 2.0], start, state="x", phase=0, transient=20, samples=4
     )
 
 
-def branch(source: Path) -> ns.Branch:
+def branch(source: Path) -> Branch:
     return ns.continue_orbit(ns.solve(f"{source}:one"), "w", (1.98, 2.01))
 
 
@@ -73,7 +75,7 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
     "orbit.json": lambda source, path: ns.solve(f"{source}:one").save(path),
     "sharp.json": lambda source, path: ns.solve(f"{source}:one", digits=40).save(path),
     "found.json": lambda source, path: ns.find_orbits(
-        source, DATA, 5, transitions=50, seed=1
+        source, DATA, 5, transitions=50, rng=1
     ).save(path),
     "motion.npz": lambda source, path: ns.simulate(
         source, DATA, {"x": -1, "v": 0}, transitions=5

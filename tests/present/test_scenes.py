@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, MissingExtra, Trajectory, find_orbits, observe, simulate, sweep
+from nonsmooth import InputError, MissingExtra, find_orbits, observe, simulate, sweep
 from nonsmooth.runtime.explore.finding.basins import basins
 from nonsmooth.runtime.present.pictures.maps import draw_basins
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.pictures import figure_of, figure_of_saved
 
 matplotlib = pytest.importorskip("matplotlib")

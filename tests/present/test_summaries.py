@@ -1,6 +1,5 @@
 """Every public result tells in a few lines what it is, and shows a table in a notebook."""
 
-import inspect
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -11,19 +10,18 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.explore.continuation.event import Event
 from tests.certified import kicked, prove_basin, prove_branch, prove_doubling, prove_graph
 from tests.horseshoes import folded_horseshoe
+from tests.places import records
 from tests.shared import shared_file
 
 DATA = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
 RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
 START = {"x1": 1, "x2": 0, "v1": -1, "v2": 0}
 REST = {"x1": 0, "x2": 0, "v1": 0, "v2": 0}
-KINDS = {
-    name
-    for name in ns.__all__
-    if inspect.isclass(getattr(ns, name)) and not issubclass(getattr(ns, name), BaseException)
-}
+KINDS = {name for name, kind in records().items() if hasattr(kind, "_repr_html_")}
+KINDS |= {"DifferentiableFunction", "Experiment"}
 
 
 ORBIT, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
@@ -148,7 +146,7 @@ def test_a_users_system_has_its_own_name() -> None:
 
 
 def test_what_a_result_says_of_names_is_no_markup() -> None:
-    event = ns.Event(
+    event = Event(
         kind="flip", parameter="a<b", value=1.0, unknowns={"<i>": 1.0}, phase=None,
         configuration="", boundary="", time=None, place=0.5, text="<script>",
     )  # fmt: skip

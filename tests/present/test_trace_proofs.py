@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 
-from nonsmooth import InputError, Orbit, refine, solve
+from nonsmooth import InputError, refine, solve
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.report import trace_proof_json
 from nonsmooth.runtime.proof import certify_orbit
 from tests.places import CHECKOUT

@@ -14,7 +14,6 @@ import sympy as sp
 from flint import ctx
 
 import nonsmooth as ns
-from nonsmooth import CertifiedBranch
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -31,6 +30,7 @@ from nonsmooth.runtime.checker.branch import checked_tiles
 from nonsmooth.runtime.checker.motion import Border
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from tests.certified import accepted, certified_over, edited
 from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
 

@@ -22,6 +22,8 @@ from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import accepted, loop, signed
@@ -32,14 +34,14 @@ PROVED = dict.fromkeys(("existence", "admissibility", "stability"), "proved")
 
 
 @cache
-def paper() -> ns.BoxCertificate:
+def paper() -> BoxCertificate:
     """Five percent around the paper's data."""
     box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
     return ns.certify.box(ns.solve(STICK), box)
 
 
 @cache
-def line() -> ns.BoxCertificate:
+def line() -> BoxCertificate:
     """Not admissible, unstable and stable along V: a grazing and a flip are in between."""
     return ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")})
 
@@ -161,7 +163,7 @@ def test_a_given_period_may_span_the_box() -> None:
 
 
 @cache
-def impacts() -> ns.Orbit:
+def impacts() -> Orbit:
     """An impact in each period of the forcing."""
     w, size, c = sp.symbols("w F c")
     system = load_system(
@@ -195,10 +197,10 @@ def test_forced_orbits_over_frequency_and_force() -> None:
         assert trace.lower <= orbit.trace <= trace.upper
 
 
-def same(left: ns.BoxCertificate, right: ns.BoxCertificate) -> bool:
+def same(left: BoxCertificate, right: BoxCertificate) -> bool:
     """Whether the tiles are the same, in whatever order."""
 
-    def told(found: ns.BoxCertificate) -> list[str]:
+    def told(found: BoxCertificate) -> list[str]:
         return sorted(json.dumps(tile) for tile in found.to_json()["tiles"])
 
     return told(left) == told(right)
@@ -233,7 +235,7 @@ def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     from nonsmooth.runtime.proof.boxes import certify_box as certify
 
     monkeypatch.setattr(certify, "_EVERY", 0.0)
-    kept: list[ns.BoxCertificate] = []
+    kept: list[BoxCertificate] = []
     box = {"V": ("0.6", "1.3")}
     ns.certify.box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append)
     assert len(kept) == 5

@@ -14,7 +14,7 @@ import sympy as sp
 from flint import arb, fmpq
 
 import nonsmooth as ns
-from nonsmooth import CertifiedBranch, InputError, Interrupted, certify
+from nonsmooth import InputError, Interrupted, certify
 from nonsmooth.runtime.checker import Failure, check_branch, stability
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.motion import Border, time_of_touch
@@ -25,6 +25,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch import certify_branch as certifying
 from nonsmooth.runtime.proof.branch import tiles
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.branch.march import _short_phase
 from nonsmooth.runtime.proof.branch.stating import checked_curve, stated_branch
 from nonsmooth.runtime.proof.branch.tiles import REFUSED, JudgedTile, judged_tile, proposed_tile

@@ -13,6 +13,9 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Friction, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from tests.certified import kicked, loop
 from tests.explore import test_continuation_forced as impacts
 
@@ -21,16 +24,16 @@ SYMMETRIC = "dry-friction/symmetric"
 
 
 @cache
-def branch(name: str, parameter: str, lower: float, upper: float) -> ns.Branch:
+def branch(name: str, parameter: str, lower: float, upper: float) -> Branch:
     return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 
 
-def of_kind(found: ns.Branch, kind: str) -> ns.Event:
+def of_kind(found: Branch, kind: str) -> Event:
     """The last of a kind along the branch."""
     return [event for event in found.events if event.kind == kind][-1]
 
 
-def holds(certificate: ns.EventCertificate, number: Any) -> bool:
+def holds(certificate: EventCertificate, number: Any) -> bool:
     return bool(certificate.value.ball.contains(exact_ball(number)))
 
 

@@ -20,6 +20,8 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.krawczyk import joined, krawczyk
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
@@ -39,7 +41,7 @@ def holds(enclosure: Any, number: Any) -> bool:
     return bool(enclosure.ball.contains(exact_ball(number)))
 
 
-def certified(orbit: ns.Orbit, bits: int = 128) -> ns.Certificate:
+def certified(orbit: Orbit, bits: int = 128) -> Certificate:
     """What is proved of an orbit."""
     return ns.certify(orbit, bits)
 
@@ -238,7 +240,7 @@ def test_at_a_flip_stability_is_undecided(r: str, verdict: str) -> None:
     assert certificate.decided == (verdict != "undecided")
 
 
-UNSTABLE: dict[str, Callable[[], ns.Orbit]] = {
+UNSTABLE: dict[str, Callable[[], Orbit]] = {
     "behind a flip": lambda: ns.solve("dry-friction/symmetric", {"V": "0.9"}),
     "a pair off the circle": lambda: ns.solve("rigid-stop/one-impact", {"k2": "1.456", "T": "6.1"}),
     "a pair and a flip": lambda: impacts.orbit(-0.05),

@@ -24,6 +24,8 @@ from nonsmooth.runtime.checker.parameters import values_of
 from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from tests.certified import signed
 
 STICK = "dry-friction/global-stick"
@@ -34,13 +36,13 @@ TOGETHER = [
 ]  # fmt: skip
 
 
-def stick(**values: object) -> ns.Orbit:
+def stick(**values: object) -> Orbit:
     """The paper's orbit with both masses at rest on the belt, over the friction of the second."""
     return ns.solve(STICK, {"us1": 1, "us2": "0.8", **values}, digits=30)
 
 
 @cache
-def found() -> ns.BoxCertificate:
+def found() -> BoxCertificate:
     """A curve on which three conditions change."""
     return ns.certify.box(ns.solve(STICK, {"us1": 1, "us2": "0.76"}), BOX)
 

@@ -31,6 +31,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from tests.certified import LOOP, kicked
@@ -43,7 +44,7 @@ IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
 
 
-def times(census: ns.Census) -> np.ndarray:
+def times(census: Census) -> np.ndarray:
     """Certified dwell times, an orbit in each row."""
     certificates = [orbit.certificate for orbit in census.orbits]
     assert all(c is not None for c in certificates)
@@ -362,7 +363,7 @@ def test_conservative_orbits_are_counted_at_their_period() -> None:
     assert ns.certify.all("rigid-stop/one-impact", box={"T": 6}).count == 0
 
 
-def equations_of(census: ns.Census, folder: Path) -> DwellEquations:
+def equations_of(census: Census, folder: Path) -> DwellEquations:
     """The equations that the file of a census states."""
     census.save(folder / "census.json")
     content = json.loads((folder / "census.json").read_text())

@@ -9,7 +9,7 @@ import pytest
 from flint import arb
 
 import nonsmooth as ns
-from nonsmooth import CertifiedDoubling, InputError, Interrupted
+from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker.branch import curve_of
 from nonsmooth.runtime.checker.doubling import DoubledEquations
 from nonsmooth.runtime.core.taylor_models import (
@@ -23,6 +23,7 @@ from nonsmooth.runtime.core.taylor_models import (
 )
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.certificate import file_json
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.doubling.tube_proposal import flip_with_direction
 from nonsmooth.runtime.proof.refusals import as_read
 from tests.certified import accepted

@@ -18,12 +18,13 @@ import sympy as sp
 from flint import ctx, fmpq
 
 import nonsmooth as ns
-from nonsmooth import Orbit
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
 from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.folded import beyond_folds
 from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from tests.certified import accepted, signed, unhashed
 
 BEYOND = "beyond a fold"
@@ -67,7 +68,7 @@ def orbit(stable: bool) -> Orbit:
 
 
 @cache
-def folded() -> ns.BoxCertificate:
+def folded() -> BoxCertificate:
     """The stable orbit's map."""
     return ns.certify.box(orbit(True), BOX)
 
@@ -111,13 +112,13 @@ def number(x: Fraction) -> Any:
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def inside(found: ns.BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
+def inside(found: BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
     """A point of a tile, from -1 to 1 over it."""
     where = found.where(tile)
     return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
 
 
-def folds(found: ns.BoxCertificate) -> list[Any]:
+def folds(found: BoxCertificate) -> list[Any]:
     return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
 
 

@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth import Certificate, InputError, Orbit
+from nonsmooth import InputError
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -27,6 +27,8 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import LOOP, accepted, loop, rooted, struck_together
 from tests.places import GALLERY
 

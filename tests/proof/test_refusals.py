@@ -17,6 +17,8 @@ from nonsmooth.runtime.checker.cones import Derivatives
 from nonsmooth.runtime.checker.doubling import JudgedDoubling
 from nonsmooth.runtime.checker.events import JudgedEvent
 from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import certify_branch as of_branches
 from nonsmooth.runtime.proof.refusals import refusal
@@ -50,12 +52,12 @@ def refusing(
 
 
 @cache
-def orbit() -> ns.Orbit:
+def orbit() -> Orbit:
     return ns.solve(ORBIT)
 
 
 @cache
-def branch() -> ns.Branch:
+def branch() -> Branch:
     return ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.078"}), "V", (1.075, 1.085))
 
 

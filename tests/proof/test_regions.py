@@ -23,6 +23,7 @@ from nonsmooth.runtime.checker.motion import Border
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import space_of
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.regions import edges_of
 from nonsmooth.runtime.proof.boxes.tile_places import Place
@@ -35,19 +36,19 @@ BESIDE = {"r": ("-5/4", "-3/4"), "a": ("27/50", "7/10")}
 
 
 @cache
-def corner() -> ns.BoxCertificate:
+def corner() -> BoxCertificate:
     """A flip and a grazing that cross at r = -1, a = 1/2."""
     return ns.certify.box(loop(r="-1/2", a="3/5"), CORNER)
 
 
 @cache
-def beside() -> ns.BoxCertificate:
+def beside() -> BoxCertificate:
     """The two curves without the corner."""
     return ns.certify.box(loop(r="-19/20", a="3/5"), BESIDE)
 
 
 @cache
-def paper() -> ns.BoxCertificate:
+def paper() -> BoxCertificate:
     """The flip of the paper's symmetric orbit."""
     orbit = ns.solve(SYMMETRIC, {"V": "1.08"})
     return ns.certify.box(orbit, {"V": ("1.05", "1.1"), "eta": ("3.98", "4.02")})
@@ -60,7 +61,7 @@ def true_verdict(r: Fraction, a: Fraction) -> str:
     return "proved" if r > -1 else "unstable"
 
 
-def inside(found: ns.BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
+def inside(found: BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
     """A point of a tile, from -1 to 1 over it."""
     where = found.where(tile)
     return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
@@ -207,7 +208,7 @@ def test_maps_with_curves_are_drawn() -> None:
         assert any(text.startswith(label) for text in texts)
 
 
-def content_of(found: ns.BoxCertificate, path: Path) -> dict[str, Any]:
+def content_of(found: BoxCertificate, path: Path) -> dict[str, Any]:
     """What its file holds."""
     found.save(path)
     return json.loads(path.read_text())
@@ -370,7 +371,7 @@ def test_a_curve_beside_its_tile_is_none_of_the_box(tmp_path: Path) -> None:
     event |= {"centre": [-11 / 9, 0.0], "radius": 1e-6, "below": "proved", "above": "proved"}
     tile |= {"event": event, "claims": {**tile["claims"], "stability": "undecided"}}
     tile["reasons"] = {"stability": "so"}
-    told = claimed(ns.BoxCertificate, content)
+    told = claimed(BoxCertificate, content)
     content |= {n: told.to_json()[n] for n in ("claims", "reasons", "shares", "enclosures")}
     check_tiles(signed(content))
     assert [region.verdict for region in told.regions] == ["stable"]

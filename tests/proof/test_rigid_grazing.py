@@ -12,13 +12,13 @@ import sympy as sp
 from flint import ctx
 
 import nonsmooth as ns
-from nonsmooth import CertifiedBranch
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.branch import checked_tiles
 from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.checker.stability import outside_if_reached
 from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from tests.certified import accepted, certified_over
 from tests.proof.test_beyond_borders import forged, only
 

@@ -20,6 +20,8 @@ from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.stability import _inside, _throughout
 from nonsmooth.runtime.core.taylor_models import space_of
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from tests.certified import signed
 from tests.explore import test_continuation_forced as impacts
 
@@ -43,7 +45,7 @@ def system() -> Any:
     )
 
 
-def orbit(**values: object) -> ns.Orbit:
+def orbit(**values: object) -> Orbit:
     """One impact in a period of the forcing."""
     return ns.solve(
         system(), {**GIVEN, **values}, itinerary=[("free", "wall-reaches-stop")], guess=guess()
@@ -53,19 +55,19 @@ def orbit(**values: object) -> ns.Orbit:
 @cache
 def guess() -> tuple[float, ...]:
     """Of the dwell time and the start, from a motion that has settled."""
-    found = ns.find_orbits(system(), GIVEN, n=12, transitions=400, seed=1)
+    found = ns.find_orbits(system(), GIVEN, n=12, transitions=400, rng=1)
     (settled,) = [f.orbit for f in found.orbits if len(f.itinerary) == 1]
     return tuple(map(float, settled.unknowns.values()))
 
 
 @cache
-def found() -> ns.BoxCertificate:
+def found() -> BoxCertificate:
     """The map over the forcing's frequency and the restitution."""
     return ns.certify.box(orbit(), BOX, tiles=40)
 
 
 @cache
-def closed() -> ns.BoxCertificate:
+def closed() -> BoxCertificate:
     """The map over the damping and the restitution of one mass, whose curve is known."""
     box = {"c": ("-0.25", "0.05"), "r": ("0.75", "0.85")}
     return ns.certify.box(impacts.orbit(-0.5), box, tiles=40)

@@ -14,7 +14,7 @@ import pytest
 from flint import arb
 from mpmath import MPContext
 
-from nonsmooth import InputError, Proof, certify
+from nonsmooth import InputError, certify
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.certificate import Stated
@@ -22,6 +22,7 @@ from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
+from nonsmooth.runtime.proof.motion.motion_proof import Proof
 
 mp = MPContext()
 mp.dps = 60

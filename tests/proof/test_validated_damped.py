@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 from mpmath import MPContext
 
-from nonsmooth import Proof, certify
+from nonsmooth import certify
 from nonsmooth.derive import (
     Boundary,
     Condition,
@@ -28,6 +28,7 @@ from nonsmooth.derive.codegen.python_file import system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.proof.motion.motion_proof import Proof
 
 mp = MPContext()
 mp.dps = 50

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 from numpy.testing import assert_allclose
 
-from nonsmooth import Orbit, refine, solve
+from nonsmooth import refine, solve
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -27,6 +27,7 @@ from nonsmooth.derive import (
 from nonsmooth.derive.equations.energy import energy_of, is_conservative
 from nonsmooth.derive.systems import SYSTEMS, declaration, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.declared import RANGES, Declared, itinerary_of, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"

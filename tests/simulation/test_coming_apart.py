@@ -20,6 +20,7 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.moved_motions import MovedMotion
 
 BY = ("p", "q", "s", "a0", "b0", "c0")
@@ -245,7 +246,7 @@ def test_configurations_that_were_not_visited_are_made() -> None:
         np.testing.assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
 
 
-def _part(motion: ns.Trajectory, name: str, sign: int) -> Any:
+def _part(motion: Trajectory, name: str, sign: int) -> Any:
     (part,) = motion.derivatives([name], one_sided="+" if sign > 0 else "-").parts
     return part
 

@@ -23,7 +23,9 @@ from nonsmooth.runtime.events import contact_choice
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.checking.compare_declarations import compare
+from nonsmooth.runtime.proof.certificate import Certificate
 from tests.engines import with_both
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -376,7 +378,7 @@ system = oscillator(
 """
 
 
-def settled(folder: Path, text: str) -> tuple[ns.Orbit, list[float]]:
+def settled(folder: Path, text: str) -> tuple[Orbit, list[float]]:
     """The orbit of a file's system to which its motion comes, and a guess of it."""
     file = folder / "declared.py"
     file.write_text(text)
@@ -386,7 +388,7 @@ def settled(folder: Path, text: str) -> tuple[ns.Orbit, list[float]]:
     return ns.solve(str(file), {}, guess, itinerary=itinerary), guess
 
 
-def saved(proof: ns.Certificate, file: Path) -> Any:
+def saved(proof: Certificate, file: Path) -> Any:
     """What the file of a proof holds."""
     assert set(proof.claims.values()) == {"proved"}
     proof.save(file)

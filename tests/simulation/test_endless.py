@@ -9,6 +9,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import simulate
 from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.engines import ENGINES, with_both, with_engine
 
 
@@ -46,7 +47,7 @@ CASES = {  # the system, the start, until, the status
 }
 
 
-def followed(system: System, start: tuple[float, float], until: float) -> ns.Trajectory:
+def followed(system: System, start: tuple[float, float], until: float) -> Trajectory:
     return ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=until, transitions=5)
 
 

@@ -11,6 +11,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.moved_motions import MovedMotion
 
 DATA = {"k": 2.0, "F": 1.0, "w": 1.1, "gap": 0.05, "r": 0.8}
@@ -56,7 +57,7 @@ def rubbing(count: int) -> tuple[System, dict[str, float]]:
     return system, {"V": 0.5, "mu": 0.25}
 
 
-def compared(system: System, motion: ns.Trajectory, seed: int) -> float:
+def compared(system: System, motion: Trajectory, seed: int) -> float:
     """Largest error of states, times and of the reverse pass, in units of the condition."""
     rng = np.random.default_rng(seed)
     times = np.sort(rng.uniform(0, motion.end, 2))

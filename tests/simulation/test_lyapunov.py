@@ -8,14 +8,16 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth import InputError, Trajectory, lyapunov, simulate
+from nonsmooth import InputError, lyapunov, simulate
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.explore.finding.unsettled import stretching
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
 from nonsmooth.runtime.simulation.recurrence import scales_of
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -202,7 +204,7 @@ def test_nothing_is_told_of_a_motion_at_rest() -> None:
         lyapunov(motion)
 
 
-def on_orbit(name: str, periods: int) -> tuple[ns.Orbit, Trajectory]:
+def on_orbit(name: str, periods: int) -> tuple[Orbit, Trajectory]:
     """A simulated motion on a periodic orbit of data A."""
     orbit = ns.solve(name)
     data = {n: float(x) for n, x in orbit.parameters.items()}

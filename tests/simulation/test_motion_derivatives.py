@@ -8,6 +8,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import DifferentiableFunction
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.moved_motions import compared_with_digits
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
@@ -71,7 +72,7 @@ def _ball() -> ns.derive.System:
     )  # fmt: skip
 
 
-def _grazing() -> ns.Trajectory:
+def _grazing() -> Trajectory:
     """An oscillation that just touches a stop at 1."""
     clearance = Parameter("c", "clearance")
     stop = RigidStop("x", clearance.symbol, 0.5, name="wall")

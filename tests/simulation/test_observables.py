@@ -11,7 +11,8 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
-from nonsmooth import InputError, Trajectory, lyapunov, observe, simulate
+from nonsmooth import InputError, lyapunov, observe, simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
 ELASTIC, RIGID = CHAIN | {"k3": 3}, CHAIN | {"r": 1}

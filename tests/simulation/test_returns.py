@@ -104,7 +104,7 @@ def test_an_impact_that_loses_energy_shrinks_volumes_by_its_square():
 @pytest.mark.compiled
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_every_orbit_that_is_found_is_a_fixed_point(seed):
-    found = find_orbits("dry-friction", RUBBING, 60, seed=seed, transitions=600)
+    found = find_orbits("dry-friction", RUBBING, 60, rng=seed, transitions=600)
     assert len(found.orbits) >= 4
     for entry in found.orbits:
         orbit = entry.orbit

@@ -19,10 +19,11 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth import InputError, Trajectory, simulate
+from nonsmooth import InputError, simulate
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.present.files import motions as saved_trajectory
 from nonsmooth.runtime.present.files.motions import load_trajectory
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.two_masses import CHAIN, RUBBING
 
 FRICTION = RUBBING | {"chi": "2/5", "V": 0.6773, "ur2": "sqrt(2)"}

@@ -25,6 +25,7 @@ from nonsmooth.derive.building import growing
 from nonsmooth.derive.building.growing import GrowingSystem
 from nonsmooth.derive.document.describe import describe_system
 from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 
 def rubbing(seed: int) -> System:
@@ -98,7 +99,7 @@ def visited(make, seed: int) -> System:
     return found
 
 
-def compared(make, seed: int, made: System, state, until: float) -> ns.Trajectory:
+def compared(make, seed: int, made: System, state, until: float) -> Trajectory:
     """The motion of a listed system, which is that of the visited one."""
     expected, found = (
         ns.simulate(system, {}, state, until=until) for system in (listed(make, seed), made)

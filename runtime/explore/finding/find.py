@@ -16,6 +16,7 @@ from itertools import permutations, product
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.values import random_generator
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.explore.finding.basins import start_box
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
@@ -67,7 +68,7 @@ def find_orbits(
     *,
     transitions: int = 2000,
     box: Mapping[str, tuple[float, float]] | None = None,
-    seed: int = 0,
+    rng: int | np.random.SeedSequence | np.random.Generator | None = 0,
     threads: int | None = None,
     progress: Callable[[str], None] = lambda step: None,
 ) -> Found:
@@ -84,8 +85,8 @@ def find_orbits(
         After which transients count as gone.
     box : mapping of state to (lower, upper), optional
         Where the starts are drawn; states that are not named take what `start_box` gives.
-    seed : int
-        Equal seeds give equal starts.
+    rng : int, SeedSequence, Generator or None
+        Of NumPy: equal seeds give equal starts, None others each time.
     threads : int, optional
     progress : callable
         Told the name of each step when it begins.
@@ -116,7 +117,7 @@ def find_orbits(
     length = checked_count("transitions", transitions, 2)
     limits = start_box(point, box)
     check_memory(f"{count} starts", count * _KEPT * entry_size(len(limits)))
-    checked_count("seed", seed, 0)
+    random = random_generator(rng)
     values = {name: float(value) for name, value in point.parameters.items()}
 
     directions = translations_of(point)
@@ -128,7 +129,7 @@ def find_orbits(
         return replace(motions, last_states=up_to_shift(motions.last_states, directions))
 
     progress(f"following {count} starts")
-    starts, motions = _legal_starts(follow, point, limits, count, seed, length)
+    starts, motions = _legal_starts(follow, point, limits, count, random, length)
     if motions.structure is not point.structure:
         kernels = grown(kernels)
         point = piecewise(kernels, parameters)
@@ -248,16 +249,15 @@ def _legal_starts(
     point: PiecewiseLinear,
     limits: np.ndarray,
     count: int,
-    seed: int,
+    random: np.random.Generator,
     transitions: int,
 ) -> tuple[np.ndarray, Trajectories]:
     """Random starts that belong to a configuration, and their motions."""
-    rng = np.random.default_rng(seed)
     legal = np.empty((0, len(limits)))
     for _ in range(20):
-        drawn = rng.uniform(limits[:, 0], limits[:, 1], (count, len(limits)))
+        drawn = random.uniform(limits[:, 0], limits[:, 1], (count, len(limits)))
         if point.structure.forcing:
-            drawn = on_circles(point, drawn, rng.uniform(0, 2 * np.pi, count))
+            drawn = on_circles(point, drawn, random.uniform(0, 2 * np.pi, count))
         legal = np.concatenate([legal, drawn[follow(drawn, 1, 0).status >= 0]])
         if len(legal) >= count:
             break

@@ -8,7 +8,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.registry import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
@@ -154,7 +154,14 @@ class Found(Kept):
         -------
         float
             Between 0 and 1.
+
+        Raises
+        ------
+        InputError
+            For several outcomes.
         """
+        if np.ndim(outcome):
+            raise InputError(f"{one_line(repr(outcome), 60)} is no outcome of one start")
         return float(np.mean(self.labels == outcome)) if self.labels.size else 0.0
 
     @property

@@ -9,7 +9,7 @@ from typing import Any, cast
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import as_value, random_generator
 from nonsmooth.runtime.explore.fitting.fit_record import (
     Fit,
     FittedExperiment,
@@ -66,7 +66,7 @@ def fit(
     sigma: Mapping[str, float] | float | None = None,
     loss: str = "linear",
     starts: int = 1,
-    seed: int = 0,
+    rng: int | np.random.SeedSequence | np.random.Generator | None = 0,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Fit:
     """Find parameters from measured series, event times and steady responses, by least squares.
@@ -116,8 +116,8 @@ def fit(
         The latter three heed outliers less.
     starts : int
         Searches: from the guess, and from points drawn between the bounds or from the priors.
-    seed : int
-        Of these points.
+    rng : int, SeedSequence, Generator or None
+        Of NumPy, for these points: equal seeds give equal ones, None others each time.
     progress : callable, optional
         Told how many searches are done, and of how many.
 
@@ -192,7 +192,7 @@ def fit(
     problem = FitProblem(kernels, experiments, unknowns)
     _check_count(problem)
     try:
-        found = minimise(problem, loss, count, seed, progress)
+        found = minimise(problem, loss, count, random_generator(rng), progress)
     except Interrupted as stopped:
         partial = cast("Minimum", stopped.partial)
         raise Interrupted(_fit(problem, partial, loss)) from None

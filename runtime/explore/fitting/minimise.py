@@ -62,7 +62,7 @@ def minimise(
     problem: FitProblem,
     loss: str,
     starts: int,
-    seed: int,
+    random: np.random.Generator,
     progress: Callable[[int, int], None],
 ) -> Minimum:
     """The minimum of the loss over searches from several starts.
@@ -73,7 +73,7 @@ def minimise(
     minimum until then.
     """
     noise = _spreads(problem)
-    points = _starts(problem, starts, seed)
+    points = _starts(problem, starts, random)
     best: Any = None
     costs = np.full(len(points), np.nan)
     evaluations = 0
@@ -186,7 +186,7 @@ def _approached(
     return point, evaluations
 
 
-def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:
+def _starts(problem: FitProblem, count: int, random: np.random.Generator) -> np.ndarray:
     """The guess, and points with motions that are drawn from the bounds or priors."""
     unknowns = problem.unknowns
     inside = _inside(unknowns.guess, unknowns.lower, unknowns.upper)
@@ -197,7 +197,6 @@ def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:
     except (InputError, NoConvergence) as problem_there:
         if count == 1:
             raise InputError(f"there is no fit from the guess: {problem_there}") from None
-    generator = np.random.default_rng(seed)
     believed = {place: (mean, deviation) for place, mean, deviation in unknowns.priors}
     for _ in range(count - 1):
         for _ in range(_DRAWS):
@@ -205,9 +204,9 @@ def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:
             for place, name in enumerate(unknowns.names):
                 low, high = unknowns.lower[place], unknowns.upper[place]
                 if place in believed:
-                    point[place] = generator.normal(*believed[place])
+                    point[place] = random.normal(*believed[place])
                 elif np.isfinite([low, high]).all():
-                    point[place] = generator.uniform(low, high)
+                    point[place] = random.uniform(low, high)
                 else:
                     raise InputError(f"several starts need both bounds, or a prior, of {name}")
             point = _inside(point, unknowns.lower, unknowns.upper)

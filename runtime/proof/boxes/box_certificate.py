@@ -11,9 +11,10 @@ from typing import Annotated, Any
 from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.checker.folded import BEYOND, beyond_folds
+from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import Follows, Told, by, encode
 from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.core.values import Value, as_value, flint_precision
+from nonsmooth.runtime.core.values import Value, as_value, by_name, flint_precision
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.boxes.regions import (
     EventCurve,
@@ -250,7 +251,14 @@ class BoxCertificate(Certified):
         -------
         dict of str to Interval
             Exact ends of each parameter of the box over the tile.
+
+        Raises
+        ------
+        InputError
+            For what is no tile.
         """
+        if not isinstance(tile, Tile):
+            raise InputError(f"{one_line(repr(tile), 60)} is no tile: the map has them as .tiles")
         ends = tuple(self.box.values())
         return {name: tile.place.interval(k, ends) for k, name in enumerate(self.box)}
 
@@ -270,8 +278,11 @@ class BoxCertificate(Certified):
         ------
         KeyError
             If a parameter of the box is missing, or the point is outside.
+        InputError
+            For what gives no real numbers by names.
         """
-        exact = {name: as_value(point[name]).exact for name in self.box}
+        values = by_name("point", point)
+        exact = {name: as_value(values[name]).exact for name in self.box}
         for tile in self.tiles:
             where = self.where(tile)
             if all(x is not None and where[n][0] <= x <= where[n][1] for n, x in exact.items()):

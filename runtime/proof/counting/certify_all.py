@@ -15,7 +15,7 @@ from nonsmooth.runtime.checker.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.json_codec import stated
-from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
@@ -114,12 +114,13 @@ def certify_all(
         raise InputError(f"bits = {bits} is more than {MOST_BITS}")
     if not 0 < largest < math.inf:
         raise InputError(f"largest = {largest!r} is not positive and finite")
-    asked = asked_of(orbit, parameters or {}, itinerary, period, float(largest), bits)
+    values, bounds = by_name("parameters", parameters), by_name("box", box)
+    asked = asked_of(orbit, values, itinerary, period, float(largest), bits)
     with flint_precision(_WORK):
         entries = asked.entries()
         try:
             counting = Counting(entries)
-            sides = box_of(counting, box or {})
+            sides = box_of(counting, bounds)
             judge = counting.within(sides)
         except Failure as problem:
             raise InputError(f"the orbits cannot be counted: {problem}") from None
