@@ -119,13 +119,6 @@ def test_every_loop_over_lanes_has_its_directive() -> None:
 CELLS = dict(re.findall(r"^%%writefile (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL))
 
 
-@pytest.mark.slow
-@each_compiler
-def test_the_program_of_the_page_solves_the_six_equations(compiler: str, folder: Path) -> None:
-    dry = compiled(compiler, GENERATED / "dry_friction.c", folder)
-    check_global_stick(ran(compiler, CELLS["main.c"], dry, folder))
-
-
 def check_global_stick(written: str) -> None:
     """Assert that what the page's program writes is the orbit of the paper."""
     lines = written.splitlines()
