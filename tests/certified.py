@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable
+import tempfile
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
@@ -34,13 +35,33 @@ from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.checking.check_file import Check
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
-__all__ = ["FORCED", "accepted", "certified_over", "claimed", "edited", "forced", "kicked", "loop",
-           "prove_basin", "prove_branch", "prove_doubling", "prove_graph", "rooted", "signed",
-           "struck", "struck_together", "unhashed"]  # fmt: skip
+__all__ = [
+    "FORCED",
+    "PAD",
+    "accepted",
+    "certified_over",
+    "claimed",
+    "content_of",
+    "edited",
+    "forced",
+    "kicked",
+    "loop",
+    "place_in",
+    "prove_basin",
+    "prove_branch",
+    "prove_doubling",
+    "prove_graph",
+    "rooted",
+    "signed",
+    "struck",
+    "struck_together",
+    "unhashed",
+]
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -132,6 +153,14 @@ FORCED = {
 }  # fmt: skip
 
 
+# what reaches nothing touches the pad where the amplitude 2/5 / |1 - Omega^2 + i Omega / 5| is 1
+PAD = oscillator(
+    "pad", ["x"], [[1]], [[1]], [["1/5"]],
+    forcing=[Harmonic(sp.Symbol("Omega"), cosine=["2/5"])],
+    elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
+)  # fmt: skip
+
+
 @cache
 def forced(name: str) -> Orbit:
     """What a motion of a forced system comes to, as a periodic orbit."""
@@ -205,6 +234,20 @@ def accepted(found: Any, folder: Path) -> Check:
     check = ns.certify.check(folder / "found.json")
     assert check.difference is None
     return check
+
+
+def content_of(found: Any) -> dict[str, Any]:
+    """What the file of what was found holds."""
+    with tempfile.TemporaryDirectory() as folder:
+        found.save(Path(folder) / "found.json")
+        content: dict[str, Any] = json.loads((Path(folder) / "found.json").read_text())
+        return content
+
+
+def place_in(found: BoxCertificate, tile: Any, point: Mapping[str, Fraction]) -> list[Fraction]:
+    """A point of a tile, from -1 to 1 over it."""
+    where = found.where(tile)
+    return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
 
 
 def signed(content: dict[str, Any]) -> dict[str, Any]:

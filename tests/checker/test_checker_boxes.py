@@ -28,6 +28,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from tests.certified import claimed, loop, signed
@@ -401,6 +402,7 @@ def test_a_map_of_a_system_that_is_neither_built_in_nor_held(tmp_path: Path) -> 
 OWN = """
 import sympy as sp
 from nonsmooth.derive import Itinerary, Parameter, Reference, RigidStop, oscillator, Harmonic
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 

@@ -119,13 +119,6 @@ def test_every_loop_over_lanes_has_its_directive() -> None:
 CELLS = dict(re.findall(r"^%%writefile (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL))
 
 
-@pytest.mark.slow
-@each_compiler
-def test_the_program_of_the_page_solves_the_six_equations(compiler: str, folder: Path) -> None:
-    dry = compiled(compiler, GENERATED / "dry_friction.c", folder)
-    check_global_stick(ran(compiler, CELLS["main.c"], dry, folder))
-
-
 def check_global_stick(written: str) -> None:
     """Assert that what the page's program writes is the orbit of the paper."""
     lines = written.splitlines()
@@ -150,8 +143,8 @@ def test_the_page_builds_with_the_flags_of_the_package() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("tool", [t for t in ("cc", "cmake") if shutil.which(t)])
-def test_the_commands_of_the_page_build_its_program(tool: str, tmp_path: Path) -> None:
+def test_the_program_of_the_page_has_the_numbers_of_the_orbit(tmp_path: Path) -> None:
+    tool = "cmake" if shutil.which("cmake") else "cc"  # the site runs the page's cells, with cc
     for name in ("main.c", "CMakeLists.txt"):
         (tmp_path / name).write_text(CELLS[name])
     kernels = tmp_path / "kernels"

@@ -9,7 +9,6 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -25,14 +24,13 @@ from nonsmooth.derive import DerivationError, Parameter, RigidStop, oscillator
 from nonsmooth.derive.codegen import regenerate
 from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
 from nonsmooth.derive.codegen.body import Constant, body_of, needed, split
-from nonsmooth.derive.codegen.c import c_kernel, print_c
+from nonsmooth.derive.codegen.c import print_c
 from nonsmooth.derive.codegen.emit import COMMAND, emit_system
 from nonsmooth.derive.codegen.python_file import emit_python, system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
 from nonsmooth.derive.flows.modal import derive_flows
-from nonsmooth.derive.symbols import Symbol
 from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.model import kernels as door
@@ -299,17 +297,6 @@ def test_whole_and_half_powers_in_every_arithmetic(power: str, alone: bool) -> N
     assert eval(python, {"lib": FLOATS, "x": 1.7}) == pytest.approx(expected, rel=1e-15)
 
 
-def test_fractions_are_exact_in_every_arithmetic() -> None:
-    x, lib, balls = sp.Symbol("x"), Mpmath(40), Balls()
-    for fraction in (sp.Rational(1, 3), sp.Rational(-22, 7), sp.Rational(1, 2)):
-        expression = fraction * x + fraction
-        found = computed(expression, {"x": lib.mp.mpf(1)}, lib)
-        assert abs(found * int(fraction.q) - 2 * int(fraction.p)) < lib.mp.mpf(10) ** -38
-        with balls.working(200):
-            ball = computed(expression, {"x": flint.arb(1)}, balls)
-            assert (ball * int(fraction.q)).contains(2 * int(fraction.p))
-
-
 def test_numbers_without_a_symbol_have_roots_and_angles_in_every_arithmetic() -> None:
     x = sp.Symbol("x", real=True)
     expression = sp.sqrt(3) + sp.sqrt(2 + sp.sqrt(5)) + Angle(0, x) + sp.sqrt(x**2) / 3
@@ -343,44 +330,6 @@ def probe(expression: sp.Expr, *symbols: sp.Symbol, argument: str = "inputs") ->
 
 
 POSITIVE, REAL = sp.Symbol("x", positive=True), sp.Symbol("x", real=True)
-TAKEN = {
-    "an array": probe(sp.Symbol("inputs") + 1, sp.Symbol("inputs")),
-    "a result": probe(sp.Symbol("result") + 1, sp.Symbol("result")),
-    "a number that is given": Kernel(
-        "probe",
-        "",
-        (Argument("inputs", (1,), (sp.Symbol("time"),)), Argument("time", (), (sp.Symbol("t"),))),
-        (Output("result", (), (sp.Symbol("time") * sp.Symbol("t"),)),),
-        (),
-    ),
-    "two symbols": probe(POSITIVE + REAL, POSITIVE, REAL),
-    "a word of C": probe(sp.Symbol("double") + 1, sp.Symbol("double")),
-    "a word of Python": probe(sp.Symbol("lambda") + 1, sp.Symbol("lambda")),
-    "the arithmetic": probe(sp.Symbol("lib") + 1, sp.Symbol("lib")),
-}
-
-
-@pytest.mark.parametrize("kernel", TAKEN.values(), ids=TAKEN)
-def test_a_name_that_is_taken_gives_way(kernel: Kernel) -> None:
-    symbols = [s for a in kernel.arguments for s in a.symbols]
-    values = {s: sp.Rational(n, 7) for n, s in enumerate(symbols, start=1)}
-    given = [[float(values[s]) for s in a.symbols] for a in kernel.arguments]
-    namespace: dict[str, Any] = {}
-    exec(python_kernel(kernel, None), namespace)
-    arguments = (g if a.shape else g[0] for a, g in zip(kernel.arguments, given, strict=True))
-    expected = float(kernel.outputs[0].expressions[0].xreplace(values))
-    assert namespace["probe"](*arguments, lib=FLOATS) == pytest.approx(expected, rel=1e-15)
-
-
-def test_symbols_of_the_derivation_give_way_to_those_of_the_user() -> None:
-    x, word = sp.symbols("x int", real=True)
-    declared = sp.symbols("x_1 int_ x_1_", real=True)
-    made = Symbol("state", x, 1)
-    stage = Stage("end", ((made, sp.cos(x)),))
-    kernel = probe(sp.Add(made * x, word, *declared), word, x, *declared)
-    body = body_of(replace(kernel, stages=(stage,)))
-    assert [s.name for s in body.arguments[0].symbols] == ["int__", "x", "x_1", "int_", "x_1_"]
-    assert [line.symbol.name for line in body.lines] == ["x_1__"]
 
 
 @pytest.mark.parametrize(
@@ -390,24 +339,6 @@ def test_symbols_of_the_derivation_give_way_to_those_of_the_user() -> None:
 def test_what_has_no_value_is_refused(expression: sp.Expr, message: str) -> None:
     with pytest.raises(DerivationError, match=message):
         python_kernel(probe(expression, POSITIVE), None)
-
-
-def test_names_of_common_terms_avoid_those_of_the_kernel() -> None:
-    t0, t1, h0 = symbols = sp.symbols("t0 t1 h0", positive=True)
-    expression = sp.cos(t0 * t1) + sp.sin(t0 * t1) * h0 + t0 * t1
-    kernel = probe(expression, *symbols)
-    namespace: dict[str, Any] = {}
-    exec(python_kernel(kernel, None), namespace)
-    expected = float(expression.subs({t0: 0.5, t1: 0.25, h0: 2}))
-    assert namespace["probe"]([0.5, 0.25, 2.0], lib=FLOATS) == pytest.approx(expected)
-
-
-def test_symbols_do_not_hide_what_a_kernel_in_lanes_names_itself() -> None:
-    lane, lanes = symbols = sp.symbols("lane lanes", positive=True)
-    kernel = replace(probe(lane * sp.cos(lanes), *symbols), name="trace")
-    source = c_kernel(kernel, "system", "orbit")
-    assert "const double lane_ = " in source
-    assert "nonsmooth_wave_of(lanes, lanes_)" in source
 
 
 # --- files that are cut, edited or foreign ----------------------------------------------

@@ -20,12 +20,6 @@ from nonsmooth.runtime.model.structure import structure_of
 NAMES = list(SYSTEMS)
 
 
-@cache
-def declared(name):
-    system = declaration(name).system
-    return SimulationForm(system, *derive_flows(system))
-
-
 def points(name, count=4):
     """Random parameters inside their domains."""
     random = np.random.default_rng(sum(map(ord, name)))
@@ -58,12 +52,6 @@ def affine(name, expression, values):
         *(float(sp.diff(expression, state).subs(substitution)) for state in system.states),
         float(expression.subs(zero).subs(substitution)),
     ]
-
-
-@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
-def backend(request, monkeypatch):
-    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
-    return request.param
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -186,45 +174,6 @@ def test_flows_of_modes_are_matrix_exponentials(name):
                 wanted = (expm(generator * time) @ np.append(start, 1.0))[:-1]
                 scale = max(1.0, np.abs(wanted).max())
                 np.testing.assert_allclose(state, wanted, rtol=0, atol=2e-12 * scale)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_modes_solve_the_field(name):
-    # coefficient by coefficient: y' = A y + b for a sum over t^k cos, t^k sin
-    (values,) = points(name, 1)
-    system = at(name, values)
-    for place, modes in enumerate(system.structure.modes):
-        field, flows = system.fields[place], system.flows[place]
-        eigenvalues = np.append(np.linalg.eigvals(field[:, :-1]), 0)  # the offset is constant
-        for mode, (rate, frequency) in zip(modes, system.exponents[place], strict=True):
-            assert np.abs(eigenvalues - complex(rate, frequency)).min() < 1e-7
-            assert mode.oscillates == (frequency != 0)
-            assert len(mode.places) == mode.length * (2 if mode.oscillates else 1)
-            if not mode.oscillates:
-                continue
-            cosine, sine = (flows[p] for p in mode.places)
-            moved = field[:, :-1] @ cosine
-            np.testing.assert_allclose(moved, frequency * sine, atol=1e-12)
-            np.testing.assert_allclose(field[:, :-1] @ sine, -frequency * cosine, atol=1e-12)
-        # at time zero they give the start back
-        start = sum(flows[p] for mode in modes for p in mode.places if p == mode.places[0])
-        np.testing.assert_allclose(start, np.eye(len(field), len(field) + 1), atol=1e-13)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_the_table_is_made_of_the_rows_it_names(name):
-    found, table = declared(name), load_system(name).table
-    assert len(set(found.rows)) == len(found.rows) == structure_of(name).rows
-    assert len(found.resets) == structure_of(name).resets
-    fresh = found.table()
-    for key in ("modes", "held", "constraint_rows", "boundary_rows"):
-        assert fresh[key] == table[key]
-    used = {row for rows in fresh["boundary_rows"].values() for row in rows}
-    used |= {row for rows in fresh["constraint_rows"].values() for row in rows}
-    used |= {row for t in fresh["transitions"] for row, _, _ in t["conditions"]}
-    for contact in fresh["contacts"].values():
-        used |= {*contact["forces"].values(), contact["velocity"], contact["surface"]}
-    assert used == set(range(len(found.rows)))
 
 
 @pytest.mark.parametrize("name", NAMES)

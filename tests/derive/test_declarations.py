@@ -515,102 +515,47 @@ def at_belt(f1: Any, f2: Any, values: Any = VALUES) -> dict[str, Fraction]:
     return {"x1": x1, "x2": x1 + Fraction(f2) / chi, "v1": values["V"], "v2": values["V"]}
 
 
-@pytest.mark.parametrize(
-    ("f1", "expected"),
-    [
-        (0, "stick"), ("2.9", "stick"), ("-2.9", "stick"), ("1.5", "stick"), ("-3", "stick"),
-        ("3.1", "slip"), ("-3.1", "overshoot"), (3, "slip"),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("source", ["slip-stick", "overshoot-stick"])
-def test_the_first_mass_reaching_the_belt_beside_a_stuck_one(
-    source: str, f1: Any, expected: str
-) -> None:
-    # sticking beside a stuck mass f1' = V (1 - chi) > 0: at f1 = ur1 it goes beyond, at
-    # f1 = -ur1 it comes back
-    transition = declared(source, {"first-reaches-belt"}, at_belt(f1, 0), VALUES)
-    assert transition.target == f"{expected}-stick"
-    reset = {dry_friction.v1: dry_friction.V} if expected == "stick" else {}
-    assert dict(transition.reset) == reset
-
-
-@pytest.mark.parametrize(
-    ("f2", "v1", "expected"),
-    [
-        (1, 0, "stick"), (-1, 0, "stick"), ("2.1", 0, "slip"), ("-2.1", 0, "overshoot"),
-        # f2' = chi (V - v1) while stuck
-        (2, "0.5", "slip"), (2, "1.5", "stick"), (-2, "0.5", "stick"), (-2, "1.5", "overshoot"),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("source", ["slip-slip", "slip-overshoot"])
-def test_the_second_mass_reaching_the_belt_beside_a_slipping_one(
-    source: str, f2: Any, v1: Any, expected: str
-) -> None:
-    state = at_belt(1, f2) | {"v1": Fraction(v1)}
-    transition = declared(source, {"second-reaches-belt"}, state, VALUES)
-    assert transition.target == f"slip-{expected}"
-
-
-@pytest.mark.parametrize(
-    ("f1", "f2", "expected"),
-    [
-        (1, 1, "stick-stick"), (4, 1, "slip-stick"), (-4, -1, "overshoot-stick"),
-        (1, 3, "stick-slip"), (-1, -3, "stick-overshoot"), (4, 3, "slip-slip"),
-        (4, -3, "slip-overshoot"), (-4, 3, "overshoot-slip"), (-4, -3, "overshoot-overshoot"),
-        # f1' = V (1 - chi) > 0 while both stick: beyond at f1 = ur1, back at f1 = -ur1
-        (3, 0, "slip-stick"), (-3, 0, "stick-stick"),
-        # f1 decides first; then f2' = 0 and f2'' = -chi a1 with the second mass stuck
-        (3, 2, "slip-slip"), (3, -2, "slip-stick"), (4, 2, "slip-slip"), (4, -2, "slip-stick"),
-        (-4, 2, "overshoot-stick"), (-4, -2, "overshoot-overshoot"),
-        # both stuck, f2 is constant: all derivatives vanish, it sticks
-        (0, 2, "stick-stick"), (0, -2, "stick-stick"), (-3, 2, "stick-stick"),
-    ],
-)  # fmt: skip
-def test_both_masses_at_the_belt_at_one_instant(f1: Any, f2: Any, expected: str) -> None:
-    boundaries = {"first-reaches-belt", "second-reaches-belt"}
-    transition = declared("slip-slip", boundaries, at_belt(f1, f2), VALUES)
-    assert transition.target == expected
-    stuck = [
-        v for v, r in zip((dry_friction.v1, dry_friction.v2), expected.split("-"), strict=True)
-        if r == "stick"
-    ]  # fmt: skip
-    assert dict(transition.reset) == dict.fromkeys(stuck, dry_friction.V)
-
-
-@pytest.mark.parametrize(
-    ("boundary", "f1", "f2", "expected"),
-    [
-        ("first-breaks-forward", 3, 0, "slip-stick"),
-        # the boundary was located, but the force does not go beyond: it sticks on
-        ("first-breaks-backward", -3, 0, "stick-stick"),
-        ("second-breaks-forward", 0, 2, "stick-stick"),
-        ("first-breaks-forward", "3.01", 0, "slip-stick"),
-        ("second-breaks-backward", 0, "-2.01", "stick-overshoot"),
-    ],
+forces = st.integers(-45, 45).map(lambda n: Fraction(n, 10)) | st.sampled_from(
+    [Fraction(n) for n in (-3, -2, 0, 2, 3)]  # the limits themselves
 )
-def test_a_force_limit_reached_while_both_stick(
-    boundary: str, f1: Any, f2: Any, expected: str
+
+
+@settings(PROPERTY, max_examples=60)
+@given(
+    forces, forces, st.fractions(Fraction(1, 10), Fraction(9, 10), max_denominator=10),
+    st.sampled_from([Fraction(1, 2), Fraction(3, 2)]),
+)  # fmt: skip
+def test_at_the_belt_the_force_and_its_first_slope_decide(
+    f1: Fraction, f2: Fraction, chi: Fraction, speed: Fraction
 ) -> None:
-    assert declared("stick-stick", {boundary}, at_belt(f1, f2), VALUES).target == expected
-
-
-decimals = st.integers(-45, 45).map(lambda n: Fraction(n, 10))
-
-
-@PROPERTY
-@given(decimals, decimals, st.fractions(Fraction(1, 10), Fraction(9, 10), max_denominator=10))
-def test_both_at_the_belt_follow_the_rule_everywhere(
-    f1: Fraction, f2: Fraction, chi: Fraction
-) -> None:
+    """Of both masses at one instant, of each beside the other, and where one breaks away."""
     values = VALUES | {"chi": chi}
+    belt, limit1, limit2 = values["V"], values["ur1"], values["ur2"]
     state = at_belt(f1, f2, values)
-    first = regime(f1, values["V"] * (1 - chi), values["ur1"])
+    first = regime(f1, belt * (1 - chi), limit1)
     # f2' = chi (V - v1) = 0 and f2'' = -chi a1, zero while the first mass sticks
     friction = {"slip": values["us1"], "overshoot": -values["us1"]}
     slope = -chi * (friction[first] - f1) if first in friction else Fraction(0)
-    second = regime(f2, slope, values["ur2"])
-    boundaries = {"first-reaches-belt", "second-reaches-belt"}
-    assert declared("slip-slip", boundaries, state, values).target == f"{first}-{second}"
+    targets = first, regime(f2, slope, limit2)
+    both = {"first-reaches-belt", "second-reaches-belt"}
+    transition = declared("slip-slip", both, state, values)
+    assert transition.target == "-".join(targets)
+    velocities = zip((dry_friction.v1, dry_friction.v2), targets, strict=True)
+    stuck = [velocity for velocity, target in velocities if target == "stick"]
+    assert dict(transition.reset) == dict.fromkeys(stuck, dry_friction.V)
+    for source in ("slip-stick", "overshoot-stick"):
+        transition = declared(source, {"first-reaches-belt"}, at_belt(f1, 0, values), values)
+        assert transition.target == f"{first}-stick"
+    for source in ("slip-slip", "slip-overshoot"):
+        transition = declared(source, {"second-reaches-belt"}, state | {"v1": speed}, values)
+        assert transition.target == f"slip-{regime(f2, chi * (belt - speed), limit2)}"
+    for mass, pair, target in (
+        ("first", (f1, 0), f"{first}-stick"),
+        ("second", (0, f2), f"stick-{regime(f2, Fraction(0), limit2)}"),
+    ):
+        way = "forward" if sum(pair) > 0 else "backward"
+        state = at_belt(*pair, values)
+        assert declared("stick-stick", {f"{mass}-breaks-{way}"}, state, values).target == target
 
 
 @pytest.mark.parametrize("configuration", [c.name for c in dry_friction.system.configurations])

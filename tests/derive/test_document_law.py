@@ -37,6 +37,7 @@ from nonsmooth.derive.document.describe import (
 from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.wording import Naming, letters_of
 from nonsmooth.runtime.orbits import orbit as solved_orbits
+from tests.declared_documents import one_mass
 from tests.documents import GALLERY, document_of, marked, names
 from tests.documents import declarations as all_declarations
 from tests.formulas.cycle_law import CycleLaw, Orbit
@@ -110,7 +111,15 @@ def random_system(seed: int) -> System:
 
 
 def check(document: Document, system: System, seed: int) -> int:
-    return SystemLaw(document, facts_of(system, seed)).check(SECTIONS)
+    found = SystemLaw(document, facts_of(system, seed)).check(SECTIONS)
+    tables = {block.header[:2]: block for block in document.blocks if isinstance(block, Table)}
+    named = {row[0].strip("*") for row in tables["Configuration", "Boundary"].rows} - {""}
+    assert named == {c.name for c in system.configurations if c.boundaries}
+    declared = {"Parameter": system.parameters, "From": system.transitions}
+    assert {first for first, entries in declared.items() if entries} <= {
+        first for first, _ in tables
+    }
+    return found
 
 
 @pytest.mark.parametrize("name", marked(SYSTEMS))
@@ -127,6 +136,12 @@ def test_what_the_document_of_a_system_says_is_true(name: str) -> None:
 def test_what_the_document_of_a_random_system_says_is_true(seed: int) -> None:
     system = random_system(seed)
     assert check(describe_system(system), system, seed) >= 8
+
+
+@pytest.mark.parametrize(("zeta", "square"), [("3/10", 1), (1, 1), (2, 1), ("-1/10", 4), (1, -1)])
+def test_what_the_document_of_one_damped_mass_says_is_true(zeta: Any, square: int) -> None:
+    system = one_mass(zeta, square)
+    assert check(describe_system(system), system, 3) >= 9
 
 
 def unanchored_system(seed: int) -> System:

@@ -19,17 +19,13 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-import sympy as sp
-from sympy.printing.pycode import MpmathPrinter
 
 from nonsmooth.derive import Itinerary
-from nonsmooth.derive.codegen.kernels import orbit_kernels, period_map_kernel
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.kernels import SystemKernels
-from tests.latex_reader import written_of
 from tests.places import CHECKOUT
 
 GENERATED = CHECKOUT / "generated"
@@ -40,7 +36,6 @@ FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-fopenmp-simd", "-ffp-contr
 MODULES = {name: import_module(f"nonsmooth.generated.{stem}") for name, stem in SYSTEMS.items()}
 ORBITS = {f"{name}/{o.name}": o for name in SYSTEMS for o in declaration(name).orbits}
 EVERY = [(system, kernel) for system, module in MODULES.items() for kernel in module.KERNELS]
-SMALL = ("rigid-stop/one-impact", "dry-friction/global-stick")
 every_kernel = pytest.mark.parametrize(
     ("system", "kernel"), EVERY, ids=[f"{s}-{k}" for s, k in EVERY]
 )
@@ -169,42 +164,6 @@ def test_the_first_results_are_those_of_the_whole(system: str, kernel: str) -> N
         first = run(system, kernel, arguments, float, FLOATS, count)
         assert first == whole[: len(first)]
         assert len(first) == sum(prod(shape) for shape in shapes[:count])
-
-
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=[] if name in SMALL else [pytest.mark.slow]) for name in ORBITS],
-)
-def test_kernels_are_the_stages_written_out(name: str) -> None:
-    """Each orbit kernel against its stages, evaluated one by one without any elimination."""
-    lib = Mpmath(50)
-    known = {"mpf": lib.mp.mpf, "sin": lib.sin, "cos": lib.cos, "sqrt": lib.sqrt}
-    known["Angle"] = lib.angle
-    printer = MpmathPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
-    system, _, orbit = name.partition("/")
-    equations = written_of(name).equations
-    turn = period_map_kernel(equations)
-    kernels = [*orbit_kernels(equations), *([] if turn is None else [turn])]
-    for kernel in kernels:
-        emitted = python_function(kernel.name, orbit)
-        arguments = point(system, emitted, 5)
-        numbers = [[in_mpmath(lib)(v) for v in a] for a in arguments]
-        chosen = [numbers[0][i] for i in spectral(system, emitted)]
-        numbers[1], derivatives = MODULES[system].spectrum(chosen, lib=lib)
-        if len(numbers) == 4 and not is_flow(system, emitted):
-            numbers[3] = [d for row in derivatives for d in row]
-        values = dict(known)
-        for argument, entries in zip(kernel.arguments, numbers, strict=True):
-            values |= dict(zip(map(str, argument.symbols), entries, strict=True))
-        for symbol, expression in (a for stage in kernel.stages for a in stage.assignments):
-            values[str(symbol)] = eval(printer.doprint(expression), values)
-        results = [sp.sympify(e) for output in kernel.outputs for e in output.expressions]
-        expected = [eval(printer.doprint(e), values) for e in results]
-        found = run(system, emitted, arguments, in_mpmath(lib), lib)
-        for a, b in zip(found, expected, strict=True):
-            assert abs(a - b) <= lib.mp.mpf(10) ** -44 * max(1, abs(b)), kernel.name
-    stems = {k for k in MODULES[system].KERNELS if orbit_of(system, k) is ORBITS[name]}
-    assert stems == {python_function(k.name, orbit) for k in kernels}
 
 
 # --- C ----------------------------------------------------------------------------------
@@ -392,40 +351,6 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     """The emitted C of a system, compiled as strict C99 without one warning."""
     folder = tmp_path_factory.mktemp("c")
     return lambda system: _library(system, folder)
-
-
-@pytest.mark.slow
-@needs_compiler
-def test_a_c_program_gives_the_residual_and_the_trace(
-    library: Callable[[str], Path], tmp_path: Path
-) -> None:
-    program = tmp_path / "residual_and_trace"
-    source = CHECKOUT / "tests" / "c" / "residual_and_trace.c"
-    objects = [str(source), str(library("dry-friction"))]
-    subprocess.run(
-        [compiler, *FLAGS, f"-I{GENERATED}", *objects, "-o", str(program), "-lm"], check=True
-    )
-    reference = ORBITS["dry-friction/global-stick"].reference
-    words = [*reference.parameters.values(), *reference.guess.values()]
-    done = subprocess.run([str(program), *words], capture_output=True, text=True, check=True)
-    *residual, trace = map(float, done.stdout.split())
-    lib = Mpmath(40)
-    exact: list[list[Fraction]] = [
-        [Fraction(v) for v in reference.parameters.values()],
-        [],
-        [Fraction(v) for v in reference.guess.values()],
-    ]
-    exact.append([])
-    for kernel, found in (("global_stick_equations", residual), ("global_stick_trace", [trace])):
-        for number, arithmetic in ((float, FLOATS), (in_mpmath(lib), lib)):
-            expected = run("dry-friction", kernel, exact, number, arithmetic, 1)
-            assert [float(e) for e in expected] == pytest.approx(found, rel=1e-14, abs=1e-14)
-    # the printed digits meet the switching conditions to 1e-4 and miss the closure by 2e-2
-    assert max(map(abs, residual[:3])) < 2e-4
-    assert 0.01 < max(map(abs, residual[4:])) < 0.04
-    wrong = subprocess.run([str(program), "1"], capture_output=True, text=True, check=False)
-    assert wrong.returncode == 2
-    assert "usage" in wrong.stderr
 
 
 @needs_compiler

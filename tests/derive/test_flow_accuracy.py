@@ -12,8 +12,6 @@ from __future__ import annotations
 
 import ctypes
 import math
-import shutil
-import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -43,9 +41,8 @@ from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
-from tests.places import CHECKOUT
+from tests.compiled_c import COMPILER, library_of
 
-compiler = shutil.which("gcc") or shutil.which("cc")
 UNIT, DIGITS = 2.0**-53, 50
 property_test = settings(max_examples=8, deadline=None, derandomize=True, phases=[Phase.generate])
 
@@ -145,7 +142,7 @@ def case(name: str) -> Case:
 @pytest.fixture(scope="module")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL | None:
     """All kernels, compiled; None without a compiler."""
-    if compiler is None:
+    if COMPILER is None:
         return None
     folder: Path = tmp_path_factory.mktemp("flows")
     sources = [
@@ -154,13 +151,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL | None:
         for kernel in case(name).kernels
     ]
     (folder / "flows.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
-    subprocess.run(
-        [compiler, "-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared",
-         f"-I{CHECKOUT / 'derive/codegen/support'}", str(folder / "flows.c"),
-         "-o", str(folder / "flows.so"), "-lm"],
-        check=True,
-    )  # fmt: skip
-    return ctypes.CDLL(str(folder / "flows.so"))
+    return library_of(folder / "flows.c", "-O2")
 
 
 def compiled(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import random
-
 import mpmath
 import pytest
 import sympy as sp
@@ -20,8 +18,7 @@ from nonsmooth.derive import (
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.derive.codegen.naming import python_function
-from nonsmooth.derive.equations.elimination import eliminate_coordinates
-from nonsmooth.derive.equations.program import Stage, evaluate
+from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.runtime.core.arithmetic import Mpmath
 
 zeta, Omega, gap, r = sp.symbols("zeta Omega gap r")
@@ -95,44 +92,6 @@ def test_the_quadratic_is_that_of_the_impulse_response(one_impact, texts):
         for root in evaluate(one_impact.reduction.stages, one_impact.reduction.roots, values, 30):
             speed = mpmath.mpf(-root) / e
             assert abs(mpmath.polyval(quadratic, speed)) < 1e-20
-
-
-@pytest.mark.slow
-def test_linear_equations_of_any_number_are_solved_with_their_derivatives():
-    t = sp.Symbol("t", positive=True)
-    names = sp.symbols("q1:8", real=True)
-    functions = sp.symbols("f g", real=True)
-    stage = Stage("functions", ((functions[0], sp.cos(t)), (functions[1], sp.sin(2 * t))))
-    drawn = random.Random(1)
-
-    def number():
-        return sp.Rational(drawn.randrange(-50, 51), 25)
-
-    rows = [
-        sp.Add(*((number() + number() * functions[i % 2]) * q for i, q in enumerate(names)))
-        + number()
-        for _ in range(7)
-    ]
-    equations = [(f"row {i}", row) for i, row in enumerate(rows)]
-    at = sp.Rational(7, 10)
-    circle = ("circle", names[5] ** 2 + names[6] ** 2 - 1)
-    reduction = eliminate_coordinates(
-        [stage], equations, names, [t], set(), {t: sp.Float(at)}, 1, [circle]
-    )
-    assert reduction.unknowns[0] == t
-    kept = reduction.unknowns[1]
-    residual = [e for _, e in reduction.equations]
-    stages, jacobian = reduction.jacobian()
-    point = {t: at, kept: sp.Rational(3, 10)}
-    found = sp.Matrix(2, 2, evaluate((*reduction.stages, *stages), jacobian, point, 40))
-    step = sp.Rational(1, 10**12)
-    for column, unknown in enumerate(reduction.unknowns):
-        ahead, behind = (
-            sp.Matrix(evaluate(reduction.stages, residual, point | {unknown: x}, 40))
-            for x in (point[unknown] + step, point[unknown] - step)
-        )
-        slope = (ahead - behind) / (2 * step)
-        assert (slope - found[:, column]).norm() < 1e-15 * (1 + slope.norm())
 
 
 def newton(equations, functions, texts):

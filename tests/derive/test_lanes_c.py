@@ -1,22 +1,18 @@
 """Small linear systems in lanes of the generated C, beside NumPy: Newton steps and derivatives."""
 
-import ctypes
-import shutil
-import subprocess
 from itertools import product
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
+from tests.compiled_c import library_of, needs_compiler, pointer
 from tests.places import CHECKOUT
 
-compiler = shutil.which("gcc") or shutil.which("cc")
-pytestmark = pytest.mark.skipif(compiler is None, reason="there is no C compiler")
+pytestmark = needs_compiler
 
 LANES = 16
 LEAST_PIVOT = 1e-10  # in units of the matrix
-FLAGS = "-std=c99 -O2 -Wall -Wextra -Werror -ffp-contract=off -shared -fPIC"
 DRIVER = """
 #include "nonsmooth_elimination.h"
 #include "nonsmooth_newton.h"
@@ -41,16 +37,8 @@ void measured(int n, const double *entries, double *largest, double *doubt)
 @pytest.fixture(scope="module", params=["derive/codegen/support", "generated"])
 def library(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("lanes")
-    source, target = folder / "driver.c", folder / "driver.so"
-    source.write_text(DRIVER, encoding="utf-8")
-    include = CHECKOUT / request.param
-    command = [compiler, *FLAGS.split(), f"-I{include}", source, "-o", target, "-lm"]
-    subprocess.run(command, check=True)
-    return ctypes.CDLL(str(target))
-
-
-def pointer(array):
-    return ctypes.c_void_p(array.ctypes.data)
+    (folder / "driver.c").write_text(DRIVER, encoding="utf-8")
+    return library_of(folder / "driver.c", "-O2", include=CHECKOUT / request.param)
 
 
 def stepped(library, jacobian, residual, unknown, positive, open_lanes=None):

@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive import Configuration, Parameter, SecondOrder, System
@@ -25,7 +24,6 @@ from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 
-PROPERTY = settings(deadline=None, max_examples=25, derandomize=True)
 DIGITS = 50
 BITS = 200
 SMALL = Fraction(1, 10**9)
@@ -260,50 +258,6 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
 # --- the dry friction's nine configurations ---------------------------------------------
 
 unit = st.fractions(F(1, 20), F(19, 20), max_denominator=60)
-amounts = st.fractions(F(1, 20), F(3), max_denominator=60)
-dry_parameters = st.tuples(unit, *[amounts] * 6)
-
-
-@cache
-def dry_flows() -> tuple[Spectrum, dict[str, Flow], dict[str, Callable[..., Any]]]:
-    system = dry_friction.system
-    spectrum, flows = derive_flows(system)
-    kernels = flow_kernels(system, spectrum, flows)
-    return spectrum, flows, {n: executed(k) for n, k in zip(flows, kernels, strict=True)}
-
-
-@pytest.mark.parametrize("configuration", [c.name for c in dry_friction.system.configurations])
-@settings(PROPERTY, max_examples=4)
-@given(dry_parameters, amounts, st.tuples(*[amounts] * 4))
-def test_dry_friction_flows_in_three_arithmetics(
-    configuration: str, parameters: Any, time: Fraction, state: Any
-) -> None:
-    spectrum, flows, functions = dry_flows()
-    function, spectral = functions[configuration], executed(spectrum_kernel(spectrum))
-    names = [p.name for p in dry_friction.system.parameters]
-    places = [names.index(str(s)) for s in spectrum.parameters]
-    values = substitution(dry_friction.system, parameters)
-    matrix, offset = (m.subs(values) for m in flows[configuration].field)
-    lib, balls = Mpmath(DIGITS), Balls()
-    with mpmath.workdps(90):
-        rows = [[mpmath.mpf(e.p) / e.q for e in row] for row in matrix.row_join(offset).tolist()]
-        augmented = mpmath.matrix([*rows, [0] * 5])
-        begin = mpmath.matrix([*(mp_number(mpmath, s) for s in state), 1])
-        expected = list(mpmath.expm(augmented * mp_number(mpmath, time)) * begin)[:4]
-
-    def run(number: Callable[[Fraction], Any], arithmetic: Any) -> list[Any]:
-        p = [number(v) for v in parameters]
-        s, _ = spectral([p[i] for i in places], lib=arithmetic)
-        return list(function(p, s, number(time), [number(v) for v in state], lib=arithmetic))
-
-    for found, exact in zip(run(lambda v: mp_number(lib.mp, v), lib), expected, strict=True):
-        assert abs(found - exact) < mpmath.mpf(10) ** (5 - DIGITS) * (1 + abs(exact))
-    scale = max(1.0, max(abs(float(e)) for e in expected))
-    np.testing.assert_allclose(run(float, FLOATS), [float(e) for e in expected], atol=1e-12 * scale)
-    with balls.working(BITS):
-        for found, exact in zip(run(arb_number, balls), expected, strict=True):
-            assert found.overlaps(flint.arb(mpmath.nstr(exact, 85), "1e-75"))
-            assert found.rad() < 1e-40
 
 
 # --- derivatives ----------------------------------------------------------------------------

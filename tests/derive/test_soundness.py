@@ -24,7 +24,6 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.derive.codegen.derived import derive_system
-from nonsmooth.derive.systems import SYSTEMS, declaration
 
 X, V = STATES = sp.symbols("x v", real=True)
 X1, X2, V1, V2 = PAIR = sp.symbols("x1 x2 v1 v2", real=True)
@@ -215,14 +214,6 @@ RIGHT: list[tuple[str, Callable[[], Any]]] = [
 @pytest.mark.parametrize("make", [r[1] for r in RIGHT], ids=[r[0] for r in RIGHT])
 def test_what_may_be_right_is_accepted(make: Callable[[], Any]) -> None:
     assert isinstance(make(), System)
-
-
-@pytest.mark.parametrize("name", SYSTEMS)
-def test_the_built_in_systems_are_sound(name: str) -> None:
-    module = declaration(name)
-    assert replace(module.system) == module.system
-    for orbit in module.orbits:
-        assert isinstance(orbit.presented_system, System)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 import ctypes
 import math
-import shutil
 import subprocess
 
 import numpy as np
@@ -10,13 +9,11 @@ import pytest
 from flint import arb, ctx
 
 from nonsmooth.runtime.events.guaranteed_maxima import TrigonometricSum
-from tests.places import CHECKOUT
+from tests.compiled_c import COMPILER, library_of, needs_compiler, pointer
 
-compiler = shutil.which("gcc") or shutil.which("cc")
-pytestmark = pytest.mark.skipif(compiler is None, reason="there is no C compiler")
+pytestmark = needs_compiler
 
-SUPPORT = CHECKOUT / "derive/codegen/support"
-FLAGS = "-std=c99 -Wall -Wextra -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math"
+FLAGS = ("-fno-math-errno", "-fno-trapping-math")
 VECTORS = ("-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD")
 DRIVER = """
 #include "nonsmooth_sums.h"
@@ -53,34 +50,20 @@ double rounding(int terms, const double *frequency, const double *row, double du
 """
 
 
-def build(folder, name, *options):
-    source, library = folder / "driver.c", folder / f"{name}.so"
+def build(folder, *options):
+    source = folder / "driver.c"
     source.write_text(DRIVER)
-    command = [compiler, *FLAGS.split(), *options, "-I", SUPPORT, "-shared", "-fPIC"]
-    run = subprocess.run(
-        [*command, source, "-o", library, "-lm"], capture_output=True, text=True, check=False
-    )
-    assert run.returncode == 0, run.stderr
-    return ctypes.CDLL(str(library)), run.stderr
+    return library_of(source, *FLAGS, *options)
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    return tmp_path_factory.mktemp("support")
+def vector(tmp_path_factory):
+    return build(tmp_path_factory.mktemp("vector"), "-O3", *VECTORS)
 
 
 @pytest.fixture(scope="module")
-def vector(folder):
-    return build(folder, "vector", "-O3", *VECTORS)[0]
-
-
-@pytest.fixture(scope="module")
-def scalar(folder):
-    return build(folder, "scalar", "-O1")[0]
-
-
-def pointer(array):
-    return array.ctypes.data_as(ctypes.c_void_p)
+def scalar(tmp_path_factory):
+    return build(tmp_path_factory.mktemp("scalar"), "-O1")
 
 
 def sine_and_cosine(function, points):
@@ -198,13 +181,15 @@ def test_every_build_gives_the_same_bits(scalar, vector):
 
 
 @pytest.mark.slow
-def test_loops_over_sincos_vectorise(folder):
-    version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
-    machine = subprocess.run([compiler, "-dumpmachine"], capture_output=True, text=True, check=True)
+def test_loops_over_sincos_vectorise(tmp_path):
+    version = subprocess.run([COMPILER, "--version"], capture_output=True, text=True, check=True)
+    machine = subprocess.run([COMPILER, "-dumpmachine"], capture_output=True, text=True, check=True)
     if "Free Software Foundation" not in version.stdout or "x86_64-linux" not in machine.stdout:
         pytest.skip("the report is that of GCC on x86-64 Linux")
-    report = build(folder, "report", "-O3", *VECTORS, "-fopt-info-vec")[1]
-    loops = [line for line in report.splitlines() if "driver.c" in line and "loop vect" in line]
+    report = tmp_path / "report.txt"
+    build(tmp_path, "-O3", *VECTORS, f"-fopt-info-vec={report}")
+    told = report.read_text().splitlines()
+    loops = [line for line in told if "driver.c" in line and "loop vect" in line]
     assert sum("16 byte" in line for line in loops) >= 2
     assert any("32 byte" in line for line in loops)
 

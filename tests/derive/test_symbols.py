@@ -3,8 +3,6 @@
 import copy
 import ctypes
 import pickle
-import shutil
-import subprocess
 from itertools import combinations
 from pathlib import Path
 from random import Random
@@ -35,8 +33,7 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.runtime.core.arithmetic import FLOATS
-
-compiler = shutil.which("gcc") or shutil.which("cc")
+from tests.compiled_c import library_of, needs_compiler, pointer
 
 X = sp.Symbol("x", real=True)
 
@@ -123,7 +120,7 @@ WORDS = {
 QUICK = ("a parameter as a state behind a phase", "words of C and what takes their place")
 
 
-@pytest.mark.skipif(compiler is None, reason="there is no C compiler")
+@needs_compiler
 @pytest.mark.parametrize(
     "names",
     [
@@ -140,7 +137,7 @@ def test_kernels_are_right_whatever_the_user_calls_things(
     system = equations.itinerary.system
     for name, text in emit_library(system, [equations.itinerary], "tests").items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    library, python = compiled(tmp_path / "ball.c"), dict[str, Any]()
+    library, python = library_of(tmp_path / "ball.c", include=tmp_path), dict[str, Any]()
     exec((tmp_path / "ball.py").read_text(encoding="utf-8"), python)
     random = Random("".join(names))
     for kernel in kernels:
@@ -163,19 +160,6 @@ def test_kernels_are_right_whatever_the_user_calls_things(
         for results in (found if len(arrays) > 1 else [found], arrays):
             flat = np.concatenate([np.ravel(each) for each in results])
             np.testing.assert_allclose(flat, expected, rtol=1e-12, atol=1e-12, err_msg=kernel.name)
-
-
-def pointer(array: np.ndarray[Any, Any]) -> ctypes.c_void_p:
-    return ctypes.c_void_p(array.ctypes.data)
-
-
-def compiled(source: Path) -> ctypes.CDLL:
-    """A library of a source that gives no warning."""
-    library = source.with_suffix(".so")
-    assert compiler is not None
-    command = [compiler, "-std=c99", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC", source]
-    subprocess.run([*command, "-o", library, "-lm"], check=True)
-    return ctypes.CDLL(str(library))
 
 
 def test_a_symbol_is_what_it_means() -> None:

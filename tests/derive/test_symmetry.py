@@ -42,7 +42,6 @@ ORBITS = {
     "symmetric": dry_friction.symmetric,
     "solution-ii": dry_friction.solution_ii,
 }
-REVERSIBLE = ("one-impact", "one-contact", "symmetric")
 
 
 @cache
@@ -83,24 +82,6 @@ def test_half_of_a_period_in_closed_form() -> None:
     assert sp.simplify(sp.solve(condition, u)[0] - sp.tan(period / 2)) == 0
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "rotation"),
-    [
-        *(("one-impact", 0), ("one-contact", 0), ("one-contact", 1), ("symmetric", 0)),
-        pytest.param("symmetric", 1, marks=pytest.mark.slow),
-    ],
-)
-def test_each_reversible_phase_gives_as_many_conditions_as_the_reversor_turns(
-    name: str, rotation: int
-) -> None:
-    equations = derived(name, rotation)
-    assert len(equations.equations) == len(equations.unknowns)
-    halves = [m for m, _ in equations.equations if "halfway" in m]
-    assert len(halves) == 2 * len(ORBITS[name].phases)
-    assert len({m for m, _ in equations.equations}) == len(equations.equations)
-
-
 def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
     """Adding the named start's condition: chi (z2 - z1) = e2 at the symmetric orbit's start."""
     equations = derived("symmetric")
@@ -111,30 +92,6 @@ def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
     ratio = sp.cancel(end / (chi * (z20 - z10) - excess))
     assert ratio.is_number
     assert ratio != 0
-
-
-def test_halves_are_affine_in_the_start() -> None:
-    for name in REVERSIBLE:
-        equations = derived(name)
-        halves = [condition for meaning, condition in equations.equations if "halfway" in meaning]
-        assert halves
-        for condition in halves:
-            for q in equations.chain.start.coordinates:
-                assert not sp.diff(condition, q).free_symbols & {*equations.chain.start.coordinates}
-
-
-@pytest.mark.parametrize(
-    "rotation", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2, 3))]
-)
-def test_a_vanishing_dwell_time_is_no_unknown_and_its_parameter_is(rotation: int) -> None:
-    equations = derived("solution-ii", rotation)
-    names = [str(u) for u in equations.unknowns]
-    assert "ta" not in names
-    assert names[-1] == "e1"
-    assert "e1" not in {str(p) for p in equations.parameters}
-    (link,) = (k for k in equations.chain.links if str(k.dwell) == "ta")
-    assert link.duration == 0
-    assert link.transfer == sp.eye(4)
 
 
 def test_the_last_phase_completes_a_given_period() -> None:

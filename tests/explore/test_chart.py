@@ -83,20 +83,6 @@ def store(finished: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
 
 
-def test_chart_has_what_solve_has(finished: Path) -> None:
-    plane = ns.load(finished)
-    found = ns.solve(ORBIT, {"V": PLANE["V"][:, None], "eta": PLANE["eta"]})
-    assert found.admissible is not None
-    assert found.bounds is not None
-    assert (plane.status.values[found.converged] == 0).all()
-    np.testing.assert_array_equal(plane.admissible.values, found.admissible)
-    where = found.admissible
-    np.testing.assert_allclose(plane.trace.values[where], found.trace[where], atol=1e-9)
-    np.testing.assert_allclose(
-        plane.least_us2.values[where], found.bounds["us2"][where], rtol=1e-9, atol=1e-9
-    )
-
-
 def test_limits_without_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
     small = {"V": PLANE["V"][20::6], "eta": PLANE["eta"][::8]}
     compiled = ns.chart(ORBIT, **small)
@@ -316,21 +302,6 @@ def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
             file.write_bytes(content)
     assert len(told) > 80
     assert all(line.startswith(f"{store}") and "\n" not in line for line in told)
-
-
-@pytest.mark.parametrize(
-    ("name", "old", "new"),
-    [("trace", '"separator": "/"', '"separator": "."'), ("V", "40", "41"), ("limit", "-2", "-3")],
-)
-def test_damaged_metadata_is_named(store: Path, name: str, old: str, new: str) -> None:
-    file = store / name / "zarr.json"
-    text = file.read_text()
-    assert old in text
-    file.write_text(text.replace(old, new))
-    for opened in (go_on, ns.load):
-        with pytest.raises(InputError, match=rf"{name}/zarr\.json is damaged or edited"):
-            opened(store)
-    assert run("plot", str(store))[0] == 2
 
 
 def test_a_chart_of_another_release_is_refused(store: Path) -> None:

@@ -275,14 +275,6 @@ def test_closed_forms_of_the_impact_oscillator() -> None:
     assert (stable[both] | (np.abs(np.stack(traces)).min(axis=0)[both] > 1 + r**2)).mean() > 0.95
 
 
-def test_period_doubling_is_where_the_margin_vanishes() -> None:
-    at = 0.12880531056707573  # w = 2.4
-    line = ns.chart(IMPACT, sigma=[at - 1e-3, at, at + 1e-3])
-    before, here, behind = line.margin.values
-    assert before > 0 > behind
-    assert abs(here) < 1e-9
-
-
 def test_neutral_where_the_map_keeps_the_area() -> None:
     line = ns.chart(IMPACT, w=np.linspace(2.2, 2.8, 9), r=1)
     inside = np.abs(line.trace.values) < 2

@@ -43,15 +43,6 @@ def test_speckles_are_gone(wide: Any) -> None:
     assert speckles(wide.period.values) < 0.2 * speckles(alone.period)
 
 
-def test_symmetric_orbits_are_motions_in_one_piece() -> None:
-    plane = {"V": np.linspace(0.5, 1.5, 40), "eta": np.linspace(0.5, 1.5, 40)}
-    found = ns.chart("dry-friction/symmetric", **plane)
-    alone = ns.solve("dry-friction/symmetric", {"V": plane["V"][:, None], "eta": plane["eta"]})
-    assert alone.admissible is not None
-    assert found.admissible.values.sum() > 2 * alone.admissible.sum()
-    assert found.admissible.values[alone.admissible].all()
-
-
 def test_anchors_and_cells() -> None:
     for count in (1, 2, 33, 34, 400):
         axes = (linear_axis("V", 1.0, 1.0 + (count > 1), count), linear_axis("eta", 0.5, 1.5, 7))

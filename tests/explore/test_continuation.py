@@ -112,19 +112,6 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     assert branch.admissible[before] != branch.admissible[behind]
 
 
-def test_flip_of_a_conservative_orbit() -> None:
-    orbit = nonsmooth.solve("rigid-stop/one-impact")
-    branch = nonsmooth.continue_orbit(orbit, "T", (5.0, 6.5))
-    flips = [event for event in branch.events if event.kind == "flip"]
-    assert len(flips) == 2
-    for event in flips:
-        assert branch.orbit_at(event).trace == pytest.approx(-1, abs=1e-8)
-    between = (branch.parameter_values > flips[0].value) & (
-        branch.parameter_values < flips[1].value
-    )
-    assert {branch.stability[k] for k in np.flatnonzero(between)} == {"unstable"}
-
-
 def test_period_as_the_parameter() -> None:
     branch = nonsmooth.continue_orbit(timed(), "period", (5.1, 6.5))
     derived = nonsmooth.continue_orbit(nonsmooth.solve("rigid-stop/one-impact"), "T", (5.1, 6.5))
@@ -160,13 +147,6 @@ def test_stops_where_it_is_no_motion() -> None:
     assert np.count_nonzero(~branch.admissible) == 1
     (event,) = [e for e in branch.events if e.kind == "grazing"]
     assert event.place < 1
-
-
-def test_a_short_branch_says_so() -> None:
-    branch = nonsmooth.continue_orbit(nonsmooth.solve(STICK), "V", (0.8, 1.3), points=3)
-    assert branch.ends == ("3 points", "3 points")
-    assert len(branch) == 7
-    assert branch.parameter_values[branch.start] == 1.0
 
 
 def test_resonance_ends_a_branch() -> None:

@@ -80,15 +80,6 @@ def test_steps_are_told_and_checked() -> None:
             nonsmooth.continue_orbit(*plane, event=event, **wrong)
 
 
-@pytest.mark.parametrize("locus", [flips, composed_folds])
-def test_saved_and_read(tmp_path: Path, locus) -> None:
-    path = tmp_path / "locus.json"
-    locus().save(path)
-    read = nonsmooth.load(path)
-    same(read, locus())
-    assert read.orbit_at(2).trace == locus().orbit_at(2).trace
-
-
 def test_picture() -> None:
     pytest.importorskip("matplotlib")
     (axes,) = flips().plot().axes

@@ -7,37 +7,15 @@ its stop a pair over q, at the square roots of d, that meets at d = 0.
 from __future__ import annotations
 
 import math
-from functools import cache
 
 import numpy as np
 import pytest
-import sympy as sp
 
 import nonsmooth
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from tests.explore.test_continuation_forced import R, W, branch, closed_forms
+from tests.explore.test_continuation_forced import R, W, branch, closed_forms, struck_at
 
 START = -0.2  # of q
-
-
-@cache
-def system() -> System:
-    r, place, w, q, d = sp.symbols("r place w q d")
-    return oscillator(
-        "impact-oscillator-over-a-square",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        forcing=[Harmonic(w, cosine=[1])],
-        elements=[RigidStop("x", at=place + q**2 - d, restitution=r, name="wall")],
-        parameters=[
-            Parameter("place", "where the event is", lower=-sp.oo),
-            Parameter("w", "frequency of the forcing"),
-            Parameter("q", "followed", lower=-sp.oo),
-            Parameter("d", "how far from the event", lower=-sp.oo),
-        ],
-    )
 
 
 def pair(kind: str, d: float, step: float = 0.1) -> Branch:
@@ -49,7 +27,7 @@ def pair(kind: str, d: float, step: float = 0.1) -> Branch:
     guess = branch().orbit_at(k)
     data = {"r": R, "w": W, "place": repr(float(place)), "q": START, "d": d}
     orbit = nonsmooth.solve(
-        system(),
+        struck_at("place + q**2 - d", "place", "q", "d"),
         data,
         [*guess.dwell_times.tolist(), *guess.states[0].tolist()],
         itinerary=guess.itinerary,

@@ -1,7 +1,6 @@
 """Designs: optima against scans, closed forms and differences, along a branch and at its limits."""
 
 from functools import cache
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -197,30 +196,12 @@ def test_a_parameter_that_nothing_depends_on_is_named() -> None:
         ns.design(impacts(), solve={"period": 2.7, "T": 2.7}, over={"w": (2, 3), "r": (0.5, 0.9)})
 
 
-def test_a_design_is_saved_with_every_digit(tmp_path: Path) -> None:
-    path = tmp_path / "design.json"
-    found = stable_enough()
-    found.save(path)
-    read = ns.load(path)
-    for name in found.__dataclass_fields__:
-        one, other = getattr(found, name), getattr(read, name)
-        same = np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other
-        assert same, name
-    assert read.to_json() == found.to_json()
-
-
 def test_a_design_is_drawn() -> None:
     figure = stablest().plot()
     assert len(figure.axes) == 2
     curve = figure.axes[1].lines[0].get_ydata()
     assert np.nanmin(curve) >= stablest().after["spectral_radius"] - 1e-12
     stablest().plot(figure.axes[0])
-
-
-def test_the_optimum_is_proved() -> None:
-    proof = ns.certify(stablest().orbit)
-    assert proof.stability == "stable"
-    assert set(proof.claims.values()) == {"proved"}
 
 
 class Turned(NamedTuple):
@@ -387,10 +368,10 @@ def test_one_multiplier_is_followed_to_its_bound() -> None:
 @pytest.mark.slow
 def test_the_optimum_does_not_depend_on_where_it_begins() -> None:
     """Nor on the last digits: from some starts the optimiser stops early, and begins again."""
-    drawn = np.random.default_rng(7).uniform([0.66, 3], [1.5, 5], size=(60, 2)).tolist()
+    drawn = np.random.default_rng(7).uniform([0.66, 3], [1.5, 5], size=[24, 2]).tolist()
     begins = [ns.solve("dry-friction/symmetric", {"V": V, "eta": eta}) for V, eta in drawn]
     alike = [orbit for orbit in begins if orbit.period < 7]  # others are of another branch
-    assert len(alike) > 50
+    assert len(alike) > 20
     for orbit in alike:
         design = ns.design(
             orbit,

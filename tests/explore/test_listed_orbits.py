@@ -1,6 +1,5 @@
 """Orbits that are listed differ, last in each phase, keep in a file, and are what proofs say."""
 
-import json
 from functools import cache
 
 import numpy as np
@@ -21,8 +20,6 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
-from nonsmooth.runtime.core.result_files import checksum_of
-from tests.pictures import figure_in
 
 pytestmark = pytest.mark.compiled
 
@@ -153,38 +150,3 @@ def test_what_is_listed_is_true(build, seed, tmp_path):
                 assert (verdict == "proved") == (orbit.stability.verdict == "stable")
             else:
                 assert verdict == "proved"
-
-
-def test_one_bad_orbit_of_a_file_leaves_the_others(tmp_path):
-    data = {"gap": "0.3", "kick": "1", "c": "0.2"}
-    found = ns.find_orbits(kicked(), data, 2, transitions=200)
-    assert len(found.orbits) > 1
-    file = tmp_path / "found.json"
-    found.save(file)
-    content = json.loads(file.read_text())
-    content["orbits"][0]["dwell_times"][0] = "1e-16"
-    content["sha256"] = checksum_of({k: v for k, v in content.items() if k != "sha256"})
-    file.write_text(json.dumps(content))
-    loaded = ns.load(file)
-    bad, *others = loaded.orbits
-    asked = (
-        lambda: ns.solve(f"{file}:1"),
-        lambda: bad.orbit,
-        lambda: bad.verdict,
-        lambda: loaded.save(tmp_path / "again.json"),
-    )
-    for asking in asked:
-        with pytest.raises(ns.InputError, match=r"found\.json: orbit 1, of period.*not a solution"):
-            asking()
-    assert "refused" in str(loaded)
-    assert "orbit 1, of period" in loaded._repr_html_()
-    for number, (kept, entry) in enumerate(zip(others, found.orbits[1:], strict=True), 2):
-        assert (kept.itinerary, kept.starts) == (entry.itinerary, entry.starts)
-        assert kept.orbit.unknowns == entry.orbit.unknowns
-        other = ns.solve(f"{file}:{number}")
-        assert other.itinerary == entry.itinerary
-        assert other.period == pytest.approx(entry.period, rel=1e-12)
-    np.testing.assert_array_equal(loaded.labels, found.labels)
-    pytest.importorskip("matplotlib")
-    titles = [axes.get_title(loc="left") for axes in figure_in(file, "phase").axes]
-    assert [title.partition(":")[0] for title in titles] == ["2"]

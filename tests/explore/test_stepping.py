@@ -11,13 +11,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.explore.test_continuation_forced import R, W, branch, closed_forms
+from tests.explore.test_continuation_forced import R, W, branch, closed_forms, struck_at
 
 D = 1e-2
 CLOSED = ("the branch is closed",) * 2
@@ -26,32 +24,14 @@ STEP = 0.01
 
 
 @cache
-def system() -> System:
-    r, place, w, q, d = sp.symbols("r place w q d")
-    return oscillator(
-        "impact-oscillator-on-an-ellipse",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        forcing=[Harmonic(w, cosine=[1])],
-        elements=[RigidStop("x", at=place + d - q**2, restitution=r, name="wall")],
-        parameters=[
-            Parameter("place", "where the fold is", lower=-sp.oo),
-            Parameter("w", "frequency of the forcing"),
-            Parameter("q", "followed", lower=-sp.oo),
-            Parameter("d", "how large the branch is", lower=-sp.oo),
-        ],
-    )
-
-
-@cache
 def first() -> Orbit:
     """The orbit at q = 0 on one side of the fold."""
     fold, sigma = closed_forms()[0], branch().parameter_values
     near = branch().orbit_at(int(np.argmin(abs(sigma - fold - D))))
     data = {"r": R, "w": W, "place": repr(float(fold)), "q": 0, "d": D}
+    system = struck_at("place + d - q**2", "place", "q", "d")
     guess = [*near.dwell_times.tolist(), *near.states[0].tolist()]
-    return ns.solve(system(), data, guess, itinerary=near.itinerary)
+    return ns.solve(system, data, guess, itinerary=near.itinerary)
 
 
 def followed(kind: str, stop: int | None = None, **options: Any) -> Branch:

@@ -238,12 +238,6 @@ def impact_start(n: int, w: float, r: float, sigma: float, U: float) -> dict[str
     return {"T": 2 * math.pi * n / w, **dict(start)}
 
 
-def fold(n: int, w: float, r: float) -> float:
-    """The stop's position at which two orbits meet, on the side where they strike the stop."""
-    g, C = 1 / (1 - w * w), 1 / math.tan(math.pi * n / w)
-    return -math.copysign(abs(g) * math.hypot(1, w * C * (1 + r) / (1 - r)), C)
-
-
 def doubling(n: int, w: Any, r: Any, lib: Any = math) -> tuple[Any, Any]:
     """The stop's position and the impact velocity at a period doubling."""
     period, g = 2 * lib.pi * n / w, 1 / (1 - w * w)
@@ -277,61 +271,6 @@ def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
     (top, _) = found[0]
     followed = solved("impact_oscillator", name, {"sigma": repr(sigma)})
     assert followed.unknowns["v0"] == pytest.approx(-r * top, abs=1e-12)
-
-
-@pytest.mark.parametrize("n", NAMES)
-def test_at_a_period_doubling_the_multiplier_is_minus_one(n: int) -> None:
-    (name, w), r = NAMES[n], 0.8
-    sigma, U = doubling(n, w, r)
-    orbit = solved("impact_oscillator", name, {"sigma": repr(sigma)})
-    assert orbit.unknowns["v0"] == pytest.approx(-r * U, rel=1e-12)
-    assert orbit.admissibility.verdict is True
-    np.testing.assert_allclose(multipliers(orbit), [-1, -r * r], rtol=0, atol=1e-11)
-    with mpmath.workdps(50):
-        exact = doubling(n, mpmath.mpf(str(w)), mpmath.mpf("0.8"), mpmath.mp)[0]
-        point = {"sigma": mpmath.nstr(exact, 45)}
-    sharp = ns.refine(solved("impact_oscillator", name, point), 30)
-    assert min(abs(m + 1) for m in sharp.multipliers) < 1e-28
-    # on the far side the motion settles on one of twice the period
-    behind = {"r": r, "w": w, "sigma": sigma + 0.01 / (w * w - 1)}
-    begin = orbit.trajectory()(orbit.period / 2)
-    motion = ns.simulate(page("impact_oscillator"), behind, begin, transitions=3000)
-    doubled = ns.solve(page("impact_oscillator"), behind, itinerary=ns.itinerary_of(motion))
-    assert doubled.stability.verdict == "stable"
-    assert doubled.period == pytest.approx(2 * orbit.period, rel=1e-10)
-    assert np.ptp(doubled.dwell_times) > 0.01 * orbit.period
-
-
-@pytest.mark.parametrize("n", NAMES)
-def test_at_a_fold_the_multiplier_is_one(n: int) -> None:
-    (name, w), r = NAMES[n], 0.8
-    edge = fold(n, w, r)
-    assert one_impact(n, w, r, edge * (1 + 1e-9)) == []
-    sigma = edge * (1 - 1e-8)
-    pair = one_impact(n, w, r, sigma)
-    assert len(pair) == 2
-    largest = []
-    for U, trace in pair:
-        guess = impact_start(n, w, r, sigma, U)
-        orbit = solved("impact_oscillator", name, {"sigma": repr(sigma)}, guess)
-        assert orbit.unknowns["v0"] == pytest.approx(-r * U, rel=1e-9)
-        np.testing.assert_allclose(multipliers(orbit), eigenvalues(trace, r * r), rtol=0, atol=1e-8)
-        largest.append(multipliers(orbit)[-1].real)
-    assert largest[0] < 1 < largest[1]
-    # their distance from 1 is the square root of that from the fold
-    assert sum(largest) / 2 == pytest.approx(1, abs=1e-6)
-    assert largest[1] - largest[0] < 0.01
-    U = (
-        -2
-        * edge
-        * (1 + r)
-        / math.tan(math.pi * n / w)
-        / ((1 + r) ** 2 / math.tan(math.pi * n / w) ** 2 + ((1 - r) / w) ** 2)
-    )
-    guess = impact_start(n, w, r, edge, U)
-    there = solved("impact_oscillator", name, {"sigma": repr(edge)}, guess, throw=False)
-    assert multipliers(there)[-1] == pytest.approx(1, abs=1e-6)
-    assert multipliers(there)[0] == pytest.approx(r * r, abs=1e-6)
 
 
 # --- impacts with the ground --------------------------------------------------------------
@@ -381,8 +320,6 @@ def test_switched_damping_from_two_exponentials() -> None:
 
 
 # --- the piecewise-linear oscillator ------------------------------------------------------
-
-SHAW = {"alpha": "0.05", "beta": 1, "gap": 0, "k": 10}
 
 
 def shaw_directly(w: float, start: Sequence[float], angle: float, end: float) -> np.ndarray:
@@ -700,28 +637,6 @@ def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
         work += dwell / 2 * float(weights @ power)
         begin += dwell
     assert work == pytest.approx(4 * 0.2 * (amplitude - 0.2 / 3), rel=1e-11)
-
-
-def test_a_jenkins_element_by_matrix_exponentials() -> None:
-    orbit = solved("jenkins", "yielding-both-ways")
-    stuck = np.zeros((6, 6))
-    stuck[0, 1] = 1
-    stuck[1] = [-4, -0.1, 0.6, 0, 3, 0]
-    stuck[2, 3], stuck[3, 2] = -0.9, 0.9
-    forward = stuck.copy()
-    forward[1, [0, 4, 5]] = -1, 0, -0.2
-    forward[4, 1] = 1
-    backward = forward.copy()
-    backward[1, 5] = 0.2
-    assert_motion(
-        orbit,
-        {
-            ("stuck", "joint-slides-forward"): (stuck, lambda y: 3 * (y[0] - y[4]) - 0.2, kept),
-            ("stuck", "joint-slides-backward"): (stuck, lambda y: 3 * (y[4] - y[0]) - 0.2, kept),
-            ("forward", "joint-turns"): (forward, lambda y: -y[1], kept),
-            ("backward", "joint-turns"): (backward, lambda y: y[1], kept),
-        },
-    )
 
 
 # --- the brake pad ------------------------------------------------------------------------

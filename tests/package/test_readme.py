@@ -12,8 +12,7 @@ from tests.places import CHECKOUT
 
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
 COMMANDS_PAGE = (CHECKOUT / "docs" / "how_to" / "commands.md").read_text(encoding="utf-8")
-IN_PYTHON = (CHECKOUT / "docs" / "how_to" / "in_python.md").read_text(encoding="utf-8")
-HELP = "\n".join(command.epilog for command in all_commands().values()).splitlines()
+HELP = "\n".join(c.epilog or "" for c in typer.main.get_command(app).commands.values()).splitlines()
 OF_OTHER_PROGRAMS = {"--build", "--index-url", "--nthreads", "--port"}
 
 
@@ -75,17 +74,6 @@ def test_the_session_of_the_readme_prints_what_it_shows(capsys):
     exec(compile(session, "README.md", "exec"), {})
     (shown,) = blocks(README, "text")
     assert capsys.readouterr().out == shown
-
-
-@pytest.mark.slow
-@pytest.mark.compiled
-def test_the_page_in_python_runs(capsys):
-    names = {}
-    for cell in blocks(IN_PYTHON, r"\{code-cell\} ipython3"):
-        exec(compile(cell, "in_python.md", "exec"), names)
-    printed = capsys.readouterr().out
-    assert "stable" in printed
-    assert "(201, 101)" in printed
 
 
 @pytest.mark.slow

@@ -10,7 +10,6 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-import sympy as sp
 from flint import ctx
 
 import nonsmooth as ns
@@ -18,11 +17,8 @@ from nonsmooth.derive import (
     Boundary,
     Configuration,
     FirstOrder,
-    Harmonic,
-    SoftStop,
     System,
     Transition,
-    oscillator,
 )
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.beyond import _CheckedState, _demand_one_motion, _Met
@@ -31,14 +27,9 @@ from nonsmooth.runtime.checker.motion import Border
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from tests.certified import accepted, certified_over, edited
+from tests.certified import PAD, accepted, certified_over, edited
 from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
 
-PAD = oscillator(
-    "pad", ["x"], mass=[[1]], damping=[["1/5"]], stiffness=[[1]],
-    forcing=[Harmonic(sp.symbols("Omega"), cosine=["2/5"])],
-    elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
-)  # fmt: skip
 GRAZING = 0.665294576295129867
 
 

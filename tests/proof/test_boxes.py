@@ -26,7 +26,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from tests.certified import accepted, loop, signed
+from tests.certified import accepted, loop
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -242,27 +242,6 @@ def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     for state in kept:
         assert sum(state.shares.values()) == 1
     assert same(ns.certify.box(ns.solve(SYMMETRIC), box, resume=kept[2]), line())
-
-
-def test_damaged_files_are_refused(tmp_path: Path) -> None:
-    path = tmp_path / "map.json"
-    paper().save(path)
-    text = path.read_text()
-    content = json.loads(text)
-
-    def refused(damaged: str, told: str) -> None:
-        path.write_text(damaged)
-        with pytest.raises(InputError, match=told) as caught:
-            ns.load(path)
-        assert str(path) in str(caught.value)
-
-    refused(text[: len(text) // 2], "cut|JSON")
-    refused("{}", "not a saved result")
-    refused(text.replace('"proved"', '"refuted"', 1), "checksum")
-    refused(json.dumps({**content, "version": 99}), "version")
-    refused(json.dumps(signed({k: v for k, v in content.items() if k != "tiles"})), "tiles")
-    with pytest.raises(InputError, match="nowhere"):
-        ns.load(tmp_path / "nowhere.json")
 
 
 @pytest.mark.parametrize(("box", "told"), [

@@ -15,6 +15,7 @@ from flint import arb, fmpq
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted, certify
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch, stability
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.motion import Border, time_of_touch
@@ -23,14 +24,13 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
-from nonsmooth.runtime.proof.branch import certify_branch as certifying
 from nonsmooth.runtime.proof.branch import tiles
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.branch.march import _short_phase
 from nonsmooth.runtime.proof.branch.stating import checked_curve, stated_branch
 from nonsmooth.runtime.proof.branch.tiles import REFUSED, JudgedTile, judged_tile, proposed_tile
 from nonsmooth.runtime.proof.refusals import as_read
-from tests.certified import accepted, edited, prove_branch
+from tests.certified import PAD, accepted, edited, prove_branch
 from tests.explore import test_continuation_forced as impacts
 from tests.shared import shared_file
 
@@ -89,14 +89,6 @@ def test_events_are_those_of_their_certificates(branch: Any, found: CertifiedBra
             assert here.ball.overlaps(told.ball)
             assert here.ball.rad() < 1e-31
         assert event.upper - event.lower < Fraction(1, 10**30)
-
-
-def test_tiles_follow_each_other_over_all_of_the_interval(found: CertifiedBranch) -> None:
-    assert found.tiles[0].lower == Fraction("0.6")
-    assert found.tiles[-1].upper == Fraction("1.3")
-    for tile, other in zip(found.tiles, found.tiles[1:], strict=False):
-        assert tile.upper == other.lower
-        assert tile.after == other.before
 
 
 def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
@@ -380,20 +372,6 @@ def test_a_tile_that_the_check_refuses_is_divided(
     accepted(found, tmp_path)
 
 
-@pytest.mark.slow
-def test_what_the_check_does_not_join_is_not_stated(
-    near_a_flip: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def refuse(*_: Any) -> None:
-        raise Failure("planted")
-
-    monkeypatch.setattr(certifying, "check_joint", refuse)
-    found = ns.certify.branch(near_a_flip, interval=("1.06", "1.1"))
-    assert len(found.tiles) == 1
-    assert not found.complete
-    assert any("planted" in end for end in found.ends)
-
-
 def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:
     tiles = list(found.tiles)
     tiles[3] = replace(tiles[3], before="undecided", after="undecided", reason="planted")
@@ -405,8 +383,6 @@ def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBr
 
 
 def bump_stop() -> Any:
-    from nonsmooth.derive import Harmonic, SoftStop, oscillator
-
     force, rate = sp.symbols("F Omega")
     return oscillator(
         "bump-stop",
@@ -443,25 +419,10 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     assert found.plot() is not None
 
 
-def soft_stop() -> Any:
-    from nonsmooth.derive import Harmonic, SoftStop, oscillator
-
-    rate = sp.symbols("Omega")
-    return oscillator(
-        "soft-stop",
-        ["x"],
-        mass=[[1]],
-        damping=[["1/5"]],
-        stiffness=[[1]],
-        forcing=[Harmonic(rate, cosine=["2/5"])],
-        elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
-    )
-
-
 @pytest.fixture(scope="module")
 def grazing(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A branch that ends where its contact vanishes."""
-    found = ns.find_orbits(soft_stop(), {"Omega": "0.8"}, 10, transitions=300).orbits
+    found = ns.find_orbits(PAD, {"Omega": "0.8"}, 10, transitions=300).orbits
     branch = ns.continue_orbit(found[0].orbit, "Omega", (0.79, 0.805))
     path = tmp_path_factory.mktemp("soft") / "soft.json"
     ns.certify.branch(branch, interval=("0.79", "0.805")).save(path)

@@ -55,29 +55,6 @@ def test_closed_forms_of_folds_flips_and_tori(bits: int) -> None:
         assert holds(found, torus)
 
 
-def test_both_flips_of_an_impact_oscillator_are_found() -> None:
-    flips = [e for e in impacts.branch().events if e.kind == "flip"]
-    values = [ns.certify.event(impacts.branch(), event).value for event in flips]
-    _, flip = impacts.closed_forms()
-    assert sorted(float(value) for value in values) == pytest.approx([-abs(flip), abs(flip)])
-
-
-@pytest.mark.slow
-def test_the_flip_lies_where_the_box_is_undecided() -> None:
-    whole = branch(SYMMETRIC, "V", 0.6, 1.3)
-    flip = ns.certify.event(whole, of_kind(whole, "flip"), 128)
-    assert flip.proved
-    assert flip.value.upper - flip.value.lower < 1e-15
-    middle = flip.value.mid
-    orbit = ns.refine(ns.solve(SYMMETRIC, {"V": middle}), 35)
-    nearest = min(orbit.stability.multipliers, key=lambda m: abs(m.real + 1))
-    assert abs(nearest.real + 1) < 1e-30
-    box = ns.certify.box(ns.solve(SYMMETRIC, {"V": "1.1"}), {"V": ("1", "1.2")})
-    assert box.tile_at({"V": middle}).verdict == "undecided"
-    # beside it everything is decided: there is no other in this range
-    assert sum(tile.verdict == "undecided" for tile in box.tiles) == 1
-
-
 def test_a_grazing_is_a_double_root_in_time() -> None:
     whole = branch(SYMMETRIC, "V", 0.6, 1.3)
     event = of_kind(whole, "grazing")
@@ -158,17 +135,6 @@ def test_an_event_that_is_elsewhere_is_not_proved() -> None:
     for bits in (10, 1.5, True, 10**6):
         with pytest.raises(InputError, match="bits"):
             ns.certify.event(whole, flip, bits)  # type: ignore[arg-type]  # that is what is refused
-
-
-def test_json_has_every_digit() -> None:
-    whole = branch(SYMMETRIC, "V", 0.6, 1.3)
-    found = ns.certify.event(whole, of_kind(whole, "flip"), 256)
-    told = found.to_json()
-    assert told["claim"] == "proved"
-    assert told["kind"] == "flip"
-    assert told["enclosures"]["V"]["mid"] == found.value.mid
-    assert len(told["enclosures"]["V"]["mid"]) > 70
-    assert {side["name"] for side in told["box"]} == set(told["enclosures"])
 
 
 def test_where_no_multiplier_differs_from_zero_a_fold_is_undecided_and_says_why() -> None:

@@ -25,7 +25,7 @@ from nonsmooth.runtime.checker.folded import beyond_folds
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from tests.certified import accepted, signed, unhashed
+from tests.certified import accepted, content_of, place_in, signed
 
 BEYOND = "beyond a fold"
 IMPACT = (("free", "wall-reaches-stop"),)
@@ -112,12 +112,6 @@ def number(x: Fraction) -> Any:
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def inside(found: BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
-    """A point of a tile, from -1 to 1 over it."""
-    where = found.where(tile)
-    return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
-
-
 def folds(found: BoxCertificate) -> list[Any]:
     return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
 
@@ -173,7 +167,7 @@ def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
                 n: low + Fraction(drawn.random()) * (high - low)
                 for n, (low, high) in found.where(tile).items()
             }
-            at = inside(found, tile, point)
+            at = place_in(found, tile, point)
             side = event.band.side_of(at)
             speeds = velocities(*(number(point[n]) for n in ("sigma", "r")))
             if side is None:
@@ -212,17 +206,6 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
         assert sigma == pytest.approx(float(fold_at(r)), abs=1e-6)
 
 
-@pytest.mark.slow
-def test_a_map_with_a_fold_is_kept_and_resumed(tmp_path: Path) -> None:
-    part = ns.certify.box(orbit(True), BOX, tiles=5)
-    part.save(tmp_path / "map.json")
-    again = ns.load(tmp_path / "map.json")
-    assert unhashed(again.to_json()) == unhashed(part.to_json())
-    whole = ns.certify.box(orbit(True), BOX, resume=again)
-    assert whole.shares == folded().shares
-    assert [r.verdict for r in whole.regions] == [r.verdict for r in folded().regions]
-
-
 def test_only_what_folds_alone_border_is_beyond_them() -> None:
     found = folded()
     assert BEYOND in found.verdicts
@@ -255,13 +238,7 @@ def test_a_map_with_a_fold_is_drawn() -> None:
 
 @cache
 def content(*, small: bool = True) -> str:
-    import tempfile
-
-    found = ns.certify.box(orbit(True), SMALL) if small else folded()
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "map.json"
-        found.save(path)
-        return path.read_text()
+    return json.dumps(content_of(ns.certify.box(orbit(True), SMALL) if small else folded()))
 
 
 @pytest.mark.slow

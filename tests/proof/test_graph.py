@@ -1,5 +1,7 @@
 """Graphs of boxes: motions go along edges, and what is called trapping is not left."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -59,7 +61,7 @@ def test_motions_go_along_edges_in_two_dimensions(impacts):
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     graph = impacts.graph
     (low, high), random = graph.grid.bounds(np.arange(len(graph.grid))), np.random.default_rng(8)
-    cosine, sine = (eval_fraction(x) for x in impacts.phase)
+    cosine, sine = (float(Fraction(x)) for x in impacts.phase)
     tested = escaped = 0
     for box in random.choice(np.flatnonzero(~graph.unknown & (high[:, 0] < 0)), 200, replace=False):
         state = low[box] + random.random(2) * (high[box] - low[box])
@@ -73,11 +75,6 @@ def test_motions_go_along_edges_in_two_dimensions(impacts):
         tested += 1
     assert tested == 200
     assert 0 < escaped < 100
-
-
-def eval_fraction(text):
-    top, _, bottom = text.partition("/")
-    return int(top) / int(bottom or 1)
 
 
 def test_the_attracting_component_contains_the_stable_orbit(friction):
@@ -130,6 +127,8 @@ def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
     assert arrows == {((0, 1), (3,)), ((3,), (4, 5))}
     assert np.flatnonzero(graph.ahead(np.array([2]))).tolist() == [2, 3, 4, 5]
     assert np.flatnonzero(graph.behind(np.array([7]))).tolist() == [7, 8]
+    # ranks descend but for components
+    assert graph.ranks.tolist() == [3, 3, 2, 1, 0, 0, 0, 0, 1, 0]
 
 
 @pytest.mark.parametrize("bad", [np.inf, -np.inf, np.nan, 1e300])
@@ -263,12 +262,6 @@ def test_an_interrupted_graph_goes_on():
     whole = ns.certify.region(kicked(), data, [0, 1.5], **asked)
     again = ns.certify.region(kicked(), data, [0, 1.5], resume=known, **asked)
     assert again.to_json() == whole.to_json()
-
-
-def test_ranks_descend_but_for_components():
-    edges = [(0, 1), (1, 0), (1, 2), (2, 3), (3, 3), (3, 4), (4, 5), (5, 4), (6, 6), (8, 7)]
-    ranks = graph_of(edges, 10, outside=[6], unknown=[7]).ranks
-    assert ranks.tolist() == [3, 3, 2, 1, 0, 0, 0, 0, 1, 0]
 
 
 def test_images_that_do_not_change_are_not_lost_when_others_are_divided():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -15,14 +14,10 @@ from nonsmooth import InputError
 from nonsmooth.derive import (
     Boundary,
     Configuration,
-    Harmonic,
     Parameter,
-    RigidStop,
     SecondOrder,
-    SoftStop,
     System,
     Transition,
-    oscillator,
 )
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
@@ -163,68 +158,6 @@ def test_irrational_parameters() -> None:
         found = ns.certify(orbit, derivatives=True)
         assert found.directions.keys() == orbit.given.keys()
         agrees(found, orbit)
-
-
-def test_the_mean_value_theorem_between_neighbours() -> None:
-    """The trace changes between two proved orbits by a rate between those at both ends."""
-    ends = ("0.98", "0.981")
-    proofs = [ns.certify(ns.solve(STICK, {"eta": x}), derivatives="eta") for x in ends]
-    for quantity in ("period", "tau", "x10"):
-        low, high = (proof.enclosures[quantity].ball for proof in proofs)
-        slope = float((high - low) * 1000)
-        rates = sorted(float(proof.derivatives[quantity]["eta"]) for proof in proofs)
-        assert rates[0] < slope < rates[1], quantity
-
-
-def _forced() -> System:
-    w, f, z = (Parameter(name, name) for name in ("w", "f", "z"))
-    return oscillator(
-        "pushed", ["x"], [[1]], [[1]], [[z.symbol]],
-        forcing=[Harmonic(w.symbol, (f.symbol,))],
-        elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")], parameters=(w, f, z),
-    )  # fmt: skip
-
-
-def _struck() -> System:
-    w, c, r = (Parameter(name, name) for name in ("w", "c", "r"))
-    return oscillator(
-        "knocked", ["x", "y"], [[1, 0], [0, 2]], [[3, -1], [-1, 2]],
-        [[c.symbol, 0], [0, sp.Rational(1, 5)]],
-        forcing=[Harmonic(w.symbol, ("6/5", 0))],
-        elements=[RigidStop("x", "1/10", r.symbol)], parameters=(w, c, r),
-    )  # fmt: skip
-
-
-def _settled(kernels: SystemKernels, values: dict[str, str]) -> Orbit | None:
-    """What a motion comes to; None where that is no orbit of few phases that is regular."""
-    size = len(kernels.table["states"])
-    cosines = [kernels.table["states"].index(c) for c, _ in kernels.table["forcing"]]
-    try:
-        motion = ns.simulate(kernels, values, [float(i in cosines) for i in range(size)], until=400)
-        orbit = ns.solve(kernels, values, itinerary=ns.itinerary_of(motion), throw=False)
-    except InputError:
-        return None
-    return orbit if orbit.converged else None
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("declared", [_forced, _struck])
-def test_random_forced_systems(declared: Any, tmp_path: Path) -> None:
-    drawn, kernels, seen = random.Random(7), load_system(declared()), 0
-    names = [table.name for table in kernels.parameters]
-    about_them = {"w": 130, "f": 70, "z": 20, "c": 30, "r": 60}
-    for _ in range(12):
-        values = {n: f"{round(about_them[n] * drawn.uniform(0.8, 1.2))}/100" for n in names}
-        orbit = _settled(kernels, values)
-        found = None if orbit is None else ns.certify(orbit, derivatives=True)
-        if found is None or not found.derivatives:
-            continue
-        agrees(found, orbit)
-        accepted(found, tmp_path)
-        seen += 1
-        if seen == 3:
-            break
-    assert seen >= 2
 
 
 def _damped() -> SystemKernels:

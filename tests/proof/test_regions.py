@@ -27,7 +27,7 @@ from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.regions import edges_of
 from nonsmooth.runtime.proof.boxes.tile_places import Place
-from tests.certified import accepted, claimed, loop, signed, unhashed
+from tests.certified import accepted, claimed, content_of, loop, place_in, signed, unhashed
 
 SYMMETRIC = "dry-friction/symmetric"
 # the kicked mass reaches 1/(1 - r), where the wall stands, and has the multiplier r
@@ -59,12 +59,6 @@ def true_verdict(r: Fraction, a: Fraction) -> str:
     if a * (1 - r) < 1:
         return "not admissible"
     return "proved" if r > -1 else "unstable"
-
-
-def inside(found: BoxCertificate, tile: Any, point: dict[str, Fraction]) -> list[Fraction]:
-    """A point of a tile, from -1 to 1 over it."""
-    where = found.where(tile)
-    return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
 
 
 @pytest.mark.slow
@@ -126,7 +120,7 @@ def test_verdicts_at_random_points_are_the_true_ones() -> None:
             }
             verdict = tile.verdict
             if tile.event is not None:
-                side = tile.event.band.side_of(inside(found, tile, point))
+                side = tile.event.band.side_of(place_in(found, tile, point))
                 if side is None:
                     continue
                 verdict = tile.event.below if side == "below" else tile.event.above
@@ -161,20 +155,20 @@ def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
         value = Fraction(ball.texts[0])
         tile = found.tile_at({"V": value, "eta": eta})
         assert tile.event is not None
-        at = inside(found, tile, {"V": value, "eta": Fraction(eta)})
+        at = place_in(found, tile, {"V": value, "eta": Fraction(eta)})
         assert tile.event.band.side_of(at) is None
         assert tile.event.band.radius < 1e-4
 
 
 @pytest.mark.slow
-def test_an_event_on_the_edge_of_the_box(tmp_path: Path) -> None:
+def test_an_event_on_the_edge_of_the_box() -> None:
     # r = -1 is the right edge: there is a flip, and beside it all is unstable
     found = ns.certify.box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
     assert [region.verdict for region in found.regions] == ["unstable"]
     assert found.decided == 1
     (curve,) = found.curves
     assert all(r == pytest.approx(-1, abs=1e-9) for r, _ in curve.points)
-    check_tiles(content_of(found, tmp_path / "map.json"))
+    check_tiles(content_of(found))
 
 
 @pytest.mark.slow
@@ -206,12 +200,6 @@ def test_maps_with_curves_are_drawn() -> None:
     texts = [text.get_text() for text in axes.get_legend().get_texts()]
     for label in ("flip", "grazing", "stable, proved", "unstable, proved", "undecided box"):
         assert any(text.startswith(label) for text in texts)
-
-
-def content_of(found: BoxCertificate, path: Path) -> dict[str, Any]:
-    """What its file holds."""
-    found.save(path)
-    return json.loads(path.read_text())
 
 
 def refused(content: dict[str, Any], told: str) -> None:
@@ -273,20 +261,11 @@ CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
 @cache
 def corner_content() -> str:
     """A part of the map, so that checks are fast."""
-    import tempfile
-
-    with tempfile.TemporaryDirectory() as folder:
-        box = {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
-        flip = ns.certify.box(loop(r="-19/20", a="3/5"), box)
-        grazing = ns.certify.box(
-            loop(r="-1/2", a="7/10"), {"r": ("-11/20", "-9/20"), "a": ("13/20", "7/10")}
-        )
-        return json.dumps(
-            {
-                "flip": content_of(flip, Path(folder) / "flip.json"),
-                "grazing": content_of(grazing, Path(folder) / "grazing.json"),
-            }
-        )
+    box = {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
+    flip = ns.certify.box(loop(r="-19/20", a="3/5"), box)
+    box = {"r": ("-11/20", "-9/20"), "a": ("13/20", "7/10")}
+    grazing = ns.certify.box(loop(r="-1/2", a="7/10"), box)
+    return json.dumps({"flip": content_of(flip), "grazing": content_of(grazing)})
 
 
 @pytest.mark.parametrize("name", CHANGES)
@@ -360,12 +339,12 @@ def test_a_curve_that_is_left_out_is_refused() -> None:
     refused(content, "shares")
 
 
-def test_a_curve_beside_its_tile_is_none_of_the_box(tmp_path: Path) -> None:
+def test_a_curve_beside_its_tile_is_none_of_the_box() -> None:
     """The flip is at r = -1: a file may state it of a tile, but not that the box has one."""
     found = ns.certify.box(
         loop(r="-19/20", a="3/5"), {"r": ("-99/100", "-9/10"), "a": ("27/50", "7/10")}
     )
-    content = content_of(found, tmp_path / "map.json")
+    content = content_of(found)
     (tile,) = content["tiles"]
     event = dict(divided(json.loads(corner_content())["flip"], "flip"))
     event |= {"centre": [-11 / 9, 0.0], "radius": 1e-6, "below": "proved", "above": "proved"}

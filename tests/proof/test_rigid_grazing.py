@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from flint import ctx
+from flint import arb, ctx
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
@@ -237,8 +237,6 @@ def test_the_check_has_a_map_of_its_own(fast: Any) -> None:
     branch = next(t["event"] for t in content["tiles"] if t["event"])["beyond"][0]["branch"]
     (tile,) = checked_tiles(branch)
     with ctx.workprec(128):
-        from flint import arb
-
         inside = tile.curve.orbit(tile.at((arb(tile.low) * 9 + arb(tile.high)) / 10))
         speed, section = inside.speed(0), inside.section
         times = inside.map_on(*inside.declared.section, slow=0)
@@ -253,11 +251,6 @@ def test_the_check_has_a_map_of_its_own(fast: Any) -> None:
         assert abs(grazes.speed(0)) < 1e-20
         assert abs(product.det()) < 1e-20
         assert outside_if_reached(grazes, 0)
-
-
-def _mirrored(event: dict[str, Any], beyond: dict[str, Any]) -> None:
-    tile = beyond["branch"]["tiles"][0]
-    tile["before"], tile["after"] = tile["after"], tile["before"]
 
 
 def _stable(event: dict[str, Any], beyond: dict[str, Any]) -> None:
@@ -293,13 +286,7 @@ def _without(kind: str, instant: str) -> Any:
     return change
 
 
-def _side(event: dict[str, Any], beyond: dict[str, Any]) -> None:
-    beyond["side"] = {"above": "below", "below": "above"}[beyond["side"]]
-
-
 FORGERIES: dict[str, Any] = {
-    "the side": (_side, "another side"),
-    "verdicts on both sides": (_mirrored, "other verdicts"),
     "the verdict": (_stable, "it is unstable"),
     "the event": (_moved, "no event between"),
     "the restitution": (_slower, "other parameters"),

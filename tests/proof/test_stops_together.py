@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import copy
-import json
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -16,8 +13,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.points import JudgedOrbit
-from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import struck, struck_together
+from tests.certified import content_of, signed, struck, struck_together
 
 BOTH = ("a-reaches-stop", "b-reaches-stop")
 OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree"
@@ -25,10 +21,7 @@ OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree
 
 @cache
 def saved(law: str | None = None, coupling: str = "0") -> Any:
-    with TemporaryDirectory() as folder:
-        certificate = ns.certify(struck_together(law, coupling))
-        certificate.save(Path(folder) / "proof.json")
-        return json.loads((Path(folder) / "proof.json").read_text())
+    return content_of(ns.certify(struck_together(law, coupling)))
 
 
 @pytest.mark.parametrize(
@@ -94,9 +87,8 @@ FALSE: dict[str, Callable[[Any], Any]] = {
 def test_false_orders_and_symmetries_are_refused(name: str) -> None:
     content = copy.deepcopy(saved())
     FALSE[name](content)
-    content["sha256"] = checksum_of(content)
     with pytest.raises(Failure):
-        check(content)
+        check(signed(content))
 
 
 def test_orders_that_do_not_agree_are_left_open() -> None:

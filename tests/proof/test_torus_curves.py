@@ -6,7 +6,6 @@ import json
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -22,7 +21,7 @@ from nonsmooth.runtime.checker.stability import _inside, _throughout
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from tests.certified import signed
+from tests.certified import content_of, place_in, signed
 from tests.explore import test_continuation_forced as impacts
 
 GIVEN = {"mu": "0.67", "ka": "1.44", "z": "0.003", "r": "0.67", "d": "0.27", "w": "2.212"}
@@ -76,40 +75,7 @@ def closed() -> BoxCertificate:
 @cache
 def content() -> str:
     """What its file holds."""
-    import tempfile
-
-    with tempfile.TemporaryDirectory() as folder:
-        closed().save(Path(folder) / "map.json")
-        return (Path(folder) / "map.json").read_text()
-
-
-@pytest.mark.slow
-def test_a_torus_curve_divides_the_box() -> None:
-    assert found().decided == 1
-    assert {region.verdict for region in found().regions} == {"stable", "unstable"}
-    (curve,) = found().curves
-    assert (curve.event.kind, curve.ends) == ("neimark-sacker", ("border", "border"))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("r", ["0.666", "0.67", "0.674"])
-def test_multipliers_of_points_beside_the_curve_are_on_its_sides(r: str) -> None:
-    low, high = 2.211, 2.214
-    for _ in range(30):
-        middle = (low + high) / 2
-        inside = max(abs(np.asarray(orbit(w=middle, r=r).multipliers))) < 1
-        low, high = (middle, high) if inside else (low, middle)
-    for away in (-1e-5, 0.0, 1e-5):
-        at = Fraction(low + away), Fraction(r)
-        tile = found().tile_at(dict(zip(BOX, at, strict=True)))
-        assert tile.event is not None
-        ends = zip(at, found().where(tile).values(), strict=True)
-        side = tile.event.band.side_of([(2 * x - a - b) / (b - a) for x, (a, b) in ends])
-        if away:
-            assert side is not None
-            assert getattr(tile.event, side) == ("proved" if away < 0 else "unstable")
-        else:
-            assert side is None or abs(high - low) < 1e-9
+    return json.dumps(content_of(closed()))
 
 
 @pytest.mark.slow
@@ -122,12 +88,10 @@ def test_the_curve_is_that_of_the_closed_form() -> None:
     for r in np.linspace(0.757, 0.8499, 23):
         with mpmath.workdps(40):
             true = mpmath.log(mpmath.mpf(float(r))) * mpmath.mpf("2.8") / mpmath.pi
-            at = Fraction(mpmath.nstr(true, 35)), Fraction(float(r))
-        tile = closed().tile_at(dict(zip(("c", "r"), at, strict=True)))
+            at = {"c": Fraction(mpmath.nstr(true, 35)), "r": Fraction(float(r))}
+        tile = closed().tile_at(at)
         assert tile.event is not None
-        ends = zip(at, closed().where(tile).values(), strict=True)
-        inside = [(2 * x - low - high) / (high - low) for x, (low, high) in ends]
-        assert tile.event.band.side_of(inside) is None
+        assert tile.event.band.side_of(place_in(closed(), tile, at)) is None
         assert tile.event.band.radius < 1e-4
 
 

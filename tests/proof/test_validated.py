@@ -11,10 +11,10 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from flint import arb
-from mpmath import MPContext
+from flint import arb, fmpq
 
-from nonsmooth import InputError, certify
+from nonsmooth import InputError, Proof, certify, validate
+from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.certificate import Stated
@@ -22,10 +22,7 @@ from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
-
-mp = MPContext()
-mp.dps = 60
+from tests.declared_motion import DeclaredMotion, mp
 
 FIRST = dict(chi="0.5", eta="1", V="1", us1="1", us2="1", ur1="4.0195", ur2="1.4831")
 SECOND = dict(chi="0.4", eta="4", V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2="1")
@@ -33,158 +30,6 @@ CHAIN = dict(m1="1", m2="2", k1="1", k2="5")
 # half a period of both modes of slip-slip is 2 pi: they turn by pi and by 3 pi
 COMMENSURATE = dict(chi="5/8", eta="12/5", V="1", us1="1", us2="1", ur1="100", ur2="100")
 CENTRE = (Fraction(16, 3), Fraction(104, 15))
-Vector = list[Any]
-
-
-class Oscillator:
-    """Motion by matrix exponentials and dense samples; states carry a last entry 1."""
-
-    step = mp.mpf(1) / 32
-
-    def __init__(self, parameters: dict[str, str]) -> None:
-        self.p = {n: mp.mpf(Fraction(v).numerator) / Fraction(v).denominator
-                  for n, v in parameters.items()}  # fmt: skip
-        self.steps: dict[str, list[Vector]] = {}
-
-    def field(self, configuration: str) -> list[Vector]:
-        raise NotImplementedError
-
-    def boundaries(self, configuration: str) -> dict[str, Vector]:
-        raise NotImplementedError
-
-    def after(self, configuration: str, boundary: str, state: Vector) -> tuple[str, Vector]:
-        raise NotImplementedError
-
-    def flow(self, configuration: str, state: Vector, duration: Any) -> Vector:
-        field, term, total, k = self.field(configuration), state, state, 0
-        while k < 20 or max(map(abs, term)) > mp.mpf(10) ** -65:
-            k += 1
-            term = [duration / k * x for x in times(field, term)]
-            total = [a + b for a, b in zip(total, term, strict=True)]
-        return total
-
-    def advance(self, configuration: str, state: Vector) -> Vector:
-        if configuration not in self.steps:
-            units = [[mp.mpf(i == j) for i in range(5)] for j in range(5)]
-            columns = [self.flow(configuration, unit, self.step) for unit in units]
-            self.steps[configuration] = [list(row) for row in zip(*columns, strict=True)]
-        return times(self.steps[configuration], state)
-
-    def run(self, configuration: str, start: list[str], transitions: int) -> tuple[Any, ...]:
-        state = [mp.mpf(Fraction(x).numerator) / Fraction(x).denominator for x in start]
-        state.append(mp.mpf(1))
-        now, sets = mp.mpf(0), []
-        names, instants, states = [configuration], [now], [state]
-        while len(sets) < transitions:
-            rows = self.boundaries(configuration)
-            following = self.advance(configuration, state)
-            passed = [b for b, row in rows.items() if dot(row, following) > 0]
-            if not passed:
-                now, state = now + self.step, following
-                continue
-            roots = {b: self.root(configuration, rows[b], state) for b in passed}
-            boundary = min(roots, key=lambda b: roots[b])
-            now += roots[boundary]
-            state = self.flow(configuration, state, roots[boundary])
-            configuration, state = self.after(configuration, boundary, state)
-            names.append(configuration)
-            sets.append((boundary,))
-            instants.append(now)
-            states.append(state)
-        return tuple(names), tuple(sets), instants, states
-
-    def root(self, configuration: str, row: Vector, state: Vector) -> Any:
-        low, high = mp.mpf(0), self.step
-        field, at = self.field(configuration), high
-        for _ in range(60):
-            there = self.flow(configuration, state, at)
-            value = dot(row, there)
-            low, high = (at, high) if value < 0 else (low, at)
-            slope = dot(row, times(field, there))
-            better = at - value / slope if slope > 0 else mp.mpf(-1)
-            better = better if low <= better <= high else (low + high) / 2
-            if abs(better - at) < mp.mpf(10) ** -58:
-                return better
-            at = better
-        return at
-
-
-def dot(row: Vector, state: Vector) -> Any:
-    return sum((a * b for a, b in zip(row, state, strict=True)), mp.mpf(0))
-
-
-def times(matrix: list[Vector], state: Vector) -> Vector:
-    return [dot(row, state) for row in matrix]
-
-
-class Friction(Oscillator):
-    """Equations (6) to (9) of the paper and the rule of the belt, written down once more."""
-
-    def forces(self) -> tuple[Vector, Vector]:
-        chi = self.p["chi"]
-        return [1, -chi, 0, 0, 0], [-chi, chi, 0, 0, 0]
-
-    def field(self, configuration: str) -> list[Vector]:
-        rows: list[Vector] = [[0, 0, 1, 0, 0], [0, 0, 0, 1, 0]]
-        inertia, slipping = (1, self.p["eta"]), (self.p["us1"], self.p["us2"])
-        for mass, regime in enumerate(configuration.split("-")):
-            row = [-inertia[mass] * x for x in self.forces()[mass]]
-            row[4] = inertia[mass] * slipping[mass] * (1 if regime == "slip" else -1)
-            rows.append([0] * 5 if regime == "stick" else row)
-        return [*rows, [0] * 5]
-
-    def boundaries(self, configuration: str) -> dict[str, Vector]:
-        found = {}
-        for mass, regime in enumerate(configuration.split("-")):
-            name, limit = ("first", "second")[mass], self.p[("ur1", "ur2")[mass]]
-            force = self.forces()[mass]
-            if regime == "stick":
-                found[f"{name}-breaks-forward"] = [*force[:4], -limit]
-                found[f"{name}-breaks-backward"] = [*(-x for x in force[:4]), -limit]
-            else:
-                sign = 1 if regime == "slip" else -1
-                relative = [0, 0, 1 - mass, mass, -self.p["V"]]
-                found[f"{name}-reaches-belt"] = [sign * x for x in relative]
-        return found
-
-    def after(self, configuration: str, boundary: str, state: Vector) -> tuple[str, Vector]:
-        mass = 0 if boundary.startswith("first") else 1
-        regimes, state = configuration.split("-"), list(state)
-        force, limit = dot(self.forces()[mass], state), self.p[("ur1", "ur2")[mass]]
-        state[2 + mass] = self.p["V"]
-        if boundary.endswith("belt"):
-            regimes[mass] = "stick"
-            if abs(force) > limit:
-                regimes[mass] = "slip" if force > 0 else "overshoot"
-        else:
-            regimes[mass] = "slip" if boundary.endswith("forward") else "overshoot"
-        return "-".join(regimes), state
-
-
-class Stop(Oscillator):
-    """Equations (1) to (4): a chain in front of a stop, rigid if there is an r."""
-
-    def field(self, configuration: str) -> list[Vector]:
-        m1, m2, k1, k2 = (self.p[n] for n in ("m1", "m2", "k1", "k2"))
-        k3 = self.p["k3"] if configuration == "contact" else 0
-        return [
-            [0, 0, 1, 0, 0],
-            [0, 0, 0, 1, 0],
-            [-(k1 + k3) / m1, k1 / m1, 0, 0, k3 / m1],
-            [k1 / m2, -(k1 + k2) / m2, 0, 0, 0],
-            [0] * 5,
-        ]
-
-    def boundaries(self, configuration: str) -> dict[str, Vector]:
-        if configuration == "contact":
-            return {"first-leaves-stop": [-1, 0, 0, 0, 1]}
-        return {"first-reaches-stop": [1, 0, 0, 0, -1]}
-
-    def after(self, configuration: str, boundary: str, state: Vector) -> tuple[str, Vector]:
-        state = [mp.mpf(1), *state[1:]]
-        if "r" in self.p:
-            return "free", [*state[:2], -self.p["r"] * state[2], *state[3:]]
-        return ("free" if configuration == "contact" else "contact"), state
 
 
 def starts(seed: int, count: int, fastest: Fraction, spread: int) -> list[list[str]]:
@@ -197,50 +42,27 @@ def starts(seed: int, count: int, fastest: Fraction, spread: int) -> list[list[s
     ]
 
 
-def agrees(proof: Proof, found: tuple[Any, ...], narrow: float) -> None:
-    names, sets, instants, states = found
-    assert proof.decided
-    assert proof.reason is None
-    assert proof.configurations == names
-    assert proof.sets == sets
-    assert len(proof.times) == len(instants)
-    for enclosure, instant in zip(proof.times, instants, strict=True):
-        assert enclosure.contains(instant)
-        assert float(enclosure.rad) < narrow
-    for balls, state in zip(proof.states, states, strict=True):
-        assert all(ball.contains(x) for ball, x in zip(balls, state[:4], strict=True))
-        assert all(float(ball.rad) < narrow for ball in balls)
+def test_friction_agrees_with_60_digits() -> None:
+    seen = set[str]()
+    for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20)):
+        motion = DeclaredMotion(dry_friction.system, data)
+        for start in starts(seed, 4, Fraction(fastest), spread):
+            proof = validate("dry-friction", data, start, "slip-slip", 16)
+            assert proof.transitions == 16
+            motion.agrees(proof, start, 1e-20)
+            seen |= {*proof.configurations}
+    assert len(seen) >= 6  # the comparison says little if the motions are all alike
 
 
 @pytest.mark.parametrize(
-    ("data", "start"),
-    [(FIRST, s) for s in starts(1, 4, Fraction(1), 60)]
-    + [(SECOND, s) for s in starts(2, 4, Fraction("0.6773"), 20)],
+    ("declared", "more"),
+    [(rigid_stop, {"r": "1"}), (rigid_stop, {"r": "0.8"}), (elastic_stop, {"k3": "10"})],
 )
-def test_friction_agrees_with_60_digits(data: dict[str, str], start: list[str]) -> None:
-    proof = certify.motion("dry-friction", data, start, "slip-slip", 16)
-    agrees(proof, Friction(data).run("slip-slip", start, 16), 1e-20)
-
-
-def test_the_starts_reach_most_configurations() -> None:
-    """The comparison above says little if the motions are all alike."""
-    seen = {
-        name
-        for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20))
-        for start in starts(seed, 4, Fraction(fastest), spread)
-        for name in certify.motion("dry-friction", data, start, "slip-slip", 16).configurations
-    }
-    assert len(seen) >= 6
-
-
-@pytest.mark.parametrize(
-    ("system", "more"),
-    [("rigid-stop", {"r": "1"}), ("rigid-stop", {"r": "0.8"}), ("elastic-stop", {"k3": "10"})],
-)
-def test_stops_agree_with_60_digits(system: str, more: dict[str, str]) -> None:
+def test_stops_agree_with_60_digits(declared: Any, more: dict[str, str]) -> None:
     data, start = CHAIN | more, ["0.5", "0.2", "1", "-0.25"]
-    proof = certify.motion(system, data, start, "free", 10)
-    agrees(proof, Stop(data).run("free", start, 10), 1e-20)
+    proof = validate(declared.system.name, data, start, "free", 10)
+    assert proof.transitions == 10
+    DeclaredMotion(declared.system, data).agrees(proof, start, 1e-20)
 
 
 def test_more_bits_where_the_first_do_not_do() -> None:
@@ -261,8 +83,6 @@ def test_more_bits_where_the_first_do_not_do() -> None:
 
 def at_multiple_of_pi(proof: Proof, factor: Fraction, narrow: float) -> bool:
     """Whether the undecided instant is that multiple of pi, and the enclosure is narrow."""
-    from flint import arb, fmpq
-
     assert proof.instant is not None
     with flint_precision(2 * proof.bits):
         exact = arb.pi() * fmpq(factor.numerator, factor.denominator)
@@ -375,8 +195,6 @@ def test_a_start_on_a_boundary() -> None:
 
 
 def test_facts_stay_as_long_as_the_field_keeps_them() -> None:
-    from flint import fmpq
-
     at = enclosed_system("dry-friction", FIRST)(64)
     velocity = [0, 0, 1, 0, fmpq(-1)]
     position = [1, 0, 0, 0, fmpq(-2)]
@@ -394,8 +212,6 @@ def test_facts_stay_as_long_as_the_field_keeps_them() -> None:
 
 def test_boundaries_that_are_multiples_are_reached_together() -> None:
     """No digits tell that x1 - 1 and 2 x1 - 2 vanish at one instant, their rows do."""
-    from flint import arb, fmpq
-
     at = enclosed_system("rigid-stop", CHAIN | {"r": "1"})(128)
     twice = BoundaryShape("twice", len(at.exact.rows), False)
     rows = (*at.exact.rows, tuple(2 * x for x in at.exact.rows[0]))
