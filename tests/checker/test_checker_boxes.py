@@ -402,9 +402,6 @@ def test_a_map_of_a_system_that_is_neither_built_in_nor_held(tmp_path: Path) -> 
 OWN = """
 import sympy as sp
 from nonsmooth.derive import Itinerary, Parameter, Reference, RigidStop, oscillator, Harmonic
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.orbit import Orbit
 
 r = Parameter("r", "restitution", lower=0, upper=1)
 F = Parameter("F", "amplitude")
