@@ -21,8 +21,8 @@ from nonsmooth.runtime.orbits.admissible import (
 )
 from nonsmooth.runtime.orbits.equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
+from nonsmooth.runtime.orbits.one_point import solve_kernels
 from nonsmooth.runtime.orbits.orbit import TOO_SMALL, Orbits, reshaped, restricted
-from nonsmooth.runtime.orbits.solve import solve_kernels
 from nonsmooth.runtime.shooting.kernel_newton import (
     Solved,
     equations_at,

@@ -1,51 +1,257 @@
-"""One periodic orbit at one parameter point: of an itinerary that is named, or that is given.
+"""Periodic orbits at one parameter point or many, of an itinerary that is named or that is given.
 
-A named one has kernels of its own equations, or is composed from its phases, as a given one is.
+One declared orbit is composed from its system's tables. At many points kernels of its own
+equations take their place, where these can be compiled: from the same reference orbit they find
+the same, under the same names.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import product
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from numbers import Integral
 from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, axes, by_name, parse
-from nonsmooth.runtime.model.completion import Point, complete, complete_system
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several
+from nonsmooth.runtime.core.values import axes, by_name
+from nonsmooth.runtime.model.kernel_records import SavedTable
+from nonsmooth.runtime.model.kernels import (
+    OrbitKernels,
+    SystemKernels,
+    kernels_of,
+    kernels_of_many,
+    load_orbit,
+)
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.model.parameters import in_domain
-from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
-from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
+from nonsmooth.runtime.model.parameters import parameter_array, parameter_points
+from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
+from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
+from nonsmooth.runtime.orbits.one_point import Itinerary, guess_along, solve_kernels
+from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit, Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.refine import check_digits, refine
+from nonsmooth.runtime.orbits.table_many import Arrays, TablePoints, solve_itineraries
 from nonsmooth.runtime.orbits.table_solve import (
-    CONTINUATION_STEPS,
     Symmetries,
-    guess_by_name,
     period_in,
     solve_declared,
     solve_itinerary,
-    steps_between,
-    value_of,
 )
-from nonsmooth.runtime.shooting.kernel_newton import Full, judged_at, solve_full, solve_reduced
-from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, sure_digits
-from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Number, Numbers
-    from nonsmooth.runtime.orbits.orbit import Orbits
 
-__all__ = ["Itinerary", "guess_along", "search", "solve", "solve_kernels"]
-
-STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
-SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
+__all__ = [
+    "DeclaredPoints",
+    "OrbitPoints",
+    "Orbits",
+    "declared_kernels",
+    "points_of",
+    "solve",
+    "solve_many",
+]
 
 AnyOrbit = str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels
-Itinerary = Sequence[tuple[str, str]] | Recurrence
+
+_SAME = 1e-7  # difference of one orbit by kernels and by tables, in units of max(1, |x|)
+
+
+@dataclass(frozen=True, eq=False)
+class DeclaredPoints(TablePoints):
+    """A composed orbit at many points, where kernels of its own equations find it.
+
+    Where they search for dwell times Newton's method may end at a root that is no motion, such as
+    one without a phase; there the tables of its system look for another one.
+    """
+
+    derived: OrbitKernels  # of its own equations, with the composed orbit's reference
+
+    @cached_property
+    def alone(self) -> bool:
+        """Whether the kernels alone decide: they search for nothing but the start of the orbit."""
+        return not {*self.derived.reduced} & {*self.derived.timed}
+
+    @property
+    def chunk(self) -> int:
+        """See `KernelPoints`."""
+        return self._points.chunk if self.alone else super().chunk
+
+    @property
+    def start_names(self) -> tuple[str, ...]:
+        """See `KernelPoints`: all unknowns where the tables have the last word."""
+        return self._points.start_names if self.alone else self.unknowns
+
+    @property
+    def limits(self) -> tuple[str, ...]:
+        """See `KernelPoints`."""
+        return self._points.limits if self.alone else super().limits
+
+    @property
+    def usual(self) -> np.ndarray:
+        """See `KernelPoints`."""
+        return self._points.usual if self.alone else super().usual
+
+    def solve(
+        self,
+        values: Arrays,
+        start: np.ndarray | None = None,
+        *,
+        admissibility: bool = True,
+        margins: bool = False,
+        threads: int | None = 1,
+        chunk: int = CHUNK,
+    ) -> Orbits:
+        """See `KernelPoints`."""
+        options: Any = {"margins": margins, "threads": threads}
+        near = start
+        if start is not None and not self.alone:
+            near = start[:, [self.unknowns.index(name) for name in self.derived.reduced]]
+        judged = admissibility or not self.alone
+        found = self.by_kernels(values, near, admissibility=judged, chunk=chunk, **options)
+        if self.alone:
+            return found
+        shape, found = found.status.shape, reshaped(found, (-1,))
+        rest = np.flatnonzero(~np.asarray(found.admissible))
+        if len(rest):
+            given = found.parameters.items()
+            part = {name: np.broadcast_to(array, shape).ravel()[rest] for name, array in given}
+            again = None if start is None else start[rest]
+            others = super().solve(part, again, admissibility=admissibility, **options)
+
+            def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
+                both = np.array(array)
+                both[rest] = values
+                return both
+
+            found = changed(filled, found, others)
+        found = reshaped(replace(found, limits=self.limits), shape)
+        return found if admissibility else replace(found, limit=None, limits=(), bounds=None)
+
+    @cached_property
+    def _points(self) -> KernelPoints:
+        """The same orbit in the names of the kernels."""
+        unused = {p.name for p in self.derived.other_parameters}
+        names = (name for name in self.derived.tables if name not in unused)
+        return KernelPoints(self.derived, tuple(names))
+
+    def by_kernels(self, values: Arrays, start: np.ndarray | None = None, **options: Any) -> Orbits:
+        """Return what the kernels find, in the names of the composed orbit."""
+        kernels, system = self._points.kernels, self.kernels.system
+        unused = {p.name for p in kernels.other_parameters}
+        taken = {n: x for n, x in values.items() if n in kernels.tables and n not in unused}
+        if len(taken) < len(values):  # the others only have domains
+            names = [p.name for p in system.parameters]
+            points, shape = parameter_points(system, {name: values[name] for name in names})
+            sound = np.isfinite(points).all(axis=1)
+            first = kernels.parameter_names[0]
+            place = names.index(first)
+            taken[first] = np.where(sound, points[:, place], np.nan).reshape(shape)
+        found = self._points.solve(taken, start, **options)
+        shape, flat = found.status.shape, reshaped(found, (-1,))
+        given = {n: np.broadcast_to(found.parameters[n], shape).ravel()
+                 for n in kernels.parameter_names}  # fmt: skip
+        unknowns, starts = self._composed(given, flat.unknowns)
+        orbits = replace(
+            flat,
+            problem=self.reference.problem,
+            parameters={name: parameter_array(name, value) for name, value in values.items()},
+            unknowns=unknowns,
+            bounds=None if flat.bounds is None else {},
+            starts=starts,
+        )
+        return reshaped(orbits, shape)
+
+    def _composed(
+        self, parameters: Arrays, unknowns: Arrays
+    ) -> tuple[dict[str, np.ndarray], np.ndarray]:
+        """Return the unknowns (n,) of composed orbits, and where their phases start (n, p, N).
+
+        Parameters and unknowns (n,) are, beside others, those of the kernels' equations,
+        NaN where there is no orbit.
+        """
+        kernels, names = self._points.kernels, self.unknowns
+        solved = {name: unknowns[name] for name in kernels.unknowns}
+        times = kernels.durations({**parameters, **solved})
+        known, start = {**solved, **times}, names[len(times) :]
+        if len(times) == 1 and known.keys() >= {*start}:
+            starts = np.stack([known[name] for name in start], axis=-1)[:, None]
+        else:
+            x = np.stack([*solved.values()], axis=-1)
+            points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
+            spectrum, _ = kernels.spectrum(points)
+            with np.errstate(all="ignore"):  # of points without an orbit
+                states = np.asarray(kernels.evaluate("states", at=(points, spectrum, x)))
+            states[np.isnan(x).any(axis=-1)] = np.nan
+            starts = states[:, : len(times)]
+            known = {**dict(zip(start, starts[:, 0].T, strict=True)), **known}
+        return {name: known[name] for name in names}, starts
+
+
+def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredPoints | None:
+    """Return the kernels that find a composed orbit at many points; None where tables have to.
+
+    The first call waits until they are derived and compiled. None is returned where there
+    is no compiler, where formulas are long, and where the kernels find another orbit at
+    the reference point. `key` is that of `kernels_of_many`. `NoConvergence` is raised if
+    there is no orbit at the reference point.
+    """
+    own = kernels_of_many(orbit, key)
+    return None if own is None else _from_reference(orbit, own)
+
+
+@cache
+def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredPoints | None:
+    """Return kernels that begin where the composed orbit begins; None if they do not find it."""
+    known = solve_declared(orbit, {})
+    guess = {name: repr(float(known.unknowns[name])) for name in own.unknowns}
+    reference = {**own.table["reference"], "guess": guess}
+    table = SavedTable(own.name, own.address, {**own.table, "reference": reference})
+    kernels = replace(own, saved=table)
+    found = solve_kernels(kernels, throw=False)
+    same = all(
+        abs(found.unknowns[name] - value) <= _SAME * max(1, abs(value))
+        for name, value in known.unknowns.items()
+        if name in own.unknowns
+    )
+    return DeclaredPoints(orbit, known, kernels) if same else None
+
+
+OrbitPoints = KernelPoints | TablePoints
+
+
+@cache
+def points_of(
+    kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredPoints | None = None
+) -> OrbitPoints:
+    """Return an orbit at many points, where what is fixed or swept has the names `given`.
+
+    `own` are compiled kernels that stand in for the tables of a composed orbit.
+    `InputError` is raised for an orbit that cannot be found at many points at once.
+    """
+    if kernels.derived:
+        return KernelPoints(kernels, given)
+    _check(kernels)
+    if own is not None:
+        return own
+    try:
+        return TablePoints(kernels, solve_declared(kernels, {}))
+    except NoConvergence as problem:
+        raise InputError(f"at its reference, where all points start: {problem}") from None
+
+
+def _check(kernels: OrbitKernels) -> None:
+    """Refuse a composed orbit that is not found at many points."""
+    if kernels.table["reference"] is None:
+        raise InputError(
+            f"{kernels.name} declares no reference, from which many points could start: give its"
+            " system, the itinerary and a guess"
+        )
+    if kernels.table.get("symmetry"):
+        raise InputError(
+            f"{kernels.name} is declared by a part and a symmetry, which one point at a time knows"
+        )
 
 
 @overload
@@ -236,8 +442,6 @@ def solve(
         points = "one parameter point" if several else "many parameter points, as arrays give them,"
         raise InputError(f"{' and '.join(wrong)}: of {points} only")
     if several:
-        from nonsmooth.runtime.orbits.many import solve_many
-
         return solve_many(
             orbit,
             values,
@@ -272,331 +476,66 @@ def solve(
     return refine(found, digits) if digits > DOUBLE and found.converged else found
 
 
-def guess_along(
-    kernels: SystemKernels, itinerary: Itinerary, guess: Any
-) -> tuple[Sequence[tuple[str, str]], Any, Any]:
-    """Return the phases, guesses (..., p) of their dwell times, and (..., N) of the start or None.
-
-    A guess is (..., p) or (..., p + N), or by name; a Recurrence in place of the
-    itinerary brings its guess with it. `InputError` is raised if there is no guess, or
-    one of the wrong length.
-    """
-    phases: Sequence[Any] = itinerary
-    if isinstance(itinerary, Recurrence):
-        phases = itinerary.itinerary
-        if guess is None:
-            guess = np.concatenate([itinerary.dwell_times, itinerary.start])
-    if isinstance(phases, str) or not isinstance(phases, Sequence):
-        raise InputError("an itinerary is a sequence of (configuration, boundary)")
-    if not phases:
-        raise InputError("an itinerary of no phase")
-    if guess is None:
-        raise InputError("an itinerary takes a guess: the dwell time of each phase")
-    states = kernels.table["states"]
-    count, size = len(phases), len(states)
-    if isinstance(guess, Mapping):
-        guess = _in_order(guess, count, states)
-    try:
-        width = np.atleast_1d(np.asarray(guess, dtype=float)).shape[-1]
-    except (TypeError, ValueError):
-        raise InputError("the guess holds something else than real numbers") from None
-    if width not in (count, count + size):
-        raise InputError(
-            f"the guess has {width} values: it takes {count}, a dwell time for each phase,"
-            f" or {count + size}, these and the start: {', '.join(states)}"
-        )
-    if width == count:
-        return phases, guess, None
-    if np.ndim(guess) == 1:
-        return phases, list(guess[:count]), list(guess[count:])
-    return phases, np.asarray(guess)[..., :count], np.asarray(guess)[..., count:]
-
-
-def _in_order(guess: Mapping[str, Any], count: int, states: Sequence[str]) -> list[Any]:
-    """Return a guess by name, tau1 to taup and all states or none, as a list in order."""
-    dwell = [f"tau{place + 1}" for place in range(count)]
-    for name in guess:
-        if name not in dwell and name not in states:
-            raise unknown_name("variable", name, [*dwell, *states])
-    if missing := [name for name in dwell if name not in guess]:
-        raise InputError(f"the guess has no {', '.join(missing)}")
-    start = [guess[name] for name in states if name in guess]
-    if start and len(start) < len(states):
-        raise InputError(f"the guess has some states only: it takes all, {', '.join(states)}")
-    return [*(guess[name] for name in dwell), *start]
-
-
-def solve_kernels(
-    kernels: OrbitKernels,
-    parameters: Mapping[str, object] | None = None,
-    guess: Sequence[float] | Mapping[str, float] | None = None,
+def solve_many(
+    orbit: str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels,
+    parameters: Mapping[str, Any] | None = None,
+    guess: Any = None,
     *,
-    unknown: Iterable[str] = (),
-    given: Mapping[str, object] | None = None,
-    throw: bool = True,
-    label: str = "",
-) -> Orbit:
-    """Find a periodic orbit by the kernels of its own equations, as `solve` does.
+    itinerary: Itinerary | None = None,
+    given: Mapping[str, Any] | None = None,
+    multipliers: bool = False,
+    admissibility: bool = True,
+    threads: int | None = None,
+    chunk: int | None = None,
+    derivatives: Sequence[str] | str = (),
+) -> Orbits:
+    """Find the orbit of an itinerary at many parameter points, as `solve` does of arrays.
 
-    Absent parameters take the reference point's values; without a guess, unknowns are
-    searched for. `unknown` names parameters that are solved for, `given` has the unknowns
-    that are given in their place. With `throw`, `NoConvergence` is raised if no orbit is
-    found; `InputError` is raised for wrong names or values, or an exchange that does not
-    fit. Messages call the orbit by `label`, if that is not empty.
+    What is found at a point depends on nothing but its own parameters: not on `threads`,
+    `chunk` or on other points.
     """
-    swapped, fixed = tuple(unknown), dict(given or {})
-    if swapped or fixed:
-        _check_exchange(kernels, swapped, fixed)
-    point = complete(kernels, parameters or {}, without=swapped)
-    start = _start(kernels, point, guess, swapped)
-    values = {name: value_of(name, value) for name, value in fixed.items()}
-    found, tried = (
-        _exchanged(
-            kernels,
-            point,
-            swapped,
-            values,
-            start,
-        )
-        if swapped
-        else _ordinary(kernels, point, start, searching=guess is None)
-    )
-    if throw and not found.converged:
-        searched = guess is None and not swapped and kernels.reduced
-        reason = "no orbit was found at these parameters" if searched else found.message
-        raise NoConvergence(f"{label or kernels.name}: {reason} (tried: {', '.join(tried)})")
-    return found
+    values = by_name("parameters", parameters)
+    options: Any = {"admissibility": admissibility, "threads": threads}
+    chunk = CHUNK if chunk is None else chunk
+    _check_positive("chunk", chunk)
+    if threads is not None:
+        _check_positive("threads", threads)
+    system_or_orbit: Any = orbit
+    if itinerary is not None:
+        system, period = kernels_of(system_or_orbit), period_in((), by_name("given", given))
+        phases, dwell, start = guess_along(system, itinerary, guess)
+        options |= {"multipliers": multipliers}
+        found = solve_itineraries(system, phases, values, dwell, start, period, **options)
+    else:
+        beside = {
+            "guess": guess is not None, "given": given is not None, "multipliers": multipliers
+        }  # fmt: skip
+        if any(beside.values()):
+            wrong = " and ".join(name for name, is_given in beside.items() if is_given)
+            raise InputError(f"{wrong}: of an itinerary only, beside its system")
+        known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
+        points, values = _named_points(known, values)
+        found = points.solve(values, chunk=chunk, **options)
+    if not (by := one_or_several(derivatives)):
+        return found
+    return replace(found, derivatives=derivatives_of_many(found, by, threads))
 
 
-def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
-    """Return all orbits (k, n) that Newton's method reaches from a grid, admissible ones first.
+def _named_points(
+    known: OrbitKernels, values: dict[str, Any]
+) -> tuple[OrbitPoints, dict[str, Any]]:
+    """Return what solves for a named orbit at many points, and the values that it takes.
 
-    They are distinct and have positive dwell times. `parameters` is (p,).
+    Wrong names and shapes are refused before anything is compiled.
     """
-    starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
-    solved = solve_reduced(kernels, parameters, starts)
-    found = _distinct(solved.unknowns[solved.status == CONVERGED])
-    limit, _ = kernel_limits(
-        kernels, np.broadcast_to(parameters, (len(found), len(parameters))), found
-    )
-    return found[np.argsort(limit != NEITHER, kind="stable")]
+    if known.derived:
+        return KernelPoints(known, worth=True), values
+    _check(known)
+    values = {**known.table["reference"]["parameters"], **values}
+    parameter_points(known.system, values)
+    return points_of(known, (), declared_kernels(known)), values
 
 
-def _distinct(roots: np.ndarray) -> np.ndarray:
-    """Return the first root of each cluster, in the order of the roots."""
-    first = []
-    while len(roots):
-        first.append(roots[0])
-        apart = np.abs(roots - roots[0]) > 1e-7 * (1 + np.abs(roots[0]))
-        roots = roots[apart.any(axis=-1)]
-    return np.array(first).reshape(-1, roots.shape[-1])
-
-
-def _grid(kernels: OrbitKernels) -> np.ndarray:
-    """Return starts of the reduced unknowns: even, or geometric where there is only one."""
-    if len(kernels.reduced) == 1:
-        return np.geomspace(SHORTEST_DWELL, LONGEST_DWELL, STARTS_OF_ONE)
-    return np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
-
-
-def _ordinary(
-    kernels: OrbitKernels, point: Point, start: dict[str, float], *, searching: bool
-) -> tuple[Orbit, list[str]]:
-    """Solve the reduced equations for all unknowns, and tell from where that was tried.
-
-    Where it is searched for, a motion of the real system comes before what converges first.
-    """
-    parameters = np.array([float(v) for v in point.values.values()])
-    guess = np.array([start[name] for name in kernels.reduced])
-    first, tried = None, []
-    for words, begin in _starts(kernels, parameters, guess, searching):
-        tried.append(words)
-        if begin is None:
-            continue
-        found = _orbit(kernels, point, parameters, solve_reduced(kernels, parameters, begin))
-        if not searching or not kernels.reduced or _good(found, parameters):
-            return found, tried
-        if first is None or not first.converged:
-            first = found
-    assert first is not None
-    return first, tried
-
-
-def _starts(
-    kernels: OrbitKernels, parameters: np.ndarray, guess: np.ndarray, searching: bool
-) -> Iterator[tuple[str, np.ndarray | None]]:
-    """Yield starts (m,) of the reduced unknowns, and where they come from; None for none."""
-    if not kernels.reduced:
-        yield "the explicit solution", guess
-    yield "the reference point's guess" if searching else "the guess", guess
-    places = [kernels.unknowns.index(name) for name in kernels.reduced]
-    defaults = kernels.table["reference"]["parameters"]
-    begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
-    for here in steps_between(begin, parameters):
-        guess = solve_reduced(kernels, here, guess).unknowns[places]
-    yield f"continuation in {CONTINUATION_STEPS} steps", guess
-    candidates = search(kernels, parameters)
-    nearest = candidates[0][places] if len(candidates) else None
-    yield f"{len(_grid(kernels)) ** len(places)} starts", nearest
-
-
-def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
-    """Return whether an orbit has converged and may be a motion of the real system."""
-    if not orbit.converged:
-        return False
-    kernels, unknowns = orbit.kernels, np.array([*orbit.unknowns.values()])
-    limit, bounds = kernel_limits(kernels, parameters[None], unknowns[None])
-    if not orbit.opened or limit[0] != NEITHER:
-        return bool(limit[0] == NEITHER)
-    least = zip(kernels.open_parameters, bounds[0], strict=True)
-    return all(float(orbit.opened[p.name]) > bound for p, bound in least if p.name in orbit.opened)
-
-
-def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: Any) -> Orbit:
-    """Return the record of a reduced solution, with the residual of the full equations."""
-    unknowns = dict(zip(kernels.unknowns, solved.unknowns.tolist(), strict=True))
-    status = int(solved.status)
-    residual, digits = float(solved.residual), 0
-    if not all(in_domain(kernels.tables[name], unknowns[name]) for name in kernels.solved_for):
-        status = OUTSIDE
-    if status == CONVERGED:
-        x = np.concatenate([solved.unknowns, parameters])
-        residual, error, status = judged_at(kernels, x, slice(len(kernels.unknowns)))
-        digits = sure_digits(error)
-    return Orbit(
-        kernel_problem(kernels),
-        point.values,
-        unknowns,
-        point.opened,
-        residual,
-        digits,
-        int(solved.iterations),
-        status,
-    )
-
-
-def _exchanged(
-    kernels: OrbitKernels,
-    point: Point,
-    swapped: tuple[str, ...],
-    fixed: dict[str, Value],
-    start: dict[str, float],
-) -> tuple[Orbit, list[str]]:
-    """Solve the full equations with parameters in place of unknowns.
-
-    It starts from the guess; if that fails, the given values are approached in steps from
-    an orbit at the default values of what is now unknown.
-    """
-    defaults = kernels.table["reference"]["parameters"] if kernels.table["reference"] else {}
-    values = {name: float(parse(text)) for name, text in defaults.items()}
-    values |= {name: float(v) for name, v in point.values.items()} | start
-    target = {name: float(v) for name, v in fixed.items()}
-    solved_for = [n for n in kernels.unknowns if n not in fixed] + list(swapped)
-    tried = ["the guess"]
-    try:
-        found = solve_full(kernels, values | target, solved_for)
-        refusal = None
-    except InputError as error:
-        found, refusal = None, error
-    if found is None or found.status != CONVERGED:
-        tried.append(f"{CONTINUATION_STEPS} steps to the given values")
-        found = _approached(kernels, values, target, solved_for) or found
-    if found is None:
-        assert refusal is not None
-        raise refusal
-    tables = {p.name: p for p in kernels.parameters}
-    if found.status == CONVERGED and not all(
-        in_domain(tables[name], found.values[name]) for name in swapped
-    ):
-        found = found._replace(status=OUTSIDE)
-    unknowns = {name: found.values[name] for name in solved_for}
-    orbit = Orbit(
-        kernel_problem(kernels),
-        {**point.values, **fixed},
-        unknowns,
-        point.opened,
-        found.residual,
-        sure_digits(found.error),
-        found.iterations,
-        found.status,
-    )
-    return orbit, tried
-
-
-def _approached(
-    kernels: OrbitKernels,
-    values: dict[str, float],
-    target: dict[str, float],
-    solved_for: Sequence[str],
-) -> Full | None:
-    base = solve_full(kernels, values, list(kernels.unknowns))
-    if base.status != CONVERGED:
-        return None
-    found = base
-    for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
-        here = {n: base.values[n] + fraction * (t - base.values[n]) for n, t in target.items()}
-        try:
-            found = solve_full(kernels, found.values | here, solved_for)
-        except InputError:
-            return None
-    return found
-
-
-def _start(
-    kernels: OrbitKernels,
-    point: Point,
-    guess: Sequence[float] | Mapping[str, float] | None,
-    swapped: Sequence[str],
-) -> dict[str, float]:
-    """Return a start for every unknown, and for exchanged parameters if they are given."""
-    guess = guess_by_name(guess, kernels.unknowns, kernels.name, len(kernels.unknowns))
-    variables = [*kernels.unknowns, *swapped]
-    for name in guess:
-        if name not in variables:
-            raise unknown_name("variable", name, variables)
-    reference = kernels.table["reference"]
-    if reference is None and not guess and kernels.unknowns:
-        raise InputError(f"{kernels.name} declares no reference point: give a guess")
-    known = {**(reference["guess"] if reference else {}), **guess}
-    named = {n: float(as_value(value)) for n, value in known.items() if n in variables}
-    if all(name in named for name in kernels.unknowns):
-        return named
-    values = complete(kernels, {}) if reference else point
-    return _fitted(kernels, {**values.values, **values.opened}, named) | named
-
-
-def _fitted(
-    kernels: OrbitKernels, values: Mapping[str, Value], named: Mapping[str, float]
-) -> dict[str, float]:
-    """Return the start's coordinates that fit dwell times, from the composed orbit."""
-    table, system = kernels.table, kernels.system
-    missing = [name for _, _, name in table["phases"] if name not in named]
-    if missing:
-        raise InputError(
-            f"{kernels.name}: the guess has no {', '.join(missing)}: give one, as in"
-            f" --guess {','.join(f'{name}=1' for name in missing)}"
-        )
-    phases = [(configuration, boundary) for configuration, boundary, _ in table["phases"]]
-    dwell = [named[name] for _, _, name in table["phases"]]
-    whole = complete_system(kernels, values).values
-    orbit = solve_itinerary(system, whole, phases, dwell)
-    states = zip(system.table["states"], orbit.states[0].tolist(), strict=True)
-    return {f"{state}0": value for state, value in states}
-
-
-def _check_exchange(
-    kernels: OrbitKernels, swapped: tuple[str, ...], fixed: Mapping[str, object]
-) -> None:
-    for name in swapped:
-        if name not in kernels.parameter_names:
-            raise unknown_name("parameter to solve for", name, kernels.parameter_names)
-    for name in fixed:
-        if name not in kernels.unknowns:
-            raise unknown_name("variable", name, kernels.unknowns)
-    if len(set(swapped)) != len(swapped):
-        raise InputError(f"a parameter is named twice among the unknown: {', '.join(swapped)}")
-    if len(swapped) != len(fixed):
-        raise InputError(
-            f"to be solved for: {', '.join(swapped) or 'no parameter'}; given in place:"
-            f" {', '.join(fixed) or 'no unknown'}: as many of one as of the other are needed"
-        )
+def _check_positive(name: str, number: object) -> None:
+    if isinstance(number, bool) or not isinstance(number, Integral) or int(number) < 1:
+        raise InputError(f"{name} = {number} is not a positive integer")

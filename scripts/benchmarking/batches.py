@@ -16,7 +16,7 @@ from nonsmooth.derive import Harmonic, Parameter, Reference, RigidStop, oscillat
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import compiled_for, load_orbit
-from nonsmooth.runtime.orbits.many import declared_kernels
+from nonsmooth.runtime.orbits.solve import declared_kernels
 
 __all__ = ["batches"]
 

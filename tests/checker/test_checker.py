@@ -640,7 +640,7 @@ RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
 ARITHMETIC = {
     "taylor_models", "jets", "rational_functions", "irrational_numbers", "matrix_chains",
-    "float_sets", "float_flows", "box_grid",
+    "float_sets", "exponentials.float_flows", "box_grid",
     "parallel", "errors",  # no arithmetic: who does which part
 }  # fmt: skip
 
@@ -679,7 +679,8 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for folder in (home / "core", home, home.parent):
         (folder / "__init__.py").touch()
     for name in ARITHMETIC:
-        file = f"core/{name}.py"
+        file = f"core/{name.replace('.', '/')}.py"
+        (home / file).parent.mkdir(exist_ok=True)
         (home / file).write_text(RUNTIME.joinpath(file).read_text())
     for file, source in sources().items():
         (home / "checker" / file).write_text(source)

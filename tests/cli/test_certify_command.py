@@ -95,7 +95,7 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
     code, shown, _ = certify(STICK, *by)
     assert code == 0
     assert "derivative" in shown
-    assert "with e1 by 1 moves ur1 by 1" in shown
+    assert "with e1 by 1 moves: ur1 by 1" in shown
     code, again, _ = certify("check", str(path))
     assert code == 0
     rows = [line.split() for line in shown.splitlines() if line.strip().startswith("tau1 ")]

@@ -12,8 +12,8 @@ from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
+from nonsmooth.runtime.orbits.one_point import search
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.solve import search
 from nonsmooth.runtime.present.report import orbit_json
 from tests.declared import Declared
 

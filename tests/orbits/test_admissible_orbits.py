@@ -12,8 +12,8 @@ from nonsmooth import refine, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
+from nonsmooth.runtime.orbits.one_point import search
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.solve import search
 from tests.declared import RANGES, Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"

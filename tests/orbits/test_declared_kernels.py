@@ -18,7 +18,7 @@ from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background
 from nonsmooth.runtime.model.loading.caching import cache_folder
 from nonsmooth.runtime.model.loading.load import load_path, many_points_key
-from nonsmooth.runtime.orbits.many import declared_kernels
+from nonsmooth.runtime.orbits.solve import declared_kernels
 from nonsmooth.runtime.shooting.multipliers import margins
 from tests.places import GALLERY
 
@@ -230,7 +230,7 @@ def test_wrong_arrays_are_refused_in_the_same_words(
 ) -> None:
     """And before kernels are compiled, which takes seconds."""
     with monkeypatch.context() as elsewhere:
-        elsewhere.setattr("nonsmooth.runtime.orbits.many.declared_kernels", None)
+        elsewhere.setattr("nonsmooth.runtime.orbits.solve.declared_kernels", None)
         with pytest.raises(InputError, match=message) as early:
             ns.solve(ONE_PERIOD, values)
     with pytest.raises(InputError, match=message) as late:

@@ -22,7 +22,7 @@ from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settle
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.many import points_of
+from nonsmooth.runtime.orbits.solve import points_of
 from nonsmooth.runtime.proof.exact_closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 
-from nonsmooth import InputError, Proof, certify, validate
+from nonsmooth import InputError, certify
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
@@ -22,6 +22,7 @@ from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
+from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from tests.declared_motion import DeclaredMotion, mp
 
 FIRST = dict(chi="0.5", eta="1", V="1", us1="1", us2="1", ur1="4.0195", ur2="1.4831")
@@ -47,7 +48,7 @@ def test_friction_agrees_with_60_digits() -> None:
     for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20)):
         motion = DeclaredMotion(dry_friction.system, data)
         for start in starts(seed, 4, Fraction(fastest), spread):
-            proof = validate("dry-friction", data, start, "slip-slip", 16)
+            proof = certify.motion("dry-friction", data, start, "slip-slip", 16)
             assert proof.transitions == 16
             motion.agrees(proof, start, 1e-20)
             seen |= {*proof.configurations}
@@ -60,7 +61,7 @@ def test_friction_agrees_with_60_digits() -> None:
 )
 def test_stops_agree_with_60_digits(declared: Any, more: dict[str, str]) -> None:
     data, start = CHAIN | more, ["0.5", "0.2", "1", "-0.25"]
-    proof = validate(declared.system.name, data, start, "free", 10)
+    proof = certify.motion(declared.system.name, data, start, "free", 10)
     assert proof.transitions == 10
     DeclaredMotion(declared.system, data).agrees(proof, start, 1e-20)
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 import sympy as sp
 
-from nonsmooth import certify, validate
+from nonsmooth import certify
 from nonsmooth.derive import (
     Boundary,
     Condition,
@@ -78,7 +78,7 @@ def forced() -> System:
 )
 def test_a_damped_mass_agrees_with_60_digits(a: str, k: str, g: str, start: list[str]) -> None:
     data = dict(a=a, k=k, g=g, r="1/2")
-    proof = validate(damped(), data, start, "free", 5)
+    proof = certify.motion(damped(), data, start, "free", 5)
     assert proof.transitions == 5
     DeclaredMotion(damped(), data).agrees(proof, start, 1e-28)
 
@@ -89,7 +89,7 @@ def test_a_forced_impact_oscillator_agrees_with_60_digits(w: str) -> None:
     """At resonance and next to it as well: without damping, w = 1 is defective."""
     start = ["0", "0", "1", "0"]
     data = dict(a="0", k="1", f="1", w=w, r="4/5")
-    proof = validate(forced(), data, start, "free", 6)
+    proof = certify.motion(forced(), data, start, "free", 6)
     assert proof.transitions == 6
     DeclaredMotion(forced(), data).agrees(proof, start, 1e-28)
 

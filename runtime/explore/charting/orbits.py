@@ -38,7 +38,7 @@ from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
 from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
-from nonsmooth.runtime.orbits.many import (
+from nonsmooth.runtime.orbits.solve import (
     DeclaredPoints,
     OrbitPoints,
     declared_kernels,

@@ -20,11 +20,15 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_orbit import STEP, check_steps
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
-from nonsmooth.runtime.explore.continuation.stepping import INTERRUPTED, trace_both_ways
+from nonsmooth.runtime.explore.continuation.stepping import (
+    INTERRUPTED,
+    STEP,
+    check_steps,
+    trace_both_ways,
+)
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 

@@ -23,7 +23,9 @@ from nonsmooth.runtime.explore.continuation.monitors import Monitor, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
     INTERRUPTED,
+    STEP,
     Path,
+    check_steps,
     tangent_at,
     trace_both_ways,
 )
@@ -34,9 +36,9 @@ from nonsmooth.runtime.shooting.newton import SHORTEST
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.continue_event import Locus
 
-__all__ = ["STEP", "check_steps", "continue_orbit"]
+__all__ = ["continue_orbit"]
 
-STEP, MOST_POINTS = 0.01, 2000
+MOST_POINTS = 2000
 MET = "it meets the branch that it doubles"
 _NEUTRAL = 1e-10  # distance of a multiplier from the unit circle that is not decided
 
@@ -306,11 +308,3 @@ def _checked(
     if not isinstance(admissible, bool):
         raise InputError(f"admissible = {admissible!r} is neither True nor False")
     return limits
-
-
-def check_steps(step: float, points: int) -> None:
-    """Refuse a largest step (in the curve's units) or a number of points that is not positive."""
-    if not (math.isfinite(step) and step > 0):
-        raise InputError(f"step = {step} is not positive")
-    if isinstance(points, bool) or not isinstance(points, int) or points < 1:
-        raise InputError(f"points = {points} is not a positive integer")

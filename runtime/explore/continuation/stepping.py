@@ -7,14 +7,19 @@ in those of their size, the parameter in that of its interval.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
+
 __all__ = [
     "INTERRUPTED",
+    "STEP",
     "Path",
+    "check_steps",
     "correct",
     "on_chord",
     "scaled_rows",
@@ -22,6 +27,7 @@ __all__ = [
     "trace_both_ways",
 ]
 
+STEP = 0.01  # the largest one, in the curve's units
 MOST_ITERATIONS = 8
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
 LEAST_STEP = 1e-3  # in units of the largest one
@@ -340,3 +346,11 @@ def scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     largest = float(units.max(initial=0.0))
     units = np.maximum(units, _NO_ROW * largest) if largest > 0 else np.ones_like(units)
     return matrix / units[:, None], units
+
+
+def check_steps(step: float, points: int) -> None:
+    """Refuse a largest step (in the curve's units) or a number of points that is not positive."""
+    if not (math.isfinite(step) and step > 0):
+        raise InputError(f"step = {step} is not positive")
+    if isinstance(points, bool) or not isinstance(points, int) or points < 1:
+        raise InputError(f"points = {points} is not a positive integer")
