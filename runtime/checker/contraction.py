@@ -118,7 +118,8 @@ def excluding(linear: Linear) -> bool:
     equations for q are singular could not be distinguished from roots that are far away.
     """
     over, width = linear.over, linear.over.ncols() - 1
-    coordinates = _coordinates(linear)
+    weight = weights(linear.over)
+    coordinates = _coordinates(linear, weight)
     if coordinates is None:
         return True
     column = arb_mat([[x] for x in (*coordinates, arb(1))])
@@ -130,9 +131,10 @@ def excluding(linear: Linear) -> bool:
     share = 1 / linear.largest
     asked = [*linear.asked, *([*(share * int(i == j) for j in range(width)), arb(0, 1)]
                               for i in range(width))]  # fmt: skip
+    further = arb_mat(asked)
     over = arb_mat([*over.tolist(), *asked])
     centre = arb_mat([*linear.centre.tolist(), *asked]).mid()
-    guess = _inverse(centre, weights(over))
+    guess = _inverse(centre, [*weight, *weights(further)])
     if guess is None:
         return False
     determinant = (guess * over).det()
@@ -149,7 +151,7 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
     if linear.trivial:
         return None
     rows, width = linear.centre.nrows(), linear.centre.ncols()
-    coordinates = _coordinates(linear)
+    coordinates = _coordinates(linear, weights(linear.over))
     if coordinates is None:
         return Image(sides, (), unique=False, empty=True, ratio=0.0)
     points = [q.mid() for q in coordinates]
@@ -207,15 +209,16 @@ def weights(over: Any) -> list[float]:
 
     Digits beyond a few count no more, so that weighted rows stay comparable.
     """
-    radii = [max(float(x.rad()) for x in row) for row in over.tolist()]
-    sizes = [max(float(abs(x).lower()) for x in row) for row in over.tolist()]
-    return [
-        1 / (radius + _ENOUGH * size + _LEAST) if radius < math.inf else 1 / _UNKNOWN
-        for radius, size in zip(radii, sizes, strict=True)
-    ]
+    found = []
+    for row in over.tolist():
+        radius = max([float(x.rad()) for x in row])
+        size = max([abs(float(x)) for x in row])
+        finite = radius < math.inf
+        found.append(1 / (radius + _ENOUGH * size + _LEAST) if finite else 1 / _UNKNOWN)
+    return found
 
 
-def _coordinates(linear: Linear) -> list[Any] | None:
+def _coordinates(linear: Linear, weight: Sequence[float]) -> list[Any] | None:
     """Return enclosures of the coordinates q of every root in a box: least squares in balls.
 
     None if they are all too large.
@@ -225,7 +228,7 @@ def _coordinates(linear: Linear) -> list[Any] | None:
         return []
     allowed = [arb(0, linear.largest)] * width
     centre = arb_mat([row[:width] for row in linear.centre.mid().tolist()])
-    guess = _inverse(centre, weights(over))
+    guess = _inverse(centre, weight)
     if guess is None:
         return allowed
     product = (guess * over).tolist()
