@@ -23,6 +23,7 @@ __all__ = [
     "floats_around",
     "inside",
     "middles_of",
+    "regular",
     "share_of",
     "touching",
     "weights",
@@ -109,28 +110,34 @@ def share_of(part: Sides, whole: Sides) -> float:
 
 
 def excluding(linear: Linear) -> bool:
-    """Return whether no point of a box is a root with coordinates that are not too large.
+    """Return whether one equation has no solution in a box, whatever the coordinates are there.
 
-    First all coordinates that a root may have are tried in each equation. For any matrix C, a
-    vector v with G v = 0 makes C G singular, too; C is about the inverse of G in the middle, in
-    which rows count less the less is known of them. That q is not too large is one more row for
-    each coordinate: q / largest = a number in [-1, 1]. Without these rows a curve on which the
-    equations for q are singular could not be distinguished from roots that are far away.
+    All coordinates that a root may have are tried in each equation.
     """
-    over, width = linear.over, linear.over.ncols() - 1
     coordinates = _coordinates(linear)
     if coordinates is None:
         return True
     column = arb_mat([[x] for x in (*coordinates, arb(1))])
-    rows = arb_mat([*over.tolist(), *linear.asked])
-    if any(x > 0 or x < 0 for x in (rows * column).entries()):
-        return True
+    rows = arb_mat([*linear.over.tolist(), *linear.asked])
+    return any(x > 0 or x < 0 for x in (rows * column).entries())
+
+
+def regular(linear: Linear) -> bool:
+    """Return whether no point of a box is a root, since G has full rank all over it.
+
+    For any matrix C, a vector v with G v = 0 makes C G singular, too; C is about the inverse of G
+    in the middle, in which rows count less the less is known of them. That q is not too large is
+    one more row for each coordinate: q / largest = a number in [-1, 1]. Without these rows a curve
+    on which the equations for q are singular could not be distinguished from roots that are far
+    away.
+    """
+    width = linear.over.ncols() - 1
     if width == 0:
         return False
     share = 1 / linear.largest
     asked = [*linear.asked, *([*(share * int(i == j) for j in range(width)), arb(0, 1)]
                               for i in range(width))]  # fmt: skip
-    over = arb_mat([*over.tolist(), *asked])
+    over = arb_mat([*linear.over.tolist(), *asked])
     centre = arb_mat([*linear.centre.tolist(), *asked]).mid()
     guess = _inverse(centre, weights(over))
     if guess is None:
@@ -207,12 +214,13 @@ def weights(over: Any) -> list[float]:
 
     Digits beyond a few count no more, so that weighted rows stay comparable.
     """
-    radii = [max(float(x.rad()) for x in row) for row in over.tolist()]
-    sizes = [max(float(abs(x).lower()) for x in row) for row in over.tolist()]
-    return [
-        1 / (radius + _ENOUGH * size + _LEAST) if radius < math.inf else 1 / _UNKNOWN
-        for radius, size in zip(radii, sizes, strict=True)
-    ]
+    found = []
+    for row in over.tolist():
+        radius = max([float(x.rad()) for x in row])
+        size = max([abs(float(x)) for x in row])
+        finite = radius < math.inf
+        found.append(1 / (radius + _ENOUGH * size + _LEAST) if finite else 1 / _UNKNOWN)
+    return found
 
 
 def _coordinates(linear: Linear) -> list[Any] | None:

@@ -19,6 +19,7 @@ from nonsmooth.runtime.checker.contraction import (
     enclosed,
     excluding,
     inside,
+    regular,
     share_of,
     touching,
 )
@@ -62,7 +63,7 @@ class CoveringBox:
 
     @cached_property
     def excluded(self) -> bool:
-        """Whether the linear equations for the coordinates have no solution anywhere in it."""
+        """Whether one of the linear equations has no solution anywhere in it."""
         return self.linear is None or excluding(self.linear)
 
     @cached_property
@@ -77,9 +78,10 @@ class CoveringBox:
 
     @cached_property
     def empty(self) -> bool:
-        """Whether no root is in the box, by its image."""
+        """Whether no root is in the box, by its image, or since its equations have full rank."""
         apart = self.image is not None and self.image.empty
-        return apart or any(low > high for low, high in self.kept)
+        apart = apart or any(low > high for low, high in self.kept)
+        return apart or (self.linear is not None and regular(self.linear))
 
     @cached_property
     def root(self) -> Root | None:

@@ -28,6 +28,8 @@ __all__ = ["DwellEquations", "Given", "Setting"]
 _TERMS = 48
 _FLOW_TERMS = 16
 _TINY = arb(2) ** -40
+_WIDE = 0.25  # norm of field and width of a side: the flow over a wider one is that of its halves
+_WIDEST = 64  # but not over one that is wider still, which would take many
 _SERIES = 4  # norm of field and time up to which the divided flow is summed as a series
 _KEPT = 40_000  # matrix exponentials
 
@@ -322,7 +324,17 @@ class DwellEquations:
         if found is None:
             if len(self._kept) >= _KEPT:
                 self._kept.clear()
-            found = self._kept[key] = self._computed(place, time, divided)
+            low, high = side
+            middle = low + (high - low) / 2
+            found = None
+            if _WIDE < self._norms[place] * (high - low) < _WIDEST and low < middle < high:
+                # the halves recur where boxes are cut, and the flow over a wide side is known badly
+                halves = [
+                    self._flow(place, arb(a).union(arb(b)), (a, b), divided)
+                    for a, b in ((low, middle), (middle, high))
+                ]
+                found = _Flow(*(_hull(*pair) for pair in zip(*halves, strict=True)))
+            found = self._kept[key] = found or self._computed(place, time, divided)
         return found
 
     def _computed(self, place: int, time: Any, divided: bool) -> _Flow:
@@ -376,6 +388,12 @@ def _still(declared: StatedSystem, place: int, kept: Any) -> tuple[Any, Any] | N
     time = [-n / speed for n in step.exit]
     ends = [[f * time[j] + int(i == j) for j in range(size + 1)] for i, f in enumerate(velocity)]
     return ends, time
+
+
+def _hull(first: Any, second: Any) -> Any:
+    """Return a matrix of balls around those of two matrices."""
+    pairs = zip(first.entries(), second.entries(), strict=True)
+    return arb_mat(first.nrows(), first.ncols(), [x.union(y) for x, y in pairs])
 
 
 def _sharper(first: Any, second: Any) -> Any:

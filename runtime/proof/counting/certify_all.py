@@ -205,10 +205,10 @@ class _TreeSearch:
         """The letter for a box, and the patience with those in it."""
         if part.excluded:
             return "-", 0
+        if patience == 0 and part.empty:
+            return "-", 0
         image = None if patience else part.image
         if image is not None:
-            if part.empty:
-                return "-", 0
             if part.root is not None:
                 return "*", 0
             if share_of(part.kept, part.sides) < _SHRUNK:
