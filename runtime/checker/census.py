@@ -29,6 +29,7 @@ _SIDE = re.compile(r"(?P<low>.+?) (?P<strict><=?) (?P<name>\w+)(?: <= (?P<high>.
 _MOST_TURNS = 1000
 _WINDOW = -0.0618  # of a forcing's period: where its times begin, away from where it is even
 _LITTLE = 1e-12
+_TURN = "forcing-phase"  # in place of a boundary
 # of a census, and of the certificates of its orbits
 _SHARED = ("system", "orbit", "itinerary", "bits", "parameters", "given_period", "declaration")
 
@@ -103,6 +104,9 @@ class Counting:
             demand(closing["kind"] == "state" or not period, "a period beside a forcing's")
             content = {**asked, "closing": closing}
             self.declared = declared = StatedSystem(content, values, stated)
+            for phase in asked["declaration"]["phases"]:
+                demand(len(phase["boundaries"]) == 1, "several boundaries end a phase at once")
+                demand(phase["boundaries"] != [_TURN], "a phase ends with the forcing's period")
             if declared.forcing:
                 closing["turns"] = _common_turns(declared)
                 declared.closes()
@@ -137,7 +141,8 @@ class Counting:
     @property
     def part(self) -> int:
         """Number of phases after which the itinerary repeats itself: all of them, as a rule."""
-        phases = self.asked["itinerary"]
+        ways = ("configuration", "boundaries", "transition")
+        phases = [[phase[name] for name in ways] for phase in self.asked["declaration"]["phases"]]
         return next(k for k in range(1, len(phases) + 1) if phases == phases[k:] + phases[:k])
 
 
@@ -175,7 +180,7 @@ class CountedBox:
         speeds = [number(field[s][c]) for c, s in declared.forcing]
         demand(all(speed > 0 or speed < 0 for speed in speeds), "a forcing does not turn")
         unit = 2 * arb.pi() * self.counting.turns / abs(speeds[0])
-        first = float(unit.mid())
+        first = float(unit.upper())
         window = (_WINDOW * first, (1 + _WINDOW) * first * (1 + _LITTLE))
         least, most = (sum(bound[k] for bound in bounds) for k in (0, 1))
         demand(most < _MOST_TURNS * first, f"the box holds more than {_MOST_TURNS} forcing periods")
@@ -269,6 +274,9 @@ class CountedBox:
                 demand(inside, f"{name} is not where it was counted")
             for side in self.sides:
                 demand(side.holds(own[side.name]), f"{side.name} is not in the box")
+            if (unit := equations.given.unit) is not None:
+                missed = abs(own["period"] - equations.given.period)
+                demand(missed < unit / 2, "the forcing turns another number of times")
             declared = self.counting.declared
             state = equations.carried([own[name] for name in declared.start], own)
             small = all(abs(state[k]) <= self.largest for k in self.setting.places)

@@ -193,7 +193,7 @@ class DwellEquations:
         """
         share, (low, high) = arb("0.5 +/- 0.5"), side
         if high < math.inf:
-            return [*row[:-1], row[-1] - (low + (high - low) * share)]
+            return [*row[:-1], row[-1] - (low + (arb(high) - low) * share)]
         return [*(share * x for x in row[:-1]), share * (row[-1] - low + scale) - scale]
 
     def dwell(self, sides: Sides, coordinates: Sequence[Any]) -> dict[str, Any]:
@@ -437,7 +437,10 @@ def _norm(field: Any) -> Any:
     """Return the largest absolute column sum of a matrix, rounded up."""
     size = field.nrows()
     sums = [sum((abs(field[i, j]).upper() for i in range(size)), arb(0)) for j in range(size)]
-    return max((total.upper() for total in sums), key=float)
+    largest = arb(0)
+    for total in sums:
+        largest = largest.max(total.upper())
+    return largest.upper()
 
 
 def _powers(field: Any, row: Any) -> list[Any]:

@@ -166,7 +166,7 @@ def simulate(
     "find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831 x1=-4:4 x2=-4:4"
     " --starts 800 --save found.json",
     after="Then found.json:1 is an orbit for every command, and `nonsmooth chart found.json"
-    " x=-3:3:40 v=-1:1:40 --out basins.zarr` maps the basins of all that is found.",
+    " x1=-4:4:40 x2=-4:4:40 --out basins.zarr` maps the basins of all that is found.",
     save=Save,
     long=True,
     several=True,

@@ -40,6 +40,9 @@ class Certify:
     motion = staticmethod(validate)
     check = staticmethod(check_certificate)
 
+    def __repr__(self) -> str:
+        return "certify, with its methods for more than an orbit: help(nonsmooth.certify)"
+
     def __init__(self) -> None:
         self.__signature__ = signature(certify_orbit)  # Python 3.11 takes its first name for self
 

@@ -9,7 +9,7 @@ takes one exact point, `complete_arrays` many points at once, as arrays that bro
 What an orbit leaves open
 -------------------------
 An orbit that is given by e1 and e2 leaves us1 and us2 open: its equations do not depend on
-them, and it is admissible for all that exceed a bound. `solve`, `solve_many` and `chart` leave
+them, and it is admissible for all that exceed a bound. `solve` and `chart` leave
 them open and tell the bound. A proof, a branch that is switched at an event and whatever else
 needs all parameters of the system chooses those that are open, in the system's order, by one
 rule, and tells what it chose:

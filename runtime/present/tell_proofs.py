@@ -320,7 +320,7 @@ def _basin(found: BasinCertificate) -> Told:
             tiles = f"{int(found.attracted.sum())} attracted of {int(found.looked.sum())} looked at"
             sides = ", ".join(f"{side:g}" for side in found.tiles.sides)
             share = f"{_DOWN.create_decimal(100 * found.share)} % of the box"
-            rows.append(("tiles", [tiles, f"of {found.looked.size}", share, f"sides {sides}"]))
+            rows.append(("tiles", [f"{tiles}, of {found.looked.size}", share, f"sides {sides}"]))
         about = _centre(found, found.core.centre)
         told = f"{_power(found)} contracts a set about {about}, by less than {found.contraction}"
         bounds = found.to_json()["section"]["bounds"]

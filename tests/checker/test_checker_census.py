@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+import sympy as sp
 from flint import arb
 from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    SecondOrder,
+    System,
+    Transition,
+)
+from nonsmooth.runtime.checker import Failure, check_census
 from nonsmooth.runtime.checker.census import Side
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.checking.check_file import Check
 from nonsmooth.runtime.proof.counting.census import Census
-from tests.certified import LOOP, claimed, kicked, signed, unhashed
+from tests.certified import LOOP, PAD, claimed, kicked, signed, struck, struck_together, unhashed
 
 
 @cache
@@ -202,3 +213,81 @@ def test_bounds_belong_to_a_box(side: str, inside: bool) -> None:
 def test_what_are_no_bounds_is_refused(side: str) -> None:
     with pytest.raises(Failure):
         Side.stated(side)
+
+
+def waiting() -> Any:
+    """A swing that waits for the phase of its forcing before it is struck anew."""
+    x, v, c, s = sp.symbols("x v c s", real=True)
+    half = sp.Rational(1, 2)
+    turning = [[0, 0, 0, -half], [0, 0, half, 0]]
+    swinging = [[0, 1, 0, 0], [-(half**2), 0, 0, 0]]
+    return System(
+        "waits",
+        "a swing that waits for its forcing",
+        (x, v, c, s),
+        (),
+        (
+            Configuration("fly", FirstOrder([*swinging, *turning]), (Boundary("back", -x),)),
+            Configuration("wait", FirstOrder([[0] * 4] * 2 + turning), (Boundary("go", s - half),)),
+        ),
+        (
+            Transition("fly", {"back"}, "wait", (), {x: sp.Integer(0), v: sp.Integer(0)}),
+            Transition("wait", {"go"}, "fly", (), {x: sp.Integer(0), v: sp.Integer(1)}),
+        ),
+        forcing=((c, s),),
+    )  # fmt: skip
+
+
+def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path: Path) -> None:
+    """An orbit that waits for one turn has the start of one that waits for two."""
+    path, phases = tmp_path / "waits.json", [("fly", "back"), ("wait", "go")]
+    census = ns.certify.all(waiting(), {}, {"tau1": (1, 9), "tau2": (1, 25)}, itinerary=phases)
+    census.save(path)
+    assert ns.certify.check(path).difference is None
+    assert (census.count, census.admissible) == (4, 1)
+    content = json.loads(path.read_text())
+    (admissible,) = (
+        o for o in content["orbits"] if o["certificate"]["claims"]["admissibility"] == "proved"
+    )
+    for place, orbit in enumerate(content["orbits"]):
+        if orbit is not admissible:
+            changed = copy.deepcopy(content)
+            changed["orbits"][place]["certificate"] = copy.deepcopy(admissible["certificate"])
+            assert checked(_stated(changed), tmp_path).difference is not None
+
+
+def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path: Path) -> None:
+    """Kicked in two ways by turns, an orbit has not the half of the phases that it names twice."""
+    x, v = sp.symbols("x v", real=True)
+    system = System(
+        "kicked-by-turns",
+        "kicked in one of two ways",
+        (x, v),
+        (),
+        (
+            Configuration("right", SecondOrder([[1]], [[1]]), (Boundary("falls", -x),)),
+            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
+        ),
+        (
+            Transition("right", {"falls"}, "left"),
+            Transition("left", {"rises"}, "right", (Condition(v - 3, "left"),), {v: v / 2 + 1}),
+            Transition("left", {"rises"}, "right", (), {v: v / 2 + sp.Rational(101, 100)}),
+        ),
+    )
+    path, sides = tmp_path / "turns.json", [("2", "4"), ("1", "2")] * 2
+    box = {f"tau{k}": side for k, side in enumerate(sides, 1)}
+    ns.certify.all(system, {}, box, itinerary=LOOP * 2).save(path)
+    content = json.loads(path.read_text())
+    for phase, transition in zip(content["declaration"]["phases"], (0, 1, 0, 2), strict=True):
+        phase["transition"] = transition
+    with pytest.raises(Failure):
+        check_census(signed(content))
+
+
+def test_what_meets_no_boundary_or_two_at_once_is_not_counted() -> None:
+    """Their equations hold elsewhere too: half a turn later, or where one of two is not reached."""
+    with pytest.raises(ns.InputError, match="several boundaries end a phase"):
+        ns.certify.all(struck(), {"c": 0}, {"tau1": (7, 8)},
+                       itinerary=struck_together().itinerary[:1])  # fmt: skip
+    with pytest.raises(ns.InputError, match="a phase ends with the forcing's period"):
+        ns.certify.all(PAD, {"Omega": 3}, {"tau1": 3}, itinerary=[("free", "forcing-phase")])

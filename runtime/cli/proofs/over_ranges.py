@@ -49,7 +49,6 @@ Seconds = Annotated[
     float | None,
     typer.Option(
         "--seconds",
-        min=0,
         metavar="S",
         help="After so long nothing more is begun; --resume goes on.",
     ),

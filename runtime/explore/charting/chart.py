@@ -101,7 +101,7 @@ def chart(
     Parameters
     ----------
     orbit : str
-        As for `solve_many`; with `simulate` the name of a system. A file of found orbits,
+        As for `solve`; with `simulate` the name of a system. A file of found orbits,
         ``found.json``: their basins over states. The folder F.zarr of a chart that is begun,
         alone, goes on with it: it holds its orbit, and no other file is read.
     store : path, optional

@@ -52,7 +52,7 @@ __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 class OrbitChart:
     """The chart problem of an orbit over a grid of parameters."""
 
-    orbit: str  # as `solve_many` takes it, or the name that a store gives it
+    orbit: str  # as `solve` takes it, or the name that a store gives it
     fixed: tuple[tuple[str, float], ...]  # all parameters that are not swept
     given: tuple[str, ...]  # names that the user fixed or swept
     compiled: bool  # whether there were compiled kernels when the chart began

@@ -77,8 +77,9 @@ def validate(
 
     Examples
     --------
+    >>> import nonsmooth as ns
     >>> data = dict(chi="0.5", eta="1", V="1", us1="1", us2="1", ur1="4.0195", ur2="1.4831")
-    >>> proof = validate("dry-friction", data, ["5", "4", "0.5", "0.25"], "slip-slip", 2)
+    >>> proof = ns.certify.motion("dry-friction", data, ["5", "4", "0.5", "0.25"], "slip-slip", 2)
     >>> proof.decided, proof.configurations
     (True, ('slip-slip', 'slip-stick', 'slip-slip'))
     """
