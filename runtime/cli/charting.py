@@ -30,7 +30,7 @@ MOST_COUNTED = 20_000_000  # points that the summary reads again
     "chart dry-friction/global-stick V=0.8:1.3:5000 chi=0.45 --chunk 1000 --out line.zarr",
     "chart dry-friction V=0.2:1.2:20 eta=1:5:20 chi=0.4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
     " --from x1=0,x2=0,v1=0,v2=0 --out A.zarr",
-    "chart found.json x1=-4:4:40 x2=-4:4:40 --out basins.zarr",
+    "chart found.json x=-3:0:40 v=-2:2:40 --out basins.zarr",
 )
 def chart(
     name: Annotated[

@@ -135,7 +135,7 @@ def list_orbits(
     "solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2",
     "solve dry-friction/global-stick --save orbit.json",
     "solve dry-friction/global-stick --derivatives eta,V",
-    "solve found.json:1 V=1.01 --digits 30",
+    "solve found.json:1 Omega=2.5 --digits 30",
     save=Save,
 )
 def solve(
