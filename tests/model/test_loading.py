@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import functools
 import gc
-import itertools
 import linecache
 import math
 import os
 import subprocess
 import sys
 import traceback
-import tracemalloc
+import weakref
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -509,31 +509,31 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
     assert caching.cached("text", lambda: "again") == "ours"
 
 
-@pytest.mark.slow
 def test_memory_does_not_grow_with_what_was_loaded() -> None:
-    """Sixteen systems more take less than their texts: these are kept packed."""
+    """Of all systems but the last four a packed text is kept, which is shorter than the text."""
     text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))
-    known, lines, numbers = caching.Modules(4), len(linecache.cache), itertools.count()
-
-    def held(count: int) -> int:
-        """Bytes that so many more of them take, the last four among them; not other threads'."""
-        gc.collect()
-        tracemalloc.start()
-        for _ in range(count):
-            number = str(next(numbers))
-            known.add(number, text.replace("{0}", number), f"<m{number}>")
-            assert int(number) == known[number].VALUE
-        gc.collect()
-        snapshot = tracemalloc.take_snapshot()
-        tracemalloc.stop()
-        places = (str(sys.modules[caching.Modules.__module__].__file__), __file__, "<m*>")
-        taken = snapshot.filter_traces([tracemalloc.Filter(True, place) for place in places])
-        return sum(trace.size for trace in taken.traces)
-
-    few = held(8)
-    assert held(24) - few < 16 * len(text) * 3 // 4
+    known, lines, modules = caching.Modules(4), len(linecache.cache), []
+    for number in range(32):
+        known.add(str(number), text.replace("{0}", str(number)), f"<m{number}>")
+        modules.append(weakref.ref(known[str(number)]))
+        assert number == known[str(number)].VALUE
+    gc.collect()
+    assert [number for number, module in enumerate(modules) if module()] == [28, 29, 30, 31]
     assert len(linecache.cache) <= lines + 4
+    assert _bytes_of_texts(known) < 32 * len(text) // 2
     assert [known[str(i)].VALUE for i in range(32)] == list(range(32))
+
+
+def _bytes_of_texts(known: caching.Modules) -> int:
+    """Bytes of all texts that are reached from the known modules, but through these themselves."""
+    seen: dict[int, object] = {}
+    pending: list[object] = [vars(known)]
+    while pending:
+        found = pending.pop()
+        if id(found) not in seen and not isinstance(found, (ModuleType, FunctionType, type)):
+            seen[id(found)] = found
+            pending += gc.get_referents(found)
+    return sum(sys.getsizeof(text) for text in seen.values() if isinstance(text, str | bytes))
 
 
 def test_what_is_packed_solves_and_tells_its_lines(
