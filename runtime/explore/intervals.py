@@ -13,7 +13,7 @@ from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.one_point import solve_kernels
-from nonsmooth.runtime.orbits.solve import solve_many
+from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 
 __all__ = ["Interval", "admissible_intervals", "singular_values"]
@@ -58,7 +58,7 @@ def admissible_intervals(
     kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
 
     def allowed(values: np.ndarray) -> np.ndarray:
-        found = solve_many(orbit, others | {parameter: values})
+        found = solve(orbit, others | {parameter: values})
         return np.asarray(found.admissible)
 
     inside = allowed(grid)

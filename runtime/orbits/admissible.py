@@ -138,7 +138,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     if violations:
         return Admissibility(False, tuple(violations), ())
     least = dict.fromkeys(orbit.problem.left_open(orbit), 0.0)
-    curves = list(boundary_curves(kernels, orbit))
+    curves = list(boundary_curves(orbit))
     measures = [float(orbit.values[n]) for n in kernels.table["measures"]]
     for number, time, excess in _crossings(
         kernels, orbit.name, curves, measures, dwell, least, orbit.opened
@@ -225,18 +225,14 @@ def _check_length(name: str, configuration: str, function: BoundaryCurve, durati
         )
 
 
-def boundary_curves(
-    kernels: OrbitKernels, orbit: Orbit
-) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+def boundary_curves(orbit: Orbit) -> Iterator[tuple[Boundary, BoundaryCurve]]:
     """Yield each boundary of each phase with its function of the time since the phase's start.
 
     The boundaries come in the kernels' order. The contribution of an open parameter is
     left out of the functions.
     """
-    parameters = np.array([float(orbit.values[name]) for name in kernels.parameter_names])
-    unknowns = np.array([float(orbit.values[name]) for name in kernels.unknowns])
     dwell = orbit.dwell_times.astype(float)
-    (curves,) = _curves(kernels, parameters[None], unknowns[None], dwell[None])
+    (curves,) = _curves(orbit.kernels, *orbit.kernel_point, dwell[None])
     yield from curves()
 
 

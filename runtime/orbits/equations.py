@@ -45,7 +45,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
     ShootingDerivatives,
-    dependent_variational,
+    dependent,
     itinerary_shape,
     numbers_in,
     shoot,
@@ -361,7 +361,7 @@ class TableEquations:
 
     def multipliers(self, x: np.ndarray) -> np.ndarray:
         """See `KernelEquations`."""
-        matrices = dependent_variational(self._shot(x))
+        matrices = dependent(self._shot(x)).variational[..., :-1]
         if self._driven is not None:
             field = self._tables(x).fields[:, self._cycle.configurations[0]]
             start = self._unknowns(x)[1]

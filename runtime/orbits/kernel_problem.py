@@ -375,9 +375,7 @@ def _open_bounds(orbits: Iterable[Orbit]) -> dict[str, float]:
         kernels = orbit.kernels
         if not kernels.open_parameters:
             continue
-        point = np.array([[float(orbit.values[name]) for name in kernels.parameter_names]])
-        unknowns = np.array([[float(orbit.values[name]) for name in kernels.unknowns]])
-        limit, bounds = kernel_limits(kernels, point, unknowns)
+        limit, bounds = kernel_limits(kernels, *orbit.kernel_point)
         for table, bound in zip(kernels.open_parameters, bounds[0].tolist(), strict=True):
             if limit[0] == NEITHER:
                 found[table.name] = max(bound, found.get(table.name, 0.0))
@@ -391,7 +389,9 @@ def assess_stability(orbit: Orbit) -> Stability:
     orbit, both are computed with more. The verdict is "undecided" where more digits
     cannot be had.
     """
-    if orbit.precise or not frequency_spread(orbit.kernels, _spectrum(orbit)) > _WIDE:
+    kernels = orbit.kernels
+    spectrum, _ = kernels.spectrum([float(orbit.values[name]) for name in kernels.parameter_names])
+    if orbit.precise or not frequency_spread(kernels, spectrum) > _WIDE:
         return _assessed(orbit)
     try:
         found = _assessed(refine_kernels(orbit, DOUBLE, "flint"))
@@ -402,11 +402,6 @@ def assess_stability(orbit: Orbit) -> Stability:
     )
     trace, margin = float(found.trace), float(found.margin)
     return replace(found, multipliers=multipliers, trace=trace, margin=margin)
-
-
-def _spectrum(orbit: Orbit) -> np.ndarray:
-    values = [float(orbit.values[name]) for name in orbit.kernels.parameter_names]
-    return np.asarray(orbit.kernels.spectrum(values)[0])
 
 
 def _assessed(orbit: Orbit) -> Stability:

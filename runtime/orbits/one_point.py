@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.core.values import Value, parse
 from nonsmooth.runtime.model.completion import Point, complete, complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.parameters import in_domain
@@ -21,7 +21,8 @@ from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import (
     CONTINUATION_STEPS,
-    guess_by_name,
+    named_guess,
+    phases_and_dwell,
     solve_itinerary,
     steps_between,
     value_of,
@@ -318,16 +319,11 @@ def _start(
     swapped: Sequence[str],
 ) -> dict[str, float]:
     """Return a start for every unknown, and for exchanged parameters if they are given."""
-    guess = guess_by_name(guess, kernels.unknowns, kernels.name, len(kernels.unknowns))
-    variables = [*kernels.unknowns, *swapped]
-    for name in guess:
-        if name not in variables:
-            raise unknown_name("variable", name, variables)
-    reference = kernels.table["reference"]
-    if reference is None and not guess and kernels.unknowns:
+    unknowns, reference = kernels.unknowns, kernels.table["reference"]
+    others = dict(zip(swapped, swapped, strict=True))
+    named = named_guess(kernels, guess, unknowns, len(unknowns), others)
+    if reference is None and not named and unknowns:
         raise InputError(f"{kernels.name} declares no reference point: give a guess")
-    known = {**(reference["guess"] if reference else {}), **guess}
-    named = {n: float(as_value(value)) for n, value in known.items() if n in variables}
     if all(name in named for name in kernels.unknowns):
         return named
     values = complete(kernels, {}) if reference else point
@@ -338,15 +334,7 @@ def _fitted(
     kernels: OrbitKernels, values: Mapping[str, Value], named: Mapping[str, float]
 ) -> dict[str, float]:
     """Return the start's coordinates that fit dwell times, from the composed orbit."""
-    table, system = kernels.table, kernels.system
-    missing = [name for _, _, name in table["phases"] if name not in named]
-    if missing:
-        raise InputError(
-            f"{kernels.name}: the guess has no {', '.join(missing)}: give one, as in"
-            f" --guess {','.join(f'{name}=1' for name in missing)}"
-        )
-    phases = [(configuration, boundary) for configuration, boundary, _ in table["phases"]]
-    dwell = [named[name] for _, _, name in table["phases"]]
+    system, (phases, dwell) = kernels.system, phases_and_dwell(kernels, named)
     whole = complete_system(kernels, values).values
     orbit = solve_itinerary(system, whole, phases, dwell)
     states = zip(system.table["states"], orbit.states[0].tolist(), strict=True)

@@ -163,6 +163,16 @@ class Orbit(Shown):
         return {**given, **self.unknowns}
 
     @property
+    def kernel_point(self) -> tuple[np.ndarray, np.ndarray]:
+        """Parameters (1, p) and unknowns (1, n) as the kernels take them, in double precision."""
+        kernels, values = self.kernels, self.values
+        parameters, unknowns = (
+            np.array([[float(values[name]) for name in names]])
+            for names in (kernels.parameter_names, kernels.unknowns)
+        )
+        return parameters, unknowns
+
+    @property
     def parameters(self) -> dict[str, Any]:
         """All parameters of the equations: exactly as given, or the number solved for."""
         known = {**self.unknowns, **self.given}

@@ -50,7 +50,6 @@ __all__ = [
     "declared_kernels",
     "points_of",
     "solve",
-    "solve_many",
 ]
 
 AnyOrbit = str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels
@@ -442,18 +441,10 @@ def solve(
         points = "one parameter point" if several else "many parameter points, as arrays give them,"
         raise InputError(f"{' and '.join(wrong)}: of {points} only")
     if several:
-        return solve_many(
-            orbit,
-            values,
-            guess,
-            itinerary=itinerary,
-            given=fixed or None,
-            multipliers=multipliers,
-            admissibility=admissibility,
-            threads=threads,
-            chunk=chunk,
-            derivatives=derivatives,
-        )
+        options: Any = {"admissibility": admissibility, "threads": threads}
+        found = _solve_many(orbit, values, guess, itinerary, fixed, multipliers, chunk, **options)
+        by = one_or_several(derivatives)
+        return replace(found, derivatives=derivatives_of_many(found, by, threads)) if by else found
     named, swapped = cast("Any", orbit), one_or_several(unknown)
     if itinerary is not None:
         system, period = kernels_of(named), period_in(swapped, fixed)
@@ -476,49 +467,32 @@ def solve(
     return refine(found, digits) if digits > DOUBLE and found.converged else found
 
 
-def solve_many(
-    orbit: str | DeclaredOrbit | DeclaredSystem | OrbitKernels | SystemKernels,
-    parameters: Mapping[str, Any] | None = None,
-    guess: Any = None,
-    *,
-    itinerary: Itinerary | None = None,
-    given: Mapping[str, Any] | None = None,
-    multipliers: bool = False,
-    admissibility: bool = True,
-    threads: int | None = None,
-    chunk: int | None = None,
-    derivatives: Sequence[str] | str = (),
+def _solve_many(
+    orbit: Any,
+    values: dict[str, Any],
+    guess: Any,
+    itinerary: Itinerary | None,
+    given: dict[str, Any],
+    multipliers: bool,
+    chunk: int | None,
+    **options: Any,
 ) -> Orbits:
-    """Find the orbit of an itinerary at many parameter points, as `solve` does of arrays.
-
-    What is found at a point depends on nothing but its own parameters: not on `threads`,
-    `chunk` or on other points.
-    """
-    values = by_name("parameters", parameters)
-    options: Any = {"admissibility": admissibility, "threads": threads}
-    chunk = CHUNK if chunk is None else chunk
-    _check_positive("chunk", chunk)
-    if threads is not None:
-        _check_positive("threads", threads)
-    system_or_orbit: Any = orbit
+    """Return the orbits of an itinerary, or of a name, at many parameter points."""
+    counts = {"chunk": CHUNK if chunk is None else chunk, "threads": options["threads"]}
+    for name, count in counts.items():
+        if count is not None:
+            _check_positive(name, count)
     if itinerary is not None:
-        system, period = kernels_of(system_or_orbit), period_in((), by_name("given", given))
+        system, period = kernels_of(orbit), period_in((), given)
         phases, dwell, start = guess_along(system, itinerary, guess)
         options |= {"multipliers": multipliers}
-        found = solve_itineraries(system, phases, values, dwell, start, period, **options)
-    else:
-        beside = {
-            "guess": guess is not None, "given": given is not None, "multipliers": multipliers
-        }  # fmt: skip
-        if any(beside.values()):
-            wrong = " and ".join(name for name, is_given in beside.items() if is_given)
-            raise InputError(f"{wrong}: of an itinerary only, beside its system")
-        known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(system_or_orbit)
-        points, values = _named_points(known, values)
-        found = points.solve(values, chunk=chunk, **options)
-    if not (by := one_or_several(derivatives)):
-        return found
-    return replace(found, derivatives=derivatives_of_many(found, by, threads))
+        return solve_itineraries(system, phases, values, dwell, start, period, **options)
+    beside = {"guess": guess is not None, "given": bool(given), "multipliers": multipliers}
+    if wrong := [name for name, is_given in beside.items() if is_given]:
+        raise InputError(f"{' and '.join(wrong)}: of an itinerary only, beside its system")
+    known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(orbit)
+    points, values = _named_points(known, values)
+    return points.solve(values, chunk=counts["chunk"], **options)
 
 
 def _named_points(

@@ -52,8 +52,9 @@ __all__ = [
     "CONTINUATION_STEPS",
     "Symmetries",
     "fitted_start",
-    "guess_by_name",
+    "named_guess",
     "period_in",
+    "phases_and_dwell",
     "solve_declared",
     "solve_itinerary",
     "steps_between",
@@ -166,20 +167,50 @@ def period_in(
     return (given or {}).get(PERIOD)
 
 
-def guess_by_name(
-    guess: Sequence[float] | Mapping[str, float] | None, names: Sequence[str], of: str, least: int
-) -> Mapping[str, float]:
-    """Return a guess by the names of the unknowns, of all or of the first `least` of them.
+def named_guess(
+    kernels: OrbitKernels,
+    guess: Sequence[float] | Mapping[str, float] | None,
+    names: Sequence[str],
+    least: int,
+    others: Mapping[str, str],
+) -> dict[str, float]:
+    """Return a guess by the names of what is solved for, above that of the reference.
 
-    `InputError` is raised for another number of them, in words `of` an orbit of this name.
+    A sequence has values for all the names of the unknowns, or for the first `least` of them.
+    By name `others` may be given too, which are mapped to what they stand for. `InputError` is
+    raised for another number of values, and for other names.
     """
+    reference = kernels.table["reference"]
     if guess is None or isinstance(guess, Mapping):
-        return guess or {}
-    if len(guess) not in (len(names), least):
+        given = guess or {}
+    elif len(guess) in (len(names), least):
+        given = dict(zip(names, guess, strict=False))
+    else:
         raise InputError(
-            f"the guess has {len(guess)} values, {of} has {len(names)} unknowns: {', '.join(names)}"
+            f"the guess has {len(guess)} values, {kernels.name} has {len(names)} unknowns:"
+            f" {', '.join(names)}"
         )
-    return dict(zip(names, guess, strict=False))
+    allowed = {*names, *others}
+    for name in given:
+        if name not in allowed:
+            raise unknown_name("variable", str(name), [*dict.fromkeys((*names, *others.values()))])
+    known = {**(reference["guess"] if reference else {}), **given}
+    return {others.get(n, n): float(value_of(n, x)) for n, x in known.items() if n in allowed}
+
+
+def phases_and_dwell(
+    kernels: OrbitKernels, named: Mapping[str, float]
+) -> tuple[list[tuple[str, str]], list[float]]:
+    """Return the declared phases, and a guess of each one's dwell time, all of which have to be."""
+    table = kernels.table["phases"]
+    missing = [name for _, _, name in table if name not in named]
+    if missing:
+        raise InputError(
+            f"{kernels.name} declares no guess of {', '.join(missing)}: give one, as in"
+            f" --guess {','.join(f'{name}=1' for name in missing)}; a motion that was simulated"
+            " tells them (nonsmooth.itinerary_of)"
+        )
+    return [(c, boundary) for c, boundary, _ in table], [named[name] for _, _, name in table]
 
 
 def value_of(name: str, given: object) -> Value:
@@ -241,22 +272,15 @@ def solve_declared(
         own = values.pop(declared["name"], None)
         period = own if period is None else period
     symmetry: Mapping[str, str] | None = kernels.table.get("symmetry") or None
-    named = _named(kernels, guess, reference["guess"])
-    phases = [(configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]]
-    names = unknowns_of(kernels)
-    count = len(phases)
+    names, count = unknowns_of(kernels), len(kernels.table["phases"])
+    # a start's coordinate may have its state's name
+    synonyms = dict(zip(kernels.system.table["states"], names[count:], strict=True))
+    named = named_guess(kernels, guess, names, count, synonyms)
     rest = [named.get(name) for name in names[: count - 1]]
     if period is not None and names[count - 1] not in named and None not in rest:
         # the last phase takes what the others leave
         named[names[count - 1]] = float(as_value(period)) - sum(x for x in rest if x is not None)
-    missing = [name for name in names[:count] if name not in named]
-    if missing:
-        raise InputError(
-            f"{kernels.name} declares no guess of {', '.join(missing)}: give one, as in"
-            f" --guess {','.join(f'{name}=1' for name in missing)}; a motion that was simulated"
-            " tells them (nonsmooth.itinerary_of)"
-        )
-    dwell = [named[name] for name in names[:count]]
+    phases, dwell = phases_and_dwell(kernels, named)
     known = [named.get(name) for name in names[count:]]
     orbit = None
     if guess is None and period is None and values != reference["parameters"]:
@@ -300,24 +324,6 @@ def _followed(
         dwell = orbit.dwell_times.tolist()[: len(phases)]
         start = orbit.states[0].tolist()
     return orbit
-
-
-def _named(
-    kernels: OrbitKernels,
-    guess: Sequence[float] | Mapping[str, float] | None,
-    reference: Mapping[str, str],
-) -> dict[str, float]:
-    """Return a guess by the unknowns' names; a start's coordinate may have its state's name."""
-    names = unknowns_of(kernels)
-    states = kernels.system.table["states"]
-    synonyms = dict(zip(states, names[len(names) - len(states) :], strict=True))
-    guess = guess_by_name(guess, names, kernels.name, len(names) - len(states))
-    found = {}
-    for name, value in {**reference, **guess}.items():
-        if name not in names and name not in synonyms:
-            raise unknown_name("variable", str(name), names)
-        found[synonyms.get(name, name)] = float(value_of(name, value))
-    return found
 
 
 def _start(

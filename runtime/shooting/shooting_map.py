@@ -25,7 +25,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.exponentials.matrices import exponentials
+from nonsmooth.runtime.core.exponentials.matrices import exponentials, inverses
 from nonsmooth.runtime.model.factored_flows import (
     FactoredFlows,
     Flows,
@@ -51,7 +51,7 @@ __all__ = [
     "Numbers",
     "ShootingDerivatives",
     "cycle_maps",
-    "dependent_variational",
+    "dependent",
     "finite_at",
     "flow_at",
     "flows_along",
@@ -62,6 +62,7 @@ __all__ = [
     "phases_in",
     "shoot",
     "shoot_along",
+    "shoot_many",
     "shooting_derivatives",
 ]
 
@@ -384,21 +385,28 @@ def shooting_derivatives(
     return found
 
 
-def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
-    """Derivatives (k, N, N) of the state after a chain by the start, dwell times following it.
+def shoot_many(cycle: ItineraryShape, numbers: Numbers, dwell: Any, start: Any) -> Shooting:
+    """The passages that `shoot` gives at k points, by `shooting_derivatives`, without flows."""
+    return dependent(shooting_derivatives(cycle, numbers, dwell, start))
 
-    They are infinite or NaN where a boundary is touched tangentially.
+
+def dependent(found: ShootingDerivatives) -> Shooting:
+    """The passages of k points where dwell times follow the start, as `shoot` gives them.
+
+    Derivatives are NaN where a boundary is touched tangentially.
     """
     count, size = found.residual.shape[1], found.ends.shape[2]
-    changes = found.variational[:, :, count : count + size].copy()
-    slopes = found.slopes[:, :, count : count + size].copy()
-    with np.errstate(all="ignore"):
-        for place in range(count):  # a dwell time changes what follows alone
-            rate = slopes[:, place] / -found.slopes[:, place, place, None]
-            for later in range(place + 1, count):
-                slopes[:, later] += found.slopes[:, later, place, None] * rate
-            changes += found.variational[:, :, place, None] * rate[:, None]
-    return changes
+    unknowns = slice(count, count + size)
+    slopes = np.concatenate([found.slopes[:, :, unknowns], found.residual[..., None]], axis=-1)
+    by_dwell = found.slopes[:, :, :count]  # triangular: a dwell time changes what follows alone
+    rates = -inverses(by_dwell) @ slopes
+    changes = found.variational[:, :, :count] @ rates
+    changes[..., :size] += found.variational[:, :, unknowns]
+    speeds = np.diagonal(by_dwell, axis1=1, axis2=2).T
+    starts, ends, velocities, residual, rates = (
+        part.swapaxes(0, 1) for part in (*found[:4], rates)
+    )
+    return Shooting((), starts, ends, velocities, residual, speeds, rates, (), changes)
 
 
 def cycle_maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...]:

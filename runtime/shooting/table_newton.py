@@ -43,6 +43,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     numbers_in,
     shoot,
     shoot_along,
+    shoot_many,
 )
 from nonsmooth.runtime.shooting.translations import up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
@@ -361,7 +362,7 @@ def _errors(
     inverse of the linearised equations lets them, and the dwell times with it.
     """
     numbers = numbers_in(cycle.structure, flat)
-    now = shoot(cycle, numbers, dwell, start, np)
+    now = shoot_many(cycle, numbers, dwell, start)
     size_of = sizes(_without_drift(now, directions), dwell)
     matrix, right = closure_equations(cycle, numbers, now, dwell, size_of, period)
     errors, of_dwell = np.full(len(flat), math.inf), np.full(dwell.shape, math.inf)

@@ -100,7 +100,7 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     (event,) = [e for e in branch.events if e.kind == "grazing"]
     assert (event.configuration, event.boundary) == ("slip-slip", "first-reaches-belt")
     at = branch.orbit_at(event)
-    sums = {(b.phase, b.name): g for b, g in boundary_curves(at.kernels, at)}
+    sums = {(b.phase, b.name): g for b, g in boundary_curves(at)}
     function = sums[event.phase, event.boundary]
     assert event.time is not None
     assert abs(function(event.time)) < 1e-11

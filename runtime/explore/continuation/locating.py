@@ -35,6 +35,8 @@ _NOTHING = 1e-9  # of a number made of multipliers
 _HALVINGS = 50
 _FINEST = 1e-15  # of a chord
 _ROUNDING = 1e-13  # of the values at the ends: there a number is zero
+# what rounding leaves of zero, of a usual value, and at most of the values at the ends
+_NOISE, _MOST_NOISE = 16 * float(np.finfo(float).eps), 1e-10
 _POLE = 1e3  # of the values at the ends: so large is it between them beside a pole alone
 
 _TOUCHES = ", touched and not passed"
@@ -66,7 +68,9 @@ def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> 
     found: list[LocatedEvent] = []
     for watched, values in ((monitors.smooth, smooth), (monitors.borders, border)):
         for column, monitor in enumerate(watched):
-            events = _located(_Watch(track, samples, monitor, column), values[:, column])
+            own = values[:, column]
+            usual = float(np.nanmedian(abs(own))) if np.isfinite(own).any() else 0.0
+            events = _located(_Watch(track, samples, monitor, column, usual), own)
             found += _touches_merged(sorted(events, key=lambda each: each.place))
     found.sort(key=lambda each: each.place)
     return _distinct(_at_meetings(found))
@@ -79,6 +83,7 @@ class _Watch(NamedTuple):
     samples: BranchSamples
     monitor: Monitor
     column: int
+    usual: float  # size of its values
 
     @property
     def border(self) -> bool:
@@ -95,8 +100,7 @@ class _Watch(NamedTuple):
 def _located(watch: _Watch, values: np.ndarray) -> Iterator[LocatedEvent]:
     """Events of one function, from its values at the samples."""
     signs, last = _signs(values), len(values) - 1
-    usual = float(np.nanmedian(abs(values))) if np.isfinite(values).any() else 0.0
-    if usual < _NOTHING and not watch.border:
+    if watch.usual < _NOTHING and not watch.border:
         return  # a multiplier that is 1 or -1 all along
     changes = np.flatnonzero(signs[:-1] * signs[1:] < 0).tolist()
     crossed: set[int] = set()
@@ -110,7 +114,7 @@ def _located(watch: _Watch, values: np.ndarray) -> Iterator[LocatedEvent]:
         if inside := _crossed(watch, window):
             crossed |= inside
             continue
-        yield from _around_extremum(watch, window, float(signs[number]), usual)
+        yield from _around_extremum(watch, window, float(signs[number]))
     places = watch.samples.places
     for number in sorted(crossed):
         yield from _crossings(watch, float(places[number]), float(places[number + 1]))
@@ -140,9 +144,7 @@ class _BeyondZero(Exception):
         self.place = place
 
 
-def _around_extremum(
-    watch: _Watch, window: range, sign: float, usual: float
-) -> Iterator[LocatedEvent]:
+def _around_extremum(watch: _Watch, window: range, sign: float) -> Iterator[LocatedEvent]:
     """Events around an extremum near zero: two crossings, one touch, or none."""
     from scipy.optimize import minimize_scalar
 
@@ -150,7 +152,7 @@ def _around_extremum(
         return  # what is touched and not crossed leads where it did
     low, middle, high = watch.samples.places[list(window)].tolist()
     around = max(abs(watch.at_sample(k)) for k in window)
-    error = _TOUCHED[0] * around + _TOUCHED[1] * usual
+    error = _TOUCHED[0] * around + _TOUCHED[1] * watch.usual
 
     def height(place: float) -> float:
         found = sign * watch.value(*watch.track.at(place))
@@ -182,7 +184,8 @@ def _crossings(watch: _Watch, first: float, last: float) -> Iterator[LocatedEven
             continue
         value = partial(watch.value, step)
         largest = max(abs(before), abs(after))
-        part = _root(value, low, high, before, after)
+        noise = min(_NOISE * watch.usual, _MOST_NOISE * largest)
+        part = _root(value, low, high, before, after, max(noise, _ROUNDING * largest))
         if part is None or not _smooth_at(value, part, low, high, largest):
             if watch.monitor.kind not in ("fold", "branch-point"):
                 continue  # a pole, or another maximum has become the highest
@@ -269,9 +272,17 @@ def _fitted(
 
 
 def _root(
-    value_at: Callable[[float], float], low: float, high: float, before: float, after: float
+    value_at: Callable[[float], float],
+    low: float,
+    high: float,
+    before: float,
+    after: float,
+    rounding: float,
 ) -> float | None:
-    """Place where a function changes sign; None if it has a pole or is undefined in between."""
+    """Place where a function changes sign; None if it has a pole or is undefined in between.
+
+    Values as small as `rounding` are zero.
+    """
     from scipy.optimize import brentq
 
     largest = max(abs(before), abs(after))
@@ -282,7 +293,7 @@ def _root(
         found = value_at(part)
         if not abs(found) <= _POLE * largest:
             raise ArithmeticError
-        return found if abs(found) > _ROUNDING * largest else 0.0
+        return found if abs(found) > rounding else 0.0
 
     try:
         return float(brentq(value, low, high, xtol=_FINEST, rtol=4 * np.finfo(float).eps))
