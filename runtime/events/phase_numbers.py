@@ -7,11 +7,10 @@ from functools import cached_property
 import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import derivatives, dot, square
-from nonsmooth.runtime.events.quasi_polynomials import Chain, QuasiPolynomial
+from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import ORDERS
 from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.time_functions import chains, factors_at
 
 __all__ = ["BoundaryTable", "Clock", "ConfigurationTable", "Row", "orders", "rows_of"]
 
@@ -61,17 +60,14 @@ class ConfigurationTable:
 
     def __init__(self, system: PiecewiseLinear, index: int) -> None:
         shape, self._flows = system.structure, system.flows[index]
-        self.modes = [
-            (complex(*map(float, exponent)), mode)
-            for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
-        ]
-        self.exponents = system.exponents[index]
-        self.chains = list(chains(shape.shapes[index]))
-        speeds = [abs(exponent) for exponent, _ in self.modes]
-        self.fastest, self.slowest = max(speeds), min(filter(None, speeds), default=0.0)
-        self.growth = max(0.0, *(exponent.real for exponent, _ in self.modes))
-        self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
-        self.bounded = self.bounded and not any(chain for _, _, chain in self.chains)
+        self.functions = ModeFunctions(shape.shapes[index], system.exponents[index])
+        rates, speeds = system.exponents[index][:, 0], np.hypot(*system.exponents[index].T)
+        self.fastest = float(speeds.max())
+        self.slowest = min(filter(None, speeds.tolist()), default=0.0)
+        self.growth = max(0.0, float(rates.max()))
+        self.bounded = not rates.any() and all(
+            part.end - part.first == 1 and not part.shapes for part in self.functions.parts
+        )
         self.boundaries = [
             BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
         ]
@@ -101,31 +97,7 @@ class ConfigurationTable:
         """
         values = [dot(row, state) for row in boundary.values]
         sizes = [dot(row, size) for row in boundary.sizes]
-        exponents, polynomials, weights, joined = [], [], [], []
-        for first, end, chain in self.chains:
-            exponent, mode = self.modes[first]
-            places = mode.places
-            if chain:
-                shapes = tuple(shape for _, shape in self.modes[first:end])
-                every = [place for shape in shapes for place in shape.places]
-                own, size_ = (np.array([part[k] for k in every]) for part in (values, sizes))
-                joined.append(Chain(shapes, self.exponents[first:end], own, size_))
-                continue
-            if mode.oscillates:
-                pairs = list(zip(places[::2], places[1::2], strict=True))
-                polynomial = [complex(values[a], -values[b]) for a, b in pairs]
-                weight = [sizes[a] + sizes[b] for a, b in pairs]
-            else:
-                polynomial = [complex(values[a]) for a in places]
-                weight = [sizes[a] for a in places]
-            while weight and weight[-1] == 0:
-                weight.pop()
-                polynomial.pop()
-            if weight:
-                exponents.append(exponent)
-                polynomials.append(tuple(polynomial))
-                weights.append(tuple(weight))
-        return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights), tuple(joined))
+        return QuasiPolynomial.of(self.functions, values, sizes)
 
     def after(self, state: list[float], t: float) -> list[float]:
         """The extended state, N + 1 numbers, a time t later; all is in the system's units."""
@@ -134,9 +106,11 @@ class ConfigurationTable:
         # over a short time by what changes, which keeps its relative accuracy
         short = t * self.fastest <= _SHORT
         result = state[:-1] if short else [0.0] * (len(state) - 1)
-        for factor, _, place in factors_at(self.modes, self.chains, t, changes=short):
-            for i, row in enumerate(self.flow[place]):
-                result[i] += factor * dot(row, state)
+        for number, value, _ in self.functions.at(t, changes=short):
+            places = self.functions.places[number]
+            for place, factor in zip(places, (value.real, value.imag), strict=False):
+                for i, row in enumerate(self.flow[place]):
+                    result[i] += factor * dot(row, state)
         return [*result, 1.0]
 
     def magnitudes(self, size: list[float], t: float) -> list[float]:
@@ -147,9 +121,10 @@ class ConfigurationTable:
         if self.bounded:
             return [*(dot(row, size) for row in self.total), 1.0]
         result = [0.0] * (len(size) - 1)
-        for _, weight, place in factors_at(self.modes, self.chains, t):
-            for i, row in enumerate(self.sizes[place]):
-                result[i] += weight * dot(row, size)
+        for number, _, bound in self.functions.at(t):
+            for place in self.functions.places[number]:
+                for i, row in enumerate(self.sizes[place]):
+                    result[i] += bound * dot(row, size)
         return [*result, 1.0]
 
 

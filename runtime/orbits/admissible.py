@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import (
-    AlongMotion,
-    BoundaryCurve,
-    LinearMotion,
-    TrigonometricSum,
+from nonsmooth.runtime.events.guaranteed_maxima import AlongMotion, LinearMotion, maximum
+from nonsmooth.runtime.events.quasi_polynomials import (
+    ModeFunctions,
+    QuasiPolynomial,
+    plain_functions,
 )
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
@@ -50,6 +50,8 @@ __all__ = [
     "trigonometric_rows",
 ]
 
+
+_Curve = QuasiPolynomial | AlongMotion
 
 NEITHER, NO_ORBIT, UNTOLD = -1, -2, -3  # limits: none fails, there is no orbit, it is not told
 MOST_MISSED = 2.0**-30  # in units of the data; the compiled test's number
@@ -163,7 +165,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
 def _crossings(
     kernels: OrbitKernels,
     name: str,
-    curves: Sequence[tuple[Boundary, BoundaryCurve]],
+    curves: Sequence[tuple[Boundary, _Curve]],
     measures: Sequence[float],
     dwell: Sequence[float],
     least: dict[str, float],
@@ -184,7 +186,7 @@ def _crossings(
         parameter = boundary.open_parameter
         if parameter in least:
             unit = -boundary.open_coefficient
-            highest = function.maximum(duration, unit * least[parameter])
+            highest = maximum(function, duration, unit * least[parameter])
             # the maximum is at least its floor: only a rounding makes it the smaller one
             least[parameter] = max(least[parameter], highest.value / unit)
             continue
@@ -192,7 +194,7 @@ def _crossings(
             function = function.raised(boundary.open_coefficient * float(opened[parameter]))
         floor = function.rounding(duration) + noise
         rises = boundary.begins and duration > 0 and function.rises(noise)
-        highest = function.maximum(duration, -math.inf if rises else floor)
+        highest = maximum(function, duration, -math.inf if rises else floor)
         above = highest.value > floor
         if rises or above:  # a phase may begin on a boundary and cross it there, however little
             yield number, highest.time if above else 0.0, max(highest.value, 0.0)
@@ -201,7 +203,7 @@ def _crossings(
 def _noise(
     kernels: OrbitKernels,
     measures: Sequence[float],
-    curves: Sequence[tuple[Boundary, BoundaryCurve]],
+    curves: Sequence[tuple[Boundary, _Curve]],
     dwell: Sequence[float],
 ) -> float:
     """Return the rounding of a phase's boundary functions.
@@ -216,7 +218,7 @@ def _noise(
     return 32 * float(np.finfo(float).eps) * size + min(2 * missed, MOST_MISSED * size)
 
 
-def _check_length(name: str, configuration: str, function: BoundaryCurve, duration: float) -> None:
+def _check_length(name: str, configuration: str, function: _Curve, duration: float) -> None:
     """Refuse a phase that is too long for a guaranteed search, by its name."""
     if not duration * function.fastest <= LONGEST_WAIT:
         raise InputError(
@@ -225,9 +227,7 @@ def _check_length(name: str, configuration: str, function: BoundaryCurve, durati
         )
 
 
-def boundary_curves(
-    kernels: OrbitKernels, orbit: Orbit
-) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+def boundary_curves(kernels: OrbitKernels, orbit: Orbit) -> Iterator[tuple[Boundary, _Curve]]:
     """Yield each boundary of each phase with its function of the time since the phase's start.
 
     The boundaries come in the kernels' order. The contribution of an open parameter is
@@ -242,10 +242,10 @@ def boundary_curves(
 
 def _curves(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, dwell: np.ndarray
-) -> Iterator[Callable[[], Iterator[tuple[Boundary, BoundaryCurve]]]]:
+) -> Iterator[Callable[[], Iterator[tuple[Boundary, _Curve]]]]:
     """Yield for each of many points a function that makes its boundary functions when called."""
     spectrum, _ = kernels.spectrum(points)
-    read: Callable[..., Iterator[tuple[Boundary, BoundaryCurve]]] = _along_motions
+    read: Callable[..., Iterator[tuple[Boundary, _Curve]]] = _along_motions
     quantities: tuple[str, ...] = ("states", "fields", "ends", "boundaries")
     if kernels.trigonometric:
         read, quantities = _sums, ("coefficients", "frequencies")
@@ -256,12 +256,20 @@ def _curves(
 
 def _sums(
     kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
-) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+) -> Iterator[tuple[Boundary, _Curve]]:
     """Yield the boundaries and their sums at one point."""
+    functions: dict[int, ModeFunctions] = {}
     for boundary, row, angular in trigonometric_rows(kernels, coefficients, frequencies):
+        if boundary.phase not in functions:
+            exponents = [0j, *(1j * angular).tolist()]
+            functions[boundary.phase] = plain_functions(exponents, [2, *[1] * len(angular)])
         constant, slope, *waves = row.tolist()
-        parts = waves[: len(angular)], waves[len(angular) :], angular.tolist()
-        yield boundary, TrigonometricSum(constant, slope, *map(tuple, parts))
+        pairs = zip(waves[: len(angular)], waves[len(angular) :], strict=True)
+        factors = (complex(constant), complex(slope), *(complex(c, -s) for c, s in pairs))
+        yield (
+            boundary,
+            QuasiPolynomial(functions[boundary.phase], factors, tuple(map(abs, factors))),
+        )
 
 
 def trigonometric_rows(
@@ -287,7 +295,7 @@ def _along_motions(
     ends: np.ndarray,
     rows: np.ndarray,
     dwell: np.ndarray,
-) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+) -> Iterator[tuple[Boundary, _Curve]]:
     """Yield the boundaries and their functions at one point."""
     starts = states[:-1]
     phases = zip(np.split(fields, len(starts)), starts, dwell.tolist(), strict=True)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ from nonsmooth.runtime.events.phase_numbers import (
     ConfigurationTable,
     rows_of,
 )
-from nonsmooth.runtime.events.quasi_polynomials import UNIT, QuasiPolynomial
+from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.events.transition_choice import Choice, Decider
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import (
@@ -29,7 +30,6 @@ from nonsmooth.runtime.model.engine_run import (
     LONGEST_QUIET,
     LONGEST_WAIT,
     MOST_AT_ONCE,
-    ORDERS,
     Grazing,
     Run,
     Status,
@@ -169,29 +169,24 @@ def _start(
     Their errors come from the rounding of the modes, and from the error of the time at
     which the state was computed.
     """
-    count = len(boundary.values)
-    modal: list[list[float]] = []
+    modal = function.taylor()
+    judged: list[tuple[float, float]] = []
 
     def sign(order: int, row: Sequence[float]) -> int:
+        judged.extend(islice(modal, order + 1 - len(judged)))
         value = dot(row, state)
-        if not order:
-            rounding = function.taylor(1)[1][0]
-        else:
-            modal[:] = modal or function.taylor(count)
-            rounding = modal[1][order]
         drift = error * abs(dot(boundary.orders[order + 1], state))
-        return 0 if not abs(value) > rounding + drift else 1 if value > 0 else -1
+        return 0 if not abs(value) > judged[order][1] + drift else 1 if value > 0 else -1
 
-    found = leading(boundary.orders[:count], sign, int(zero))
+    found = leading(boundary.orders[: len(boundary.values)], sign, int(zero))
     if found is None or not found.order:
         return Start(0, None) if found is None else Start(found.sign, None, found.sign > 0)
     if found.sign > 0:
         return Start(1, None)
+    if judged[found.order][0] < 0:  # one function of time behind the start and from there on
+        return Start(-1, Series.of(function, found.order))
     values = [dot(row, state) for row in boundary.orders]
     sizes = [dot(row, size) for row in boundary.bounds]
-    if modal[0][found.order] < 0:  # one function of time behind the start and from there on
-        values, errors = function.taylor(ORDERS)
-        sizes = [e / UNIT for e in errors]
     return Start(-1, Series(found.order, values, sizes, function.fastest))
 
 

@@ -12,8 +12,9 @@ import pytest
 from flint import arb, arb_mat, ctx
 
 from nonsmooth import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import AlongMotion, LinearMotion, TrigonometricSum
+from nonsmooth.runtime.events.guaranteed_maxima import AlongMotion, LinearMotion, maximum
 from tests.places import CHECKOUT
+from tests.sums import trigonometric
 
 compiler = shutil.which("gcc") or shutil.which("cc")
 SUPPORT = CHECKOUT / "derive/codegen/support"
@@ -112,7 +113,7 @@ def test_maxima_are_attained_and_not_exceeded():
     for motion, rows in motions(25, 1):
         for row in rows:
             function = along(motion, row)
-            value, time = function.maximum(motion.duration)
+            value, time = maximum(function, motion.duration)
             error = function.rounding(motion.duration)
             times = [*np.linspace(0, motion.duration, 60).tolist(), time]
             *values, there = exactly(motion, row, times)
@@ -131,7 +132,7 @@ def test_the_compiled_search_is_that_of_python(search):
                 functions, floors, maxima, times, roundings, rises, strict=True
             ):
                 value, time, rounding, rise = found
-                expected = function.maximum(motion.duration, floor)
+                expected = maximum(function, motion.duration, floor)
                 assert rounding == pytest.approx(function.rounding(motion.duration), rel=1e-6)
                 assert abs(value - expected.value) <= rounding
                 assert math.isnan(time) == (value == floor)
@@ -145,12 +146,12 @@ def test_grazing_peaks_are_found(search, exponent):
     for _ in range(20):
         motion = LinearMotion(FORCED, drawn.normal(size=4), float(drawn.uniform(3, 12)))
         row = np.array([1.0, 0, 0, 0, 0])
-        free = along(motion, row).maximum(motion.duration)
+        free = maximum(along(motion, row), motion.duration)
         for peak, found in ((10.0**-exponent, True), (-(10.0**-exponent), False)):
             shifted = np.append(row[:-1], peak - free.value)
             maxima, *_ = search(motion, [shifted], [0.0])
             assert bool(maxima[0] > 0) is found
-            assert (along(motion, shifted).maximum(motion.duration, 0.0).value > 0) is found
+            assert (maximum(along(motion, shifted), motion.duration, 0.0).value > 0) is found
 
 
 def test_a_bump_between_flat_ends_is_found(search):
@@ -171,16 +172,16 @@ def test_a_bump_between_flat_ends_is_found(search):
     slopes = [motion.field @ np.append(values(t)[:-1], 1.0) for t in (0.0, 0.5)]
     conditions = np.array([*ends, *(np.append(s, 0.0) for s in slopes), values(0.25)])
     row, *_ = np.linalg.lstsq(conditions, [0, 0, 0, 0, 1.0], rcond=None)
-    assert along(motion, row).maximum(0.5, 0.9).value == pytest.approx(1.0)
+    assert maximum(along(motion, row), 0.5, 0.9).value == pytest.approx(1.0)
     assert search(motion, [row], [0.9])[0][0] == pytest.approx(1.0)
 
 
 def test_undamped_motions_are_trigonometric_sums():
     field = np.array([[0, 1, 0.0], [-4.0, 0, 2.0]])
     motion = LinearMotion(field, np.array([0.3, -0.4]), 7.0)
-    wave = TrigonometricSum(0.5 - 0.2, 0.0, (0.3 - 0.5,), (-0.2,), (2.0,))
+    wave = trigonometric(0.5 - 0.2, 0.0, (0.3 - 0.5,), (-0.2,), (2.0,))
     function = along(motion, [1.0, 0.0, -0.2])
-    assert function.maximum(7.0).value == pytest.approx(wave.maximum(7.0).value, abs=1e-13)
+    assert maximum(function, 7.0).value == pytest.approx(maximum(wave, 7.0).value, abs=1e-13)
     assert function.raised(0.25)(3.0) == pytest.approx(wave(3.0) + 0.25, abs=1e-13)
     assert function.rises(0.0) is wave.rises(0.0) is False
 
@@ -194,9 +195,9 @@ def test_what_has_no_guarantee_is_refused(search):
         row = np.ones(len(motion.start) + 1)
         assert np.isnan(search(motion, [row], [0.0])[0]).all()
         with pytest.raises(InputError):
-            along(motion, row).maximum(motion.duration)
+            maximum(along(motion, row), motion.duration)
     at_once = LinearMotion(FORCED, np.ones(4), 0.0)
     assert search(at_once, [[1.0, 0, 0, 0, -0.5]], [0.0])[0][0] == 0.5
-    assert along(at_once, [1.0, 0, 0, 0, -0.5]).maximum(0.0, 0.0).value == 0.5
+    assert maximum(along(at_once, [1.0, 0, 0, 0, -0.5]), 0.0, 0.0).value == 0.5
     with pytest.raises(InputError, match="not NaN"):
-        along(at_once, [1.0, 0, 0, 0, 0]).maximum(0.0, math.nan)
+        maximum(along(at_once, [1.0, 0, 0, 0, 0]), 0.0, math.nan)
