@@ -17,7 +17,6 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.flows import extended
-from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.table_derivatives import stepped_tables
@@ -34,7 +33,6 @@ __all__ = [
     "input_names",
     "nearest_start",
     "transitions_behind",
-    "turned",
 ]
 
 
@@ -172,13 +170,20 @@ class MotionLinearisation:
     """A motion's phases, transitions and tables, linearised once for all directions.
 
     Transitions marked in `apart` follow another one with no time between, but have a time
-    of their own in the moved motion.
+    of their own in the moved motion. The columns of `directions` (numbers, q) are changes of the
+    numbers `by`, along which the motion moves.
     """
 
     def __init__(
-        self, trajectory: Trajectory, times: np.ndarray, apart: np.ndarray | None = None
+        self,
+        trajectory: Trajectory,
+        times: np.ndarray,
+        apart: np.ndarray | None = None,
+        by: tuple[str, ...] = (),
+        directions: np.ndarray | None = None,
     ) -> None:
         self.trajectory, self.times, self.apart = trajectory, times, apart
+        self.by, self.directions = by, np.empty((0, 0)) if directions is None else directions
         run, count = trajectory.run, len(trajectory.times)
         self.transitions: Transitions = transitions_behind(trajectory, together=True)
         phases = np.searchsorted(run.times, times, side="right") - 1
@@ -193,29 +198,46 @@ class MotionLinearisation:
         )
         self.matrices = self.flows.matrices
 
-    @property
-    def kernels(self) -> SystemKernels:
-        """Kernels of the motion's system."""
-        found = self.trajectory.structure.kernels
-        assert found is not None
-        return found
-
-    def directions(self, by: tuple[str, ...]) -> tuple[Numbers, np.ndarray]:
-        """Changes of the tables (q, ...) and of the start (N, q) by the numbers `by`."""
+    @cached_property
+    def moves(self) -> tuple[Numbers, np.ndarray]:
+        """Changes of the tables (q, ...) and of the start (N, q) along the directions."""
         system, run = self.trajectory.system, self.trajectory.run
-        names, starts = input_names(self.trajectory)
+        kernels = system.structure.kernels
+        assert kernels is not None
+        rates = dict(zip(self.by, self.directions, strict=True))
+        still = np.zeros(self.directions.shape[1])
+        parameters, starts = (
+            np.array([still, *(rates.get(name, still) for name in names)])[1:]
+            for names in input_names(self.trajectory)
+        )
         point = np.array([[float(value) for value in system.parameters.values()]])
-        steps = np.zeros((len(by), len(names)))
-        for row, name in enumerate(by):
-            steps[row] = [name == other for other in names]
-        moved = Numbers(*stepped_tables(self.kernels, point, steps, None))
+        moved = Numbers(*stepped_tables(kernels, point, parameters.T, None))
         tables = moved.each(lambda part: imaginary_parts(part, None))
         configuration, start = int(run.configurations[0]), run.states[0]
         changes = _following_changes(system, configuration, start, tables.rows)
-        allowed = _allowed_changes(system, configuration, start)
-        own = [column for column, name in enumerate(by) if name in starts]
-        changes[:, own] = allowed[:, [starts.index(by[column]) for column in own]]
-        return tables, changes
+        return tables, changes + _allowed_changes(system, configuration, start) @ starts
+
+    @cached_property
+    def changes(self) -> MotionChanges:
+        """Derivatives of the motion along the directions."""
+        return self.forward(*self.moves)
+
+    def gradient(self, *factors: np.ndarray) -> np.ndarray:
+        """Derivatives (q,) along the directions of a combination of results, as for `reverse`."""
+        tables, starts = self.moves
+        fields, rows, resets, start = self.reverse(*factors)
+        return np.asarray(
+            np.tensordot(tables.fields, fields, axes=3)
+            + np.tensordot(tables.rows, rows, axes=2)
+            + np.tensordot(tables.resets, resets, axes=3)
+            + start @ starts
+        )
+
+    def along(self, shares: np.ndarray) -> MotionChanges:
+        """Derivatives in r directions, of which those in q have the shares (q, r)."""
+        tables, starts = self.moves
+        turned = tables.each(lambda part: np.tensordot(shares.T, part, axes=1))
+        return self.forward(turned, starts @ shares)
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
@@ -342,11 +364,6 @@ class MotionLinearisation:
             errors = step @ errors @ step.T + np.eye(len(sizes))
             largest = max(largest, float(np.sqrt(np.trace(errors))) * factor)
         return largest
-
-
-def turned(tables: Numbers, starts: np.ndarray, shares: np.ndarray) -> tuple[Numbers, np.ndarray]:
-    """Changes of tables and start in r directions, of which those in q have the shares (q, r)."""
-    return tables.each(lambda part: np.tensordot(shares.T, part, axes=1)), starts @ shares
 
 
 def _along(tables: np.ndarray, places: np.ndarray, states: np.ndarray) -> np.ndarray:
