@@ -12,8 +12,8 @@ from itertools import islice
 from typing import NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.leading_derivative import leading
-from nonsmooth.runtime.events.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
+from nonsmooth.runtime.events.leading_derivative import UNIT, leading
+from nonsmooth.runtime.events.quasi_polynomials import TINY, Jet, QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, ORDERS
 
 __all__ = ["Crossing", "Series", "Start", "first_crossing"]

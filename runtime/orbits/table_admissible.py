@@ -20,7 +20,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.guaranteed_maxima import maximum
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
-from nonsmooth.runtime.events.phase_numbers import ConfigurationTable
+from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
 from nonsmooth.runtime.events.transition_choice import Decider, choose
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent

@@ -29,8 +29,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.flow_derivatives import flow_matrices
 from nonsmooth.runtime.simulation.motion_linearisation import field_at, transitions_behind
+from nonsmooth.runtime.simulation.moved_phases import flow_matrices
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

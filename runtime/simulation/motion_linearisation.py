@@ -21,7 +21,7 @@ from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.table_derivatives import stepped_tables
 from nonsmooth.runtime.shooting.shooting_map import Numbers
-from nonsmooth.runtime.simulation.flow_derivatives import PhaseFlows
+from nonsmooth.runtime.simulation.moved_phases import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [

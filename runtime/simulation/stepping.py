@@ -13,14 +13,12 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import Series, Start, first_crossing
-from nonsmooth.runtime.events.leading_derivative import Located, dot, leading
-from nonsmooth.runtime.events.phase_numbers import (
+from nonsmooth.runtime.events.leading_derivative import Located, dot, leading, rows_of
+from nonsmooth.runtime.events.quasi_polynomials import (
     BoundaryTable,
-    Clock,
     ConfigurationTable,
-    rows_of,
+    QuasiPolynomial,
 )
-from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.events.transition_choice import Choice, Decider
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import (
@@ -40,6 +38,29 @@ from nonsmooth.runtime.model.structure import TransitionShape
 __all__ = ["run"]
 
 _RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
+
+
+class _Clock:
+    """A time as an unevaluated sum of two numbers."""
+
+    def __init__(self) -> None:
+        self.time, self.rest = 0.0, 0.0
+
+    def advance(self, step: float) -> None:
+        """Let a time pass, in the system's unit.
+
+        What a sum loses to rounding is kept (Knuth, 1969).
+        """
+        total = self.time + step
+        part = total - self.time
+        lost = (self.time - (total - part)) + (step - part)
+        rest = self.rest + lost
+        self.time = total + rest
+        self.rest = rest - (self.time - total)
+
+    def before(self, until: float) -> float:
+        """The time that is left until another one, in the system's unit."""
+        return (until - self.time) - self.rest
 
 
 class _WatchedFunction(NamedTuple):
@@ -214,7 +235,7 @@ def run(
     velocities. The motion ends at the time `until`, or after a number of `transitions`, or
     earlier.
     """
-    stepper, clock = _Stepper(system), Clock()
+    stepper, clock = _Stepper(system), _Clock()
     extended = [*map(float, state), 1.0]
     sizes, zero = [abs(x) for x in extended], frozenset[int]()
     entries = [(0.0, configuration, extended, extended, 0)]
