@@ -1,20 +1,14 @@
-"""Guaranteed maxima of functions of time over windows: quasi-polynomials, linear motions.
+"""Guaranteed maxima of functions of time over windows.
 
 On a cell a function g lies below its cubic Hermite interpolant by its values and slopes at both
 ends, plus M h^4/144 of the middle Bernstein polynomial where |g''''| <= M (`upper_bounds`). Cells
 whose bound exceeds the largest value that is known are split, so nothing hides between two samples.
-
-A function along a phase is a `QuasiPolynomial` where the modes of its configuration are known.
-Kernels of damped and forced orbits give the motion's field alone: it is one `AlongMotion` there.
-The compiled search of kernels takes such cells too.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from functools import cached_property
 from operator import itemgetter
 from typing import Any, NamedTuple
 
@@ -26,10 +20,8 @@ from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 
 __all__ = [
-    "AlongMotion",
     "Cells",
     "CurveSamples",
-    "LinearMotion",
     "Maximum",
     "falling_zeros",
     "largest",
@@ -37,13 +29,8 @@ __all__ = [
     "upper_bounds",
 ]
 
-_CELL = 0.6  # radians of the fastest motion, or |A| h of a step
-_ROUNDING = 2.0**-47  # of a sum, relative to its absolute values
-_DEGREE = 16  # of Taylor's polynomial over a step: the rest is below 0.6^17/17! of the whole
-_SWEEPS = 3  # of balancing
+_CELL = 0.6  # radians of the fastest motion
 _POLISHING = 60  # steps of Newton's method, or of bisection where it leaves its bracket
-
-_Jet = Callable[[float], tuple[float, float, float]]  # value, slope and curvature at a time
 
 
 class Maximum(NamedTuple):
@@ -66,23 +53,18 @@ class Cells(NamedTuple):
 
     grid: CurveSamples  # at their k + 1 ends
     excess: np.ndarray  # (k,), M h^4/144 with M a bound on the fourth derivative inside the cell
-    jets: Callable[[int], _Jet]  # for a cell, the function at times inside it
+    jet: Callable[[float], tuple[float, float, float]]  # value, slope and curvature at a time
 
 
-def largest(cells: Cells, slack: float, floor: float) -> Maximum:
-    """The maximum of a function over all cells, or the floor where it does not exceed that.
+def largest(cells: Cells, slack: float) -> Maximum:
+    """The maximum of a function over all cells.
 
     Cells are split until a bound on the function over each is at most `slack` above the maximum;
-    after far too many splits that bound, which is safe but not attained, becomes the maximum. The
-    time is NaN where the floor is the value.
+    after far too many splits that bound, which is safe but not attained, becomes the maximum.
     """
-    grid, excess, jets = cells
+    grid, excess, jet = cells
     count = len(excess)
-    best = max(
-        Maximum(floor, math.nan),
-        Maximum(*(float(part[np.argmax(grid.value)]) for part in grid[:2])),
-        key=itemgetter(0),
-    )
+    best = Maximum(*(float(part[np.argmax(grid.value)]) for part in grid[:2]))
     upper = upper_bounds(
         CurveSamples(*(part[:-1] for part in grid)),
         CurveSamples(*(part[1:] for part in grid)),
@@ -90,7 +72,6 @@ def largest(cells: Cells, slack: float, floor: float) -> Maximum:
     )
     splits = 0
     for cell in np.flatnonzero(upper > best.value + slack)[::-1].tolist():
-        jet = jets(cell)
         left, right = (CurveSamples(*(float(part[i]) for part in grid)) for i in (cell, cell + 1))
         full, waiting = right.time - left.time, [(left, right, False)]
         while waiting:
@@ -116,9 +97,7 @@ def largest(cells: Cells, slack: float, floor: float) -> Maximum:
     return best
 
 
-def maximum(
-    function: QuasiPolynomial | AlongMotion, duration: float, floor: float = -math.inf
-) -> Maximum:
+def maximum(function: QuasiPolynomial, duration: float, floor: float = -math.inf) -> Maximum:
     """The guaranteed maximum of a boundary function over [0, duration], or the floor.
 
     It comes with the time where it is attained; where g does not rise above the floor it is the
@@ -135,8 +114,6 @@ def maximum(
     """
     if math.isnan(floor):
         raise InputError("the floor must be a number, not NaN")
-    if isinstance(function, AlongMotion):
-        return largest(function.cells(), function.rounding(duration) / 4, floor)
     if not (duration >= 0 and duration * function.fastest <= LONGEST_WAIT):
         raise InputError(f"the duration {duration} is not within 0 and 1e5 / max |lambda|")
     try:
@@ -148,7 +125,7 @@ def maximum(
         cells, error = _cells(function, first, duration)
     except OverflowError:
         raise InputError("the function overflows") from None
-    return largest(cells, error / 4, -math.inf)
+    return largest(cells, error / 4)
 
 
 def _cells(function: QuasiPolynomial, first: float, last: float) -> tuple[Cells, float]:
@@ -160,7 +137,7 @@ def _cells(function: QuasiPolynomial, first: float, last: float) -> tuple[Cells,
     if not np.isfinite([values.sum(), slopes.sum(), errors.sum(), bends.sum()]).all():
         raise OverflowError
     samples = CurveSamples(values, times, slopes)
-    cells = Cells(samples, bends * width**4 / 144, lambda _: lambda t: function.jet(t)[:3])
+    cells = Cells(samples, bends * width**4 / 144, lambda t: function.jet(t)[:3])
     return cells, float(errors.max())
 
 
@@ -196,162 +173,3 @@ def falling_zeros(
         if settled.all():
             break
     return np.asarray(times)
-
-
-class _Steps(NamedTuple):
-    """States and rates (k + 1, n) at the ends of k steps, and |y| of the largest state."""
-
-    width: float
-    states: np.ndarray
-    rates: np.ndarray
-    size: float
-
-
-@dataclass(frozen=True, eq=False)
-class LinearMotion:
-    """A motion y' = A y + b over a time, cut into steps that are short against A.
-
-    The rate y' grows by e^(|A| h) at most over a step h, in a norm with weights that balance A: so
-    a bound on its derivatives holds all through the step.
-    """
-
-    field: np.ndarray  # A and b, (n, n + 1)
-    start: np.ndarray  # (n,)
-    duration: float  # nondimensional
-
-    @cached_property
-    def weights(self) -> np.ndarray:
-        """Weights x of the norm |y| = max |y_i|/x_i, by Osborne's balancing (1960).
-
-        What drives and is not driven, or the reverse, is balanced against the duration.
-        """
-        sizes = abs(self.field[:, :-1])
-        least = 1 / self.duration if self.duration > 0 else 1.0
-        x = np.ones(len(sizes))
-        with np.errstate(all="ignore"):
-            for _ in range(_SWEEPS):
-                for i in range(len(x)):
-                    row = (sizes[i] @ x - sizes[i, i] * x[i]) / x[i]
-                    column = (sizes[:, i] @ (1 / x) - sizes[i, i] / x[i]) * x[i]
-                    x[i] *= math.sqrt((max(row, 0.0) + least) / (max(column, 0.0) + least))
-        return x
-
-    @cached_property
-    def norm(self) -> float:
-        """Norm of A that the norm of y induces."""
-        with np.errstate(all="ignore"):
-            return float((abs(self.field[:, :-1]) @ self.weights / self.weights).max())
-
-    @cached_property
-    def steps(self) -> _Steps:
-        """The motion in steps that are short against A.
-
-        An `InputError` refuses a motion that is longer than 1e5 / |A|, has a negative duration,
-        or overflows.
-        """
-        if not (self.duration >= 0 and self.duration * self.norm <= LONGEST_WAIT):
-            raise InputError(f"the duration {self.duration} is not within 0 and 1e5 / |A|")
-        count = 1 + int(self.duration * self.norm / _CELL)
-        width = self.duration / count
-        one = np.eye(len(self.start))
-        total = one
-        for k in range(_DEGREE, 1, -1):
-            total = one + (width / k) * self.field[:, :-1] @ total
-        states = np.empty((count + 1, len(one)))
-        states[0] = self.start
-        with np.errstate(all="ignore"):
-            for k in range(count):
-                states[k + 1] = states[k] + width * total @ self.rate(states[k])
-            size = float((abs(states) / self.weights).max())
-        if not size < 1e290:
-            raise InputError("the motion overflows")
-        rates = states @ self.field[:, :-1].T + self.field[:, -1]
-        return _Steps(width, states, rates, size)
-
-    def rate(self, state: np.ndarray) -> np.ndarray:
-        """The rate y' (n,) at a state (n,)."""
-        return np.asarray(self.field[:, :-1] @ state + self.field[:, -1])
-
-
-@dataclass(frozen=True)
-class AlongMotion:
-    """A boundary function g = n y + c along a linear motion.
-
-    Examples
-    --------
-    >>> motion = LinearMotion(np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]), np.eye(2)[1], 3.0)
-    >>> round(maximum(AlongMotion(motion, np.eye(2)[0], 0.5), 3.0).value, 12)
-    1.5
-    """
-
-    motion: LinearMotion
-    normal: np.ndarray  # n, (n,)
-    constant: float  # c
-
-    @property
-    def fastest(self) -> float:
-        """The norm of A."""
-        return self.motion.norm
-
-    def __call__(self, t: float) -> float:
-        """Return g(t) for a time within the motion's."""
-        steps = self.motion.steps
-        cell = min(int(t / steps.width), len(steps.states) - 2) if steps.width > 0 else 0
-        return self._jet(cell)(t)[0]
-
-    def raised(self, by: float) -> AlongMotion:
-        """The function g plus a constant."""
-        return replace(self, constant=self.constant + by)
-
-    def rounding(self, duration: float) -> float:
-        """The rounding error 32 eps (|c| + |n| x |y|)(1 + |A| T) of g over [0, T].
-
-        x are the `weights`.
-        """
-        motion = self.motion
-        size = float(abs(self.normal) @ motion.weights) * motion.steps.size + abs(self.constant)
-        return _ROUNDING * size * (1 + motion.norm * duration)
-
-    def rises(self, noise: float) -> bool:
-        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""
-        motion = self.motion
-        parts = abs(motion.field) @ np.append(abs(motion.start), 1.0)
-        size = float(abs(self.normal) @ parts)
-        return bool(
-            self.normal @ motion.rate(motion.start) > _ROUNDING * size + motion.norm * noise
-        )
-
-    def cells(self) -> Cells:
-        """The function g on the steps of the motion."""
-        motion, steps = self.motion, self.motion.steps
-        matrix = motion.field[:, :-1]
-        bend = float(abs(self.normal @ matrix @ matrix @ matrix) @ motion.weights)
-        sizes = (abs(steps.rates[:-1]) / motion.weights).max(axis=1)
-        time = np.linspace(0.0, motion.duration, len(steps.states))
-        return Cells(
-            CurveSamples(
-                steps.states @ self.normal + self.constant, time, steps.rates @ self.normal
-            ),
-            math.exp(_CELL) * bend * sizes * steps.width**4 / 144,
-            self._jet,
-        )
-
-    def _jet(self, cell: int) -> _Jet:
-        """The function from a time within a step to g, g' and g'', by Taylor's polynomial."""
-        steps, matrix = self.motion.steps, self.motion.field[:, :-1]
-        coefficients = [float(self.normal @ steps.states[cell]) + self.constant]
-        now = steps.rates[cell]
-        for k in range(1, _DEGREE + 1):
-            coefficients.append(float(self.normal @ now) / k)
-            now = matrix @ now / k
-        origin = self.motion.duration * cell / (len(steps.states) - 1)
-
-        def jet(time: float) -> tuple[float, float, float]:
-            value = slope = curvature = 0.0
-            for coefficient in reversed(coefficients):
-                curvature = curvature * (time - origin) + 2 * slope
-                slope = slope * (time - origin) + value
-                value = value * (time - origin) + coefficient
-            return value, slope, curvature
-
-        return jet

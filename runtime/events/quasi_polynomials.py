@@ -22,7 +22,7 @@ import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import UNIT, Row, dot, orders, rows_of
 from nonsmooth.runtime.model.engine_run import ORDERS
-from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows, matrices_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.model.time_functions import (
@@ -41,6 +41,7 @@ __all__ = [
     "ModeFunctions",
     "QuasiPolynomial",
     "plain_functions",
+    "row_factors",
 ]
 
 TINY = 1e-300  # what underflow may take away
@@ -49,10 +50,12 @@ _ABOVE = 1 + 2.0**-40  # of a bound: its own rounding
 
 Jet = tuple[float, float, float, float]  # g, g', g'' and the error of g
 
-_QUIET = np.errstate(over="ignore", invalid="ignore")  # numbers beyond all end a motion
+# numbers beyond all end a motion
+_quiet = np.errstate(over="ignore", invalid="ignore")
+_values_at, _bounds_between = _quiet(functions_at), _quiet(function_bounds)
 
 
-class _Part(NamedTuple):
+class _JoinedModes(NamedTuple):
     """A mode by itself, or a chain of modes."""
 
     first: int  # number of its first complex function
@@ -75,7 +78,7 @@ class ModeFunctions:
         # for each function the places of its real and, if it has one, its imaginary part
         self.places = [places for each in pairs for places in each]
         self.parts = [
-            _Part(
+            _JoinedModes(
                 ends[first],
                 ends[last],
                 complex(*exponents[first].tolist()),
@@ -116,7 +119,7 @@ class ModeFunctions:
         return tuple(found)
 
     def at(
-        self, t: float, parts: Sequence[_Part] | None = None, *, changes: bool = False
+        self, t: float, parts: Sequence[_JoinedModes] | None = None, *, changes: bool = False
     ) -> Iterator[tuple[int, complex, float]]:
         """Yield each function's number, value at t >= 0 and a bound on its absolute value.
 
@@ -133,8 +136,7 @@ class ModeFunctions:
                     math.expm1(rate * t) * turn.real / growth - 2 * half * half, turn.imag
                 )
             if part.shapes:
-                with _QUIET:
-                    values = functions_at(part.shapes, part.exponents, t)
+                values = _values_at(part.shapes, part.exponents, t)
                 begin, bounds = self.places[part.first][0], self.bounds(part, t, t)
                 yield part.first, head, bounds[0]
                 for i, bound in enumerate(bounds[1:], part.first + 1):
@@ -145,12 +147,11 @@ class ModeFunctions:
                 yield i, power * head, power * growth
                 power, head = power * t, turn
 
-    def bounds(self, part: _Part, begin: float, end: float) -> list[float]:
+    def bounds(self, part: _JoinedModes, begin: float, end: float) -> list[float]:
         """Bounds on the absolute values of a part's functions between two times >= 0."""
         if part.shapes:
             first = self.places[part.first][0]
-            with _QUIET:
-                found = function_bounds(part.shapes, part.exponents, begin, end)
+            found = _bounds_between(part.shapes, part.exponents, begin, end)
             return [float(found[self.places[i][0] - first]) for i in range(part.first, part.end)]
         rate = part.exponent.real
         growth = math.exp(rate * (begin if rate < 0 else end)) if rate else 1.0
@@ -210,7 +211,7 @@ class QuasiPolynomial:
         return replace(self, factors=(head + by, *rest))
 
     @cached_property
-    def parts(self) -> list[_Part]:
+    def parts(self) -> list[_JoinedModes]:
         """The modes and chains that are not left out."""
         held = self.factors, self.sizes
         return [
@@ -286,7 +287,7 @@ class QuasiPolynomial:
             return self.uniform[order - 2]
         return sum(self._bound(order, part, t, t + length) for part in self.parts) * _ABOVE
 
-    def _bound(self, order: int, part: _Part, begin: float, end: float) -> float:
+    def _bound(self, order: int, part: _JoinedModes, begin: float, end: float) -> float:
         """What a part adds to the bound between two times."""
         factors = self._order(order)[part.first : part.end]
         if not any(factors):
@@ -353,19 +354,28 @@ class QuasiPolynomial:
         )
 
 
+def row_factors(flow: Flows, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What each function of time has in an affine function (N + 1,) along a flow, and its size.
+
+    Both are (functions, N + 1): they are multiplied by the extended start.
+    """
+    if isinstance(flow, FactoredFlows):
+        values, sizes = flow.rows(row[:-1])
+    else:
+        values = np.einsum("i,fij->fj", row[:-1], flow)
+        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
+    values[0, -1] += row[-1]  # the constant joins the first function, which is 1
+    sizes[0, -1] += abs(row[-1])
+    return values, sizes
+
+
 class BoundaryTable:
     """One boundary of a configuration: coefficients by functions of time, and derivatives."""
 
     def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
         shape = system.structure.boundaries[configuration][index]
         row, flow = system.rows[shape.row], system.flows[configuration]
-        if isinstance(flow, FactoredFlows):
-            values, sizes = flow.rows(row[:-1])
-        else:
-            values = np.einsum("i,fij->fj", row[:-1], flow)
-            sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
-        values[0, -1] += row[-1]  # the constant joins the first function, which is 1
-        sizes[0, -1] += abs(row[-1])
+        values, sizes = row_factors(flow, row)
         self.row, self.reached = shape.row, shape.reached
         self.values, self.sizes = rows_of(values), rows_of(sizes)
         self.orders, self.bounds = orders(row, system.fields[configuration], ORDERS)

@@ -228,6 +228,6 @@ def test_a_maximum_is_exceeded_by_no_more_than_the_slack(slack, cells):
         values, slopes, _ = (np.array(part) for part in zip(*map(jet, times), strict=True))
         excess = np.full(cells, (3 / cells) ** 4 / 144)
         samples = CurveSamples(values, times, slopes)
-        found = largest(Cells(samples, excess, lambda cell, jet=jet: jet), slack, -math.inf)
+        found = largest(Cells(samples, excess, jet), slack)
         assert 1 - slack <= found.value <= 1
         assert found.value == jet(found.time)[0]

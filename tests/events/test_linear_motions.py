@@ -1,4 +1,4 @@
-"""Guaranteed maxima along linear motions: against ball arithmetic, and in C as in Python."""
+"""The compiled search for maxima along linear motions: against ball arithmetic, and Python's."""
 
 from __future__ import annotations
 
@@ -6,15 +6,16 @@ import ctypes
 import math
 import shutil
 import subprocess
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 from flint import arb, arb_mat, ctx
 
-from nonsmooth import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import AlongMotion, LinearMotion, maximum
+from nonsmooth.runtime.events.guaranteed_maxima import maximum
+from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, QuasiPolynomial, row_factors
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from tests.places import CHECKOUT
-from tests.sums import trigonometric
 
 compiler = shutil.which("gcc") or shutil.which("cc")
 SUPPORT = CHECKOUT / "derive/codegen/support"
@@ -70,8 +71,20 @@ def search(tmp_path_factory):
     return call
 
 
+class LinearMotion(NamedTuple):
+    """A motion y' = A y + b, whose field is A, then b."""
+
+    field: np.ndarray
+    start: np.ndarray
+    duration: float
+
+
 def along(motion, row):
-    return AlongMotion(motion, np.array(row[:-1], dtype=float), float(row[-1]))
+    """Give a function of a motion by the modes of its field."""
+    modes, start = numeric_modes(motion.field), np.append(motion.start, 1.0)
+    values, sizes = row_factors(modes.flows, np.asarray(row, dtype=float))
+    functions = ModeFunctions(modes.shapes, modes.exponents)
+    return QuasiPolynomial.of(functions, values @ start, sizes @ abs(start))
 
 
 def motions(count, seed, most=7):
@@ -109,17 +122,13 @@ def exactly(motion, row, times):
         ctx.prec = before
 
 
-def test_maxima_are_attained_and_not_exceeded():
+def test_maxima_are_attained_and_not_exceeded(search):
     for motion, rows in motions(25, 1):
-        for row in rows:
-            function = along(motion, row)
-            value, time = maximum(function, motion.duration)
-            error = function.rounding(motion.duration)
-            times = [*np.linspace(0, motion.duration, 60).tolist(), time]
-            *values, there = exactly(motion, row, times)
+        maxima, times, roundings, _ = search(motion, rows, [-math.inf] * len(rows))
+        for row, value, time, error in zip(rows, maxima, times, roundings, strict=True):
+            *values, there = exactly(motion, row, [*np.linspace(0, motion.duration, 60), time])
             assert max(values) <= value + error
             assert abs(there - value) <= error
-            assert abs(function(times[7]) - values[7]) <= error
 
 
 @pytest.mark.slow
@@ -133,8 +142,8 @@ def test_the_compiled_search_is_that_of_python(search):
             ):
                 value, time, rounding, rise = found
                 expected = maximum(function, motion.duration, floor)
-                assert rounding == pytest.approx(function.rounding(motion.duration), rel=1e-6)
-                assert abs(value - expected.value) <= rounding
+                error = rounding + 2 * function.rounding(motion.duration)
+                assert abs(value - expected.value) <= error
                 assert math.isnan(time) == (value == floor)
                 assert bool(rise) == function.rises(0.0)
 
@@ -162,7 +171,6 @@ def test_a_bump_between_flat_ends_is_found(search):
         field[2 * k - 2, 2 * k - 1], field[2 * k - 1, 2 * k - 2] = -rates[k], rates[k]
     field[4, 6] = 1.0
     motion = LinearMotion(field, np.array([1.0, 0, 1, 0, 0, 0]), 0.5)
-    assert len(motion.steps.states) == 2
 
     def values(t):
         waves = [f(w * t) for w in rates[1:] for f in (math.cos, math.sin)]
@@ -176,16 +184,6 @@ def test_a_bump_between_flat_ends_is_found(search):
     assert search(motion, [row], [0.9])[0][0] == pytest.approx(1.0)
 
 
-def test_undamped_motions_are_trigonometric_sums():
-    field = np.array([[0, 1, 0.0], [-4.0, 0, 2.0]])
-    motion = LinearMotion(field, np.array([0.3, -0.4]), 7.0)
-    wave = trigonometric(0.5 - 0.2, 0.0, (0.3 - 0.5,), (-0.2,), (2.0,))
-    function = along(motion, [1.0, 0.0, -0.2])
-    assert maximum(function, 7.0).value == pytest.approx(maximum(wave, 7.0).value, abs=1e-13)
-    assert function.raised(0.25)(3.0) == pytest.approx(wave(3.0) + 0.25, abs=1e-13)
-    assert function.rises(0.0) is wave.rises(0.0) is False
-
-
 def test_what_has_no_guarantee_is_refused(search):
     long = LinearMotion(FORCED, np.ones(4), 1e6)
     growing = LinearMotion(np.array([[50.0, 0.0]]), np.ones(1), 100.0)
@@ -194,10 +192,44 @@ def test_what_has_no_guarantee_is_refused(search):
     for motion in (long, growing, backwards, broken):
         row = np.ones(len(motion.start) + 1)
         assert np.isnan(search(motion, [row], [0.0])[0]).all()
-        with pytest.raises(InputError):
-            maximum(along(motion, row), motion.duration)
     at_once = LinearMotion(FORCED, np.ones(4), 0.0)
     assert search(at_once, [[1.0, 0, 0, 0, -0.5]], [0.0])[0][0] == 0.5
-    assert maximum(along(at_once, [1.0, 0, 0, 0, -0.5]), 0.0, 0.0).value == 0.5
-    with pytest.raises(InputError, match="not NaN"):
-        maximum(along(at_once, [1.0, 0, 0, 0, 0]), 0.0, math.nan)
+
+
+def near_critical(apart):
+    """Two oscillators near their critical damping, one of which drives the other: real poles."""
+    field = np.zeros((4, 5))
+    field[[0, 2], [1, 3]], field[[1, 3], [0, 2]], field[1, 4] = 1.0, -1.0, 0.3
+    field[[1, 3], [1, 3]], field[3, 0] = (-2.0 - apart, -2.0), 1.0
+    return field
+
+
+def cascade(apart):
+    """Three oscillators, each of which drives the next one: poles that turn."""
+    field = np.zeros((6, 7))
+    field[[0, 2, 4], [1, 3, 5]], field[[3, 5], [0, 2]], field[1, 6] = 1.0, 1.0, 0.3
+    field[[1, 3, 5], [0, 2, 4]], field[[1, 3, 5], [1, 3, 5]] = [-1, -1 - apart, -1 + apart], -0.1
+    return field
+
+
+@pytest.mark.parametrize("field", [near_critical(1e-7), near_critical(1e-5), cascade(1e-3)])
+def test_functions_of_poles_that_nearly_meet_keep_their_errors(field):
+    drawn = np.random.default_rng(3)
+    motion, row = (
+        LinearMotion(field, *drawn.normal(size=(1, len(field))), 3.0),
+        np.ones(len(field) + 1),
+    )
+    function = along(motion, row)
+    assert any(part.shapes for part in function.parts)
+    times, rows = np.linspace(0.0, 3.0, 7), [row]
+    for _ in range(2):
+        rows.append(rows[-1][:-1] @ field)
+    slope = function.derivative()
+    for t, *expected in zip(times, *(exactly(motion, each, times) for each in rows), strict=True):
+        *found, error = function.jet(t)
+        errors = error, slope.rounding(t), slope.derivative().rounding(t)
+        assert (abs(np.subtract(found, expected)) <= errors).all()
+        assert abs(found[2]) <= function.bound(2, 0.0, 3.0)
+        assert found[0] <= function.ceiling(0.0)
+    start, error = next(function.taylor())
+    assert abs(start - function(0.0)) <= 2 * error
