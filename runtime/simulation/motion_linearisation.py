@@ -79,22 +79,11 @@ def transitions_behind(
     stands for all.
     """
     system, run = trajectory.system, trajectory.run
-    count, size = len(run.times) - first - 1, len(trajectory.names)
     before, behind = run.before[first + 1 :], run.states[first + 1 :]
-    found = Transitions(
-        np.zeros(count, dtype=int),
-        np.zeros(count, dtype=int),
-        extended(before),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty(count),
-        np.zeros(count, dtype=bool),
-    )
-    tangential = np.zeros(count, dtype=bool)
+    sources, targets = run.configurations[first:-1], run.configurations[first + 1 :]
+    rows, resets = np.zeros((2, len(before)), dtype=int)
     masks, numbers = np.unique(run.sets[first + 1 :], return_inverse=True)
-    keys = np.stack([run.configurations[first:-1], run.configurations[first + 1 :], numbers])
-    kinds, kind = np.unique(keys, axis=1, return_inverse=True)
+    kinds, kind = np.unique(np.stack([sources, targets, numbers]), axis=1, return_inverse=True)
     for place, (source, target, number) in enumerate(kinds.T.tolist()):
         here = np.flatnonzero(kind.ravel() == place)
         reached = int(masks[number])
@@ -104,22 +93,18 @@ def transitions_behind(
                 f"{' and '.join(trajectory.boundaries[entry])} are reached together"
                 f" at t = {float(run.times[entry])!r}: the motion has no derivative there"
             )
-        shape = system.structure.boundaries[source][min(members_of(reached))]
-        row, now, then = system.rows[shape.row], before[here], behind[here]
-        resets = fitting_resets(system, source, target, reached, now, then)
-        velocities, after = field_at(system, source, now), field_at(system, target, then)
-        jumps = after - np.einsum("nij,nj->ni", system.resets[resets][..., :-1], velocities)
-        speeds = velocities @ row[:-1]
-        error = _ERROR * (
-            np.abs(system.fields[source]).sum(axis=0) @ extended(np.abs(now)).T
-            + np.abs(system.fields[target]).sum(axis=0) @ extended(np.abs(then)).T
-        )
-        smooth = np.abs(jumps).max(axis=1) <= error
-        slow = np.abs(speeds) <= error * np.abs(row[:-1]).max()
-        tangential[here] = ~smooth & slow & (run.times[here + first + 1] > run.times[here + first])
-        parts = (shape.row, resets, extended(now), velocities, after, jumps, speeds, smooth)
-        for own, part in zip(found, parts, strict=True):
-            own[here] = part
+        rows[here] = system.structure.boundaries[source][min(members_of(reached))].row
+        resets[here] = fitting_resets(system, source, target, reached, before[here], behind[here])
+    sides = (sources, extended(before)), (targets, extended(behind))
+    velocities, after = ((system.fields[c] @ state[..., None])[..., 0] for c, state in sides)
+    jumps = after - (system.resets[resets][..., :-1] @ velocities[..., None])[..., 0]
+    normals, sizes = system.rows[rows][:, :-1], np.abs(system.fields).sum(axis=1)
+    speeds = (normals * velocities).sum(axis=1)
+    error = _ERROR * sum((sizes[c] * np.abs(state)).sum(axis=1) for c, state in sides)
+    smooth = np.abs(jumps).max(axis=1) <= error
+    slow = np.abs(speeds) <= error * np.abs(normals).max(axis=1)
+    found = Transitions(rows, resets, sides[0][1], velocities, after, jumps, speeds, smooth)
+    tangential = ~smooth & slow & (np.diff(run.times[first:]) > 0)
     if tangential.any():
         entry = first + 1 + int(np.argmax(tangential))
         name, dwell = trajectory.boundaries[entry][0], np.diff(run.times[: entry + 1])

@@ -61,13 +61,6 @@ class Candidate:
     miss: float  # how far the motion was from coming back, relative to its size
 
 
-class _Entries(NamedTuple):
-    times: np.ndarray
-    configurations: np.ndarray
-    sets: np.ndarray
-    states: np.ndarray
-
-
 def canonical(itinerary: Itinerary) -> int:
     """Number of phases to rotate a cycle by so that it comes first in the alphabet."""
     return min(range(len(itinerary)), key=lambda i: itinerary[i:] + itinerary[:i])
@@ -109,29 +102,24 @@ def candidate_at(
 
     `scale` (N,) is the size of each state.
     """
-    entries = _Entries(
-        motions.last_times[motion],
-        motions.last_configurations[motion],
-        motions.last_sets[motion],
-        motions.last_states[motion],
-    )
     first = end - length
+    configurations = motions.last_configurations[motion, first:end].tolist()
+    sets = motions.last_sets[motion, first + 1 : end + 1].tolist()
     phases = []
-    for i in range(first, end):
-        name = phase_name(
-            motions.structure, int(entries.configurations[i]), int(entries.sets[i + 1])
-        )
+    for configuration, reached in zip(configurations, sets, strict=True):
+        name = phase_name(motions.structure, configuration, reached)
         if name is None:
             return None
         phases.append(name)
     itinerary = tuple(phases)
     turn = canonical(itinerary)
-    dwell = np.diff(entries.times[first : end + 1])
-    miss = float((np.abs(entries.states[end] - entries.states[first]) / scale).max())
+    dwell = np.diff(motions.last_times[motion, first : end + 1])
+    states = motions.last_states[motion]
+    miss = float((np.abs(states[end] - states[first]) / scale).max())
     return Candidate(
         itinerary[turn:] + itinerary[:turn],
         np.roll(dwell, -turn),
-        entries.states[first + turn],
+        states[first + turn],
         miss,
     )
 
