@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import islice
 from typing import NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.leading_derivative import leading
-from nonsmooth.runtime.events.quasi_polynomials import TINY, UNIT, Jet, QuasiPolynomial
+from nonsmooth.runtime.events.leading_derivative import UNIT, leading
+from nonsmooth.runtime.events.quasi_polynomials import TINY, Jet, QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, ORDERS
 
 __all__ = ["Crossing", "Series", "Start", "first_crossing"]
@@ -46,6 +47,12 @@ class Series:
         self._error = [UNIT / 4 * s * f for s, f in zip(sizes, _INVERSE_FACTORIALS, strict=False)][
             : order - 1 if order else None : -1
         ]
+
+    @classmethod
+    def of(cls, function: QuasiPolynomial, order: int) -> Series:
+        """The series of a function from its own derivatives."""
+        values, errors = zip(*islice(function.taylor(), ORDERS), strict=True)
+        return cls(order, values, [error / UNIT for error in errors], function.fastest)
 
     def bend(self, t: float) -> float:
         """Bound on |g''| over [0, t] with t >= 0: small near a root of high order."""
@@ -83,21 +90,18 @@ class Start(NamedTuple):
     @classmethod
     def of(cls, function: QuasiPolynomial) -> Start:
         """Judge g by its first derivative that is nonzero beyond its error."""
-        enough = sum(2 * len(p) for p in function.polynomials)
-        enough += sum(len(chain.coefficients) for chain in function.chains)
-        values, errors = function.taylor(max(ORDERS, enough))
+        enough = sum(2 * (part.end - part.first) for part in function.parts)
 
-        def sign(order: int, value: float) -> int:
-            return 0 if not abs(value) > errors[order] else 1 if value > 0 else -1
+        def sign(_: int, found: tuple[float, float]) -> int:
+            value, error = found
+            return 0 if not abs(value) > error else 1 if value > 0 else -1
 
-        found = leading(values[:enough], sign)
+        found = leading(islice(function.taylor(), enough), sign)
         if found is None:
             return cls(0, None)
         if found.sign > 0:
             return cls(1, None, found.order == 0)
-        sizes = [e / UNIT for e in errors]
-        series = Series(found.order, values[:ORDERS], sizes[:ORDERS], function.fastest)
-        return cls(-1, series if found.order else None)
+        return cls(-1, Series.of(function, found.order) if found.order else None)
 
 
 class Crossing(NamedTuple):
@@ -129,8 +133,9 @@ def first_crossing(
 
     Examples
     --------
-    >>> from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
-    >>> first_crossing(QuasiPolynomial((0j,), ((-1 + 0j, 1 + 0j),)), 3.0).time
+    >>> from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial, plain_functions
+    >>> line = QuasiPolynomial(plain_functions([0j], [2]), (-1 + 0j, 1 + 0j), (1.0, 1.0))
+    >>> first_crossing(line, 3.0).time
     1.0
     """
     fastest = function.fastest

@@ -15,22 +15,26 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.events.quasi_polynomials import UNIT
-
 if TYPE_CHECKING:
     from flint import arb
 
 __all__ = [
+    "UNIT",
     "Leading",
     "Located",
+    "Row",
     "Undecided",
     "Vector",
     "derivatives",
     "dot",
     "leading",
     "leading_signs",
+    "orders",
+    "rows_of",
     "square",
 ]
+
+UNIT = 2.0**-48  # 16 eps, the rounding of a sum of products
 
 R = TypeVar("R")
 Vector = Sequence[Any] | np.ndarray
@@ -97,6 +101,27 @@ def square(field: np.ndarray) -> np.ndarray:
 def dot(row: Iterable[Any], vector: Iterable[Any]) -> Any:
     """Sum of the products of the entries of two vectors."""
     return sum(map(mul, row, vector))
+
+
+Row = tuple[float, ...]
+
+
+def rows_of(array: np.ndarray) -> list[Row]:
+    """Rows of an array (n, m) as tuples of Python numbers."""
+    return [tuple(row) for row in array.tolist()]
+
+
+def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], list[Row]]:
+    """Derivatives of an affine function along a field, order by order, and their sizes.
+
+    The row is (N + 1,), the field (N, N + 1). Both results are `count` rows of N + 1 numbers,
+    those of the function first; sizes are sums of absolute values.
+    """
+    matrix = square(field)
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
+        values = list(derivatives(row, matrix, count))
+        bounds = list(derivatives(abs(row), abs(matrix), count))
+    return rows_of(np.array(values)), rows_of(np.array(bounds))
 
 
 class Located(NamedTuple):

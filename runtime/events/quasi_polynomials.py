@@ -12,246 +12,271 @@ hides between two samples.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import accumulate, count, islice, zip_longest
+from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.events.leading_derivative import UNIT, Row, dot, orders, rows_of
+from nonsmooth.runtime.model.engine_run import ORDERS
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows, matrices_of
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.model.time_functions import (
+    chains,
     derivative_matrix,
     function_bounds,
     functions_at,
     wave,
 )
 
-__all__ = ["TINY", "UNIT", "Chain", "Coefficients", "Jet", "QuasiPolynomial"]
+__all__ = [
+    "TINY",
+    "BoundaryTable",
+    "ConfigurationTable",
+    "Jet",
+    "ModeFunctions",
+    "QuasiPolynomial",
+    "plain_functions",
+    "row_factors",
+]
 
-UNIT = 2.0**-48  # 16 eps
 TINY = 1e-300  # what underflow may take away
+_SHORT = 0.5  # radians of the fastest exponent
+_ABOVE = 1 + 2.0**-40  # of a bound: its own rounding
 
 Jet = tuple[float, float, float, float]  # g, g', g'' and the error of g
-Coefficients = tuple[complex, ...]
+
+# numbers beyond all end a motion
+_quiet = np.errstate(over="ignore", invalid="ignore")
+_values_at, _bounds_between = _quiet(functions_at), _quiet(function_bounds)
 
 
-_QUIET = np.errstate(over="ignore", invalid="ignore")  # numbers beyond all end a motion
+class _JoinedModes(NamedTuple):
+    """A mode by itself, or a chain of modes."""
+
+    first: int  # number of its first complex function
+    end: int  # behind that of its last one
+    exponent: complex  # of the first mode
+    exponents: np.ndarray  # (modes, 2)
+    shapes: tuple[ModeShape, ...]  # of a chain; none for a mode by itself
+    fastest: float  # largest absolute value of the exponents
 
 
-def _horner(coefficients: Sequence[complex], t: float) -> complex:
-    value: complex = 0.0
-    for coefficient in reversed(coefficients):
-        value = value * t + coefficient
-    return value
+class ModeFunctions:
+    """The functions of time of a configuration, those of an oscillation as one complex function.
+
+    A mode by itself has the functions t^k e^(lambda t).
+    """
+
+    def __init__(self, shapes: Sequence[ModeShape], exponents: np.ndarray) -> None:
+        pairs = [list(_places_of(shape)) for shape in shapes]
+        ends = [0, *accumulate(map(len, pairs))]
+        # for each function the places of its real and, if it has one, its imaginary part
+        self.places = [places for each in pairs for places in each]
+        self.parts = [
+            _JoinedModes(
+                ends[first],
+                ends[last],
+                complex(*exponents[first].tolist()),
+                exponents[first:last],
+                tuple(shapes[first:last]) if chain else (),
+                float(np.hypot(*exponents[first:last].T).max()),
+            )
+            for first, last, chain in chains(shapes)
+        ]
+        # what each function's value loses in a unit of time, in its own rounding
+        self.losses = [
+            float(abs(part.exponents[:, 0]).max()) / 8
+            for part in self.parts
+            for _ in range(part.first, part.end)
+        ]
+        matrix, heads = derivative_matrix(shapes, exponents), [p[0] for p in self.places]
+        turned = matrix[heads][:, heads].astype(complex)
+        for row, (_, *imaginary) in enumerate(self.places):
+            for place in imaginary:
+                turned[row] += 1j * matrix[place, heads]
+        self._own = np.diag(turned).tolist()
+        np.fill_diagonal(turned, 0)
+        # numbers of a function, of another one whose derivative contains it, and the factor there
+        self._others = [(int(j), int(i), complex(turned[i, j])) for i, j in np.argwhere(turned)]
+
+    def derived(self, factors: Sequence[complex]) -> tuple[complex, ...]:
+        """Factors of the functions in the derivative of their sum with some factors."""
+        found = [x * own for x, own in zip(factors, self._own, strict=True)]
+        for place, other, factor in self._others:
+            found[place] += factors[other] * factor
+        return tuple(found)
+
+    def derived_sizes(self, sizes: Sequence[float]) -> tuple[float, ...]:
+        """The same of the sums of absolute values behind the factors."""
+        found = [x * abs(own) for x, own in zip(sizes, self._own, strict=True)]
+        for place, other, factor in self._others:
+            found[place] += sizes[other] * abs(factor)
+        return tuple(found)
+
+    def at(
+        self, t: float, parts: Sequence[_JoinedModes] | None = None, *, changes: bool = False
+    ) -> Iterator[tuple[int, complex, float]]:
+        """Yield each function's number, value at t >= 0 and a bound on its absolute value.
+
+        In place of values there may be changes since 0, which keep their relative accuracy over
+        a short time. Angles keep their rounding error.
+        """
+        for part in self.parts if parts is None else parts:
+            rate, frequency = part.exponent.real, part.exponent.imag
+            turn = wave(part.exponent, t) if part.exponent else 1 + 0j
+            head, growth = turn, math.exp(rate * t)
+            if changes:
+                half = math.sin(frequency * t / 2)
+                head = complex(
+                    math.expm1(rate * t) * turn.real / growth - 2 * half * half, turn.imag
+                )
+            if part.shapes:
+                values = _values_at(part.shapes, part.exponents, t)
+                begin, bounds = self.places[part.first][0], self.bounds(part, t, t)
+                yield part.first, head, bounds[0]
+                for i, bound in enumerate(bounds[1:], part.first + 1):
+                    yield i, complex(*(values[place - begin] for place in self.places[i])), bound
+                continue
+            power = 1.0
+            for i in range(part.first, part.end):
+                yield i, power * head, power * growth
+                power, head = power * t, turn
+
+    def bounds(self, part: _JoinedModes, begin: float, end: float) -> list[float]:
+        """Bounds on the absolute values of a part's functions between two times >= 0."""
+        if part.shapes:
+            first = self.places[part.first][0]
+            found = _bounds_between(part.shapes, part.exponents, begin, end)
+            return [float(found[self.places[i][0] - first]) for i in range(part.first, part.end)]
+        rate = part.exponent.real
+        growth = math.exp(rate * (begin if rate < 0 else end)) if rate else 1.0
+        return [growth * end**k for k in range(part.end - part.first)]
 
 
-def _slope(coefficients: Coefficients, exponent: complex) -> Coefficients:
-    """Coefficients of P' + lambda P."""
-    raised = [exponent * c for c in coefficients]
-    for k in range(1, len(coefficients)):
-        raised[k - 1] += k * coefficients[k]
-    return tuple(raised)
+def _places_of(shape: ModeShape) -> Iterator[tuple[int, ...]]:
+    if shape.oscillates and not shape.paired:
+        return zip(shape.places[::2], shape.places[1::2], strict=True)
+    return zip(shape.places, strict=True)
+
+
+def plain_functions(exponents: Sequence[complex], lengths: Sequence[int]) -> ModeFunctions:
+    """Functions of modes by themselves: t^k e^(lambda t) for k below the length of each."""
+    shapes, begin = [], 0
+    for exponent, length in zip(exponents, lengths, strict=True):
+        end = begin + length * (1 + bool(exponent.imag))
+        shapes.append(ModeShape(length, bool(exponent.imag), tuple(range(begin, end))))
+        begin = end
+    return ModeFunctions(shapes, np.array([(x.real, x.imag) for x in exponents]))
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
-    """A part of a quasi-polynomial: a sum of the functions of a chain of modes."""
-
-    shapes: tuple[ModeShape, ...]
-    exponents: np.ndarray  # (modes, 2)
-    coefficients: np.ndarray  # (functions,)
-    sizes: np.ndarray  # (functions,), rounding errors of the coefficients in units of 16 eps
-
-    @cached_property
-    def _turned(self) -> np.ndarray:
-        """Matrix from the coefficients of a function to those of its derivative."""
-        return derivative_matrix(self.shapes, self.exponents).T
-
-    @cached_property
-    def fastest(self) -> float:
-        """Largest absolute value of the exponents."""
-        return float(np.hypot(*self.exponents.T).max())
-
-    @cached_property
-    def tower(self) -> list[np.ndarray]:
-        """Coefficients of the derivatives of order 0, 1, 2."""
-        first = self._turned @ self.coefficients
-        return [self.coefficients, first, self._turned @ first]
-
-    @_QUIET
-    def derivative(self) -> Chain:
-        """The derivative, with the rounding errors of its own coefficients."""
-        sizes = abs(self._turned) @ self.sizes
-        return replace(self, coefficients=self.tower[1], sizes=sizes)
-
-    @_QUIET
-    def jet(self, t: float) -> Jet:
-        """Value, slope and curvature at t, and the value's rounding error in units of 16 eps.
-
-        t is at least 0, in the system's unit of time.
-        """
-        values = np.array(functions_at(self.shapes, self.exponents, t))
-        bounds = np.array(function_bounds(self.shapes, self.exponents, t, t))
-        error = float(bounds @ self.sizes) * (1.0 + float(abs(self.exponents[:, 0]).max()) * t / 8)
-        value, slope, curvature = (float(values @ part) for part in self.tower)
-        return value, slope, curvature, error
-
-    @_QUIET
-    def bound(self, order: int, t: float, length: float) -> float:
-        """Bound on the absolute value of the derivative of some order over [t, t + length].
-
-        Times are in the system's unit.
-        """
-        part = self.coefficients
-        for _ in range(order):
-            part = self._turned @ part
-        bounds = np.array(function_bounds(self.shapes, self.exponents, t, t + length))
-        return float(abs(part[part != 0]) @ bounds[part != 0])
-
-    @_QUIET
-    def taylor(self, count: int) -> tuple[list[float], list[float]]:
-        """Derivatives of order 0, ..., count - 1 at 0, with their errors in units of 16 eps.
-
-        At 0 only the first function of a chain is not 0.
-        """
-        values, sizes = [], []
-        part, size = self.coefficients, self.sizes
-        for _ in range(count):
-            values.append(float(part[0]))
-            sizes.append(float(size[0]))
-            part, size = self._turned @ part, abs(self._turned) @ size
-        return values, sizes
-
-    def ceiling(self) -> float:
-        """Upper bound at all times, inf if there is none; a constant enters with its sign."""
-        head = float(self.coefficients[0])
-        return self.bound(0, 0.0, math.inf) - (0.0 if self.exponents[0].any() else abs(head) - head)
-
-
-@dataclass(frozen=True)
 class QuasiPolynomial:
-    """The function g(t) = Re sum_m P_m(t) e^(lambda_m t), plus chains."""
+    """The real part of a sum of complex functions of time, the first of which is 1."""
 
-    exponents: tuple[complex, ...]  # lambda_m; none twice
-    polynomials: tuple[Coefficients, ...]  # coefficients of each P_m, the constant first
-    # for each coefficient the sum of the absolute values it was added up from: its rounding error
-    # is 16 eps times that; by default its own absolute value
-    sizes: tuple[tuple[float, ...], ...] = ()
-    chains: tuple[Chain, ...] = ()  # added to the sum
+    functions: ModeFunctions
+    factors: tuple[complex, ...]
+    # for each factor the sum of the absolute values it was added up from: its rounding error is
+    # 16 eps times that
+    sizes: tuple[float, ...]
 
-    def __post_init__(self) -> None:
-        if not self.sizes:
-            sizes = tuple(tuple(map(abs, p)) for p in self.polynomials)
-            object.__setattr__(self, "sizes", sizes)
+    @classmethod
+    def of(
+        cls, functions: ModeFunctions, values: Sequence[float], sizes: Sequence[float]
+    ) -> QuasiPolynomial:
+        """The sum of the real functions of time with some factors, and the sizes of these."""
+        factors = (
+            complex(values[place], -sum(values[other] for other in others))
+            for place, *others in functions.places
+        )
+        added = (sum(sizes[place] for place in places) for places in functions.places)
+        return cls(functions, tuple(factors), tuple(added))
 
     def __call__(self, t: float) -> float:
         """Value at t."""
         return self.jet(t)[0]
 
     def derivative(self) -> QuasiPolynomial:
-        """The function g', with the rounding errors of its own coefficients."""
-        return QuasiPolynomial(
-            self.exponents,
-            tuple(_slope(p, x) for p, x in zip(self.polynomials, self.exponents, strict=True)),
-            tuple(
-                tuple(map(abs, _slope(s, abs(x))))
-                for s, x in zip(self.sizes, self.exponents, strict=True)
-            ),
-            tuple(chain.derivative() for chain in self.chains),
-        )
+        """The function g', with the rounding errors of its own factors."""
+        sizes = self.functions.derived_sizes(self.sizes)
+        return replace(self, factors=self._order(1), sizes=sizes)
 
     def raised(self, by: float) -> QuasiPolynomial:
         """The function g + by."""
-        if 0 not in self.exponents:
-            polynomials = ((by + 0j,), *self.polynomials)
-            sizes = ((0.0,), *self.sizes)
-            return QuasiPolynomial((0j, *self.exponents), polynomials, sizes, self.chains)
-        place = self.exponents.index(0)
-        head, *rest = self.polynomials[place]
-        before, after = self.polynomials[:place], self.polynomials[place + 1 :]
-        return replace(self, polynomials=(*before, (head + by, *rest), *after))
+        head, *rest = self.factors
+        return replace(self, factors=(head + by, *rest))
+
+    @cached_property
+    def parts(self) -> list[_JoinedModes]:
+        """The modes and chains that are not left out."""
+        held = self.factors, self.sizes
+        return [
+            part
+            for part in self.functions.parts
+            if any(any(numbers[part.first : part.end]) for numbers in held)
+        ]
 
     @cached_property
     def fastest(self) -> float:
         """Largest |lambda_m|."""
-        speeds = [*map(abs, self.exponents), *(chain.fastest for chain in self.chains)]
-        return max(speeds, default=0.0)
+        return max((part.fastest for part in self.parts), default=0.0)
 
     @cached_property
-    def _parts(self) -> tuple[list[tuple[complex, ...]], list[tuple[complex, list[Coefficients]]]]:
-        """Pure exponentials with their derivatives' factors, and the terms with powers of t."""
-        plain: list[tuple[complex, ...]] = []
-        powers = []
-        for exponent, p, s in zip(self.exponents, self.polynomials, self.sizes, strict=True):
-            if len(p) == 1:
-                first = exponent * p[0]
-                plain.append(
-                    (exponent, p[0], first, exponent * first, s[0], abs(exponent.real) / 8)
-                )
-            else:
-                first_, size = _slope(p, exponent), tuple(map(complex, s))
-                powers.append((exponent, [p, first_, _slope(first_, exponent), size]))
-        return plain, powers
+    def _orders(self) -> list[tuple[complex, ...]]:
+        return [self.factors]
+
+    def _order(self, order: int) -> tuple[complex, ...]:
+        """Factors of a derivative."""
+        known = self._orders
+        while len(known) <= order:
+            known.append(self.functions.derived(known[-1]))
+        return known[order]
+
+    @cached_property
+    def _terms(self) -> list[tuple[complex, complex, complex, float, float]]:
+        """For each function its factors in g, g' and g'', its size, and what it loses with time."""
+        parts = (*map(self._order, range(3)), self.sizes, self.functions.losses)
+        return list(zip(*parts, strict=True))
 
     def jet(self, t: float) -> Jet:
         """Values of g, g' and g'' at t, and the rounding error of g.
 
         t is at least 0, in the system's unit of time.
         """
-        plain, powers = self._parts
         value = slope = curvature = error = 0.0
-        for exponent, c, first, second, size, speed in plain:
-            if exponent:
-                turn = wave(exponent, t)
-                value += (c * turn).real
-                slope += (first * turn).real
-                curvature += (second * turn).real
-                growth = abs(turn) if exponent.real else 1.0
-                error += size.real * growth * (1.0 + speed.real * t)
-            else:
-                value += c.real
-                error += size.real
-        for exponent, (p, first_, second_, sizes) in powers:
-            turn = wave(exponent, t)
-            value += (_horner(p, t) * turn).real
-            slope += (_horner(first_, t) * turn).real
-            curvature += (_horner(second_, t) * turn).real
-            error += abs(_horner(sizes, t) * turn) * (1.0 + abs(exponent.real) * t / 8)
-        for chain in self.chains:
-            parts = chain.jet(t)
-            value, slope, curvature = value + parts[0], slope + parts[1], curvature + parts[2]
-            error += parts[3]
+        terms = self._terms
+        for i, function, bound in self.functions.at(t, self.parts):
+            zeroth, first, second, size, loss = terms[i]
+            value += (zeroth * function).real
+            slope += (first * function).real
+            curvature += (second * function).real
+            error += size * bound * (1.0 + loss * t)
         return value, slope, curvature, UNIT * error + TINY
 
     def rounding(self, t: float) -> float:
         """Bound on the rounding error of the value at t, in the system's unit of time."""
         return self.jet(t)[3]
 
-    @cached_property
-    def _amplitudes(self) -> list[tuple[float, tuple[tuple[float, ...], ...]]]:
-        """Growth rate of each term and |coefficients| of its first derivatives' polynomials."""
-        found = []
-        for exponent, p in zip(self.exponents, self.polynomials, strict=True):
-            tower = []
-            for _ in range(4):
-                tower.append(tuple(map(abs, p)))
-                p = _slope(p, exponent)
-            found.append((exponent.real, tuple(tower)))
-        return found
+    def rises(self, noise: float) -> bool:
+        """Whether it rises at 0 beyond the error of its slope, where it itself errs by noise."""
+        _, (slope, error) = islice(self.taylor(), 2)
+        return slope > error + self.fastest * noise
 
     @cached_property
     def uniform(self) -> tuple[float, ...] | None:
         """Bounds on |g''| and |g'''| at all times, or None where they depend on the interval."""
-        if self.chains:
-            return None
-        bounds = [0.0, 0.0]
-        for rate, tower in self._amplitudes:
-            for i in (0, 1):
-                head, *rest = tower[2 + i]
-                if rate != 0 or any(rest):
+        bounds = []
+        for order in (2, 3):
+            factors = self._order(order)
+            for part in self.parts:
+                if part.shapes or part.exponent.real or any(factors[part.first + 1 : part.end]):
                     return None
-                bounds[i] += head
-        return tuple(b * (1 + 2.0**-40) for b in bounds)
+            bounds.append(sum(abs(factors[part.first]) for part in self.parts) * _ABOVE)
+        return tuple(bounds)
 
     def bound(self, order: int, t: float, length: float) -> float:
         """Bound on the absolute value of the derivative of some order over [t, t + length].
@@ -260,57 +285,50 @@ class QuasiPolynomial:
         """
         if order in (2, 3) and self.uniform is not None:
             return self.uniform[order - 2]
-        end = t + length
-        total = sum(chain.bound(order, t, length) for chain in self.chains)
-        for index, (rate, tower) in enumerate(self._amplitudes):
-            if order < 4:
-                coefficients = tower[order]
-            else:
-                exponent, p = self.exponents[index], self.polynomials[index]
-                for _ in range(order):
-                    p = _slope(p, exponent)
-                coefficients = tuple(map(abs, p))
-            if not any(coefficients):
-                continue
-            size = coefficients[0] if len(coefficients) == 1 else 0.0
-            if len(coefficients) > 1:
-                size = _horner(coefficients, end).real if any(coefficients[1:]) else coefficients[0]
-            total += size * math.exp(rate * (t if rate < 0 else end)) if rate else size
-        return total * (1 + 2.0**-40)
+        return sum(self._bound(order, part, t, t + length) for part in self.parts) * _ABOVE
 
-    def taylor(self, count: int) -> tuple[list[float], list[float]]:
-        """Derivatives of order 0, ..., count - 1 at 0, and the rounding error of each."""
-        values, errors = [0.0] * count, [0.0] * count
-        for exponent, p, s in zip(self.exponents, self.polynomials, self.sizes, strict=True):
-            speed = abs(exponent)
-            size: Coefficients = s
-            for k in range(count):
-                values[k] += p[0].real
-                errors[k] += UNIT * abs(size[0])
-                p, size = _slope(p, exponent), _slope(size, speed)
-        for chain in self.chains:
-            for k, (own, rounds) in enumerate(zip(*chain.taylor(count), strict=True)):
-                values[k] += own
-                errors[k] += UNIT * rounds
-        return values, errors
+    def _bound(self, order: int, part: _JoinedModes, begin: float, end: float) -> float:
+        """What a part adds to the bound between two times."""
+        factors = self._order(order)[part.first : part.end]
+        if not any(factors):
+            return 0.0
+        bounds = self.functions.bounds(part, begin, end)
+        return sum(abs(x) * bound for x, bound in zip(factors, bounds, strict=True) if x)
+
+    def taylor(self) -> Iterator[tuple[float, float]]:
+        """Yield the derivatives of order 0, 1, ... at 0, each with its rounding error.
+
+        At 0 the first function of each mode or chain is 1, and the others are 0.
+        """
+        sizes = self.sizes
+        for order in count():
+            factors = self._order(order)
+            value = sum(factors[part.first].real for part in self.parts)
+            yield value, UNIT * sum(sizes[part.first] for part in self.parts)
+            sizes = self.functions.derived_sizes(sizes)
 
     def ceiling(self, t: float) -> float:
         """Upper bound on g over [t, infinity), inf if the amplitudes give none.
 
         t is in the system's unit of time.
         """
-        total = sum(chain.ceiling() for chain in self.chains)
-        for exponent, p in zip(self.exponents, self.polynomials, strict=True):
-            rate = exponent.real
-            if exponent == 0 and not any(p[2:]):
-                drift = p[1].real if len(p) > 1 else 0.0
+        total = 0.0
+        for part in self.parts:
+            rate, own = part.exponent.real, self.factors[part.first : part.end]
+            head = own[0].real
+            if part.shapes:
+                total += self._bound(0, part, 0.0, math.inf)
+                total -= 0.0 if part.exponent else abs(head) - head
+                continue
+            if not part.exponent and not any(own[2:]):
+                drift = own[1].real if len(own) > 1 else 0.0
                 if drift > 0:
                     return math.inf
-                total += p[0].real + (drift * t if drift else 0.0)
+                total += head + (drift * t if drift else 0.0)
                 continue
-            if rate > 0 or (rate == 0 and any(p[1:])):
+            if rate > 0 or (rate == 0 and any(own[1:])):
                 return math.inf
-            for k, c in enumerate(p):
+            for k, c in enumerate(own):
                 if c == 0:
                     continue
                 peak = max(t, -k / rate) if k else t
@@ -322,12 +340,10 @@ class QuasiPolynomial:
 
         The bound is that of Fujiwara (1916).
         """
-        if any(self.exponents) or self.chains:
+        if any(part.shapes or part.exponent for part in self.parts):
             return math.inf
-        longest = max(map(len, self.polynomials), default=0)
-        coefficients = [
-            sum(p[k].real for p in self.polynomials if k < len(p)) for k in range(longest)
-        ]
+        powers = (self.factors[part.first : part.end] for part in self.parts)
+        coefficients = [sum(c.real for c in each) for each in zip_longest(*powers, fillvalue=0j)]
         while coefficients and coefficients[-1] == 0:
             coefficients.pop()
         if len(coefficients) < 2:
@@ -336,3 +352,103 @@ class QuasiPolynomial:
         return 2.0 * max(
             math.pow(abs(c) / lead, 1 / (degree - k)) for k, c in enumerate(coefficients[:-1])
         )
+
+
+def row_factors(flow: Flows, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What each function of time has in an affine function (N + 1,) along a flow, and its size.
+
+    Both are (functions, N + 1): they are multiplied by the extended start.
+    """
+    if isinstance(flow, FactoredFlows):
+        values, sizes = flow.rows(row[:-1])
+    else:
+        values = np.einsum("i,fij->fj", row[:-1], flow)
+        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
+    values[0, -1] += row[-1]  # the constant joins the first function, which is 1
+    sizes[0, -1] += abs(row[-1])
+    return values, sizes
+
+
+class BoundaryTable:
+    """One boundary of a configuration: coefficients by functions of time, and derivatives."""
+
+    def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
+        shape = system.structure.boundaries[configuration][index]
+        row, flow = system.rows[shape.row], system.flows[configuration]
+        values, sizes = row_factors(flow, row)
+        self.row, self.reached = shape.row, shape.reached
+        self.values, self.sizes = rows_of(values), rows_of(sizes)
+        self.orders, self.bounds = orders(row, system.fields[configuration], ORDERS)
+
+
+class ConfigurationTable:
+    """The numbers of a configuration that a phase needs, as lists of Python numbers."""
+
+    def __init__(self, system: PiecewiseLinear, index: int) -> None:
+        shape, self._flows = system.structure, system.flows[index]
+        self.functions = ModeFunctions(shape.shapes[index], system.exponents[index])
+        rates, speeds = system.exponents[index][:, 0], np.hypot(*system.exponents[index].T)
+        self.fastest = float(speeds.max())
+        self.slowest = min(filter(None, speeds.tolist()), default=0.0)
+        self.growth = max(0.0, float(rates.max()))
+        self.bounded = not rates.any() and all(
+            part.end - part.first == 1 and not part.shapes for part in self.functions.parts
+        )
+        self.boundaries = [
+            BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
+        ]
+        self.field = rows_of(system.fields[index])
+
+    @cached_property
+    def flow(self) -> list[list[Row]]:
+        """Rows of the matrix that belongs to each function of time."""
+        return [rows_of(part) for part in matrices_of(self._flows)]
+
+    @cached_property
+    def sizes(self) -> list[list[Row]]:
+        """Absolute values of `flow`."""
+        return [rows_of(abs(part)) for part in matrices_of(self._flows)]
+
+    @cached_property
+    def total(self) -> list[Row]:
+        """Sum of `sizes` over the functions of time."""
+        return rows_of(abs(matrices_of(self._flows)).sum(axis=0))
+
+    def function(
+        self, boundary: BoundaryTable, state: list[float], size: list[float]
+    ) -> QuasiPolynomial:
+        """A boundary function in time, from an extended state and its absolute values.
+
+        The state has N + 1 numbers, in the system's units; `size` are absolute values of as many.
+        """
+        values = [dot(row, state) for row in boundary.values]
+        sizes = [dot(row, size) for row in boundary.sizes]
+        return QuasiPolynomial.of(self.functions, values, sizes)
+
+    def after(self, state: list[float], t: float) -> list[float]:
+        """The extended state, N + 1 numbers, a time t later; all is in the system's units."""
+        if t == 0:
+            return state
+        # over a short time by what changes, which keeps its relative accuracy
+        short = t * self.fastest <= _SHORT
+        result = state[:-1] if short else [0.0] * (len(state) - 1)
+        for number, value, _ in self.functions.at(t, changes=short):
+            places = self.functions.places[number]
+            for place, factor in zip(places, (value.real, value.imag), strict=False):
+                for i, row in enumerate(self.flow[place]):
+                    result[i] += factor * dot(row, state)
+        return [*result, 1.0]
+
+    def magnitudes(self, size: list[float], t: float) -> list[float]:
+        """Sums of absolute values that make up the extended state a time t later.
+
+        `size` are the absolute values of its N + 1 numbers now; t is in the system's unit of time.
+        """
+        if self.bounded:
+            return [*(dot(row, size) for row in self.total), 1.0]
+        result = [0.0] * (len(size) - 1)
+        for number, _, bound in self.functions.at(t):
+            for place in self.functions.places[number]:
+                for i, row in enumerate(self.sizes[place]):
+                    result[i] += bound * dot(row, size)
+        return [*result, 1.0]

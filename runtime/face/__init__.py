@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.refine import refine as refine
     from nonsmooth.runtime.orbits.solve import solve as solve
     from nonsmooth.runtime.present.files.loading import load as load
-    from nonsmooth.runtime.simulation.last_cycle import itinerary_of as itinerary_of
     from nonsmooth.runtime.simulation.lyapunov import lyapunov as lyapunov
     from nonsmooth.runtime.simulation.motion_function import motion_function as motion_function
     from nonsmooth.runtime.simulation.observables import observe as observe
+    from nonsmooth.runtime.simulation.recurrence import itinerary_of as itinerary_of
     from nonsmooth.runtime.simulation.returns import poincare_map as poincare_map
     from nonsmooth.runtime.simulation.simulate import simulate as simulate
 
@@ -55,7 +55,7 @@ _HOMES = {
     "design": "runtime.explore.design.design",
     "find_orbits": "runtime.explore.finding.find",
     "fit": "runtime.explore.fitting.fit",
-    "itinerary_of": "runtime.simulation.last_cycle",
+    "itinerary_of": "runtime.simulation.recurrence",
     "load": "runtime.present.files.loading",
     "lyapunov": "runtime.simulation.lyapunov",
     "motion_function": "runtime.simulation.motion_function",

@@ -25,7 +25,6 @@ from nonsmooth.runtime.model.structure import ModeShape
 __all__ = [
     "chains",
     "derivative_matrix",
-    "factors_at",
     "function_bounds",
     "function_orders",
     "functions_at",
@@ -159,53 +158,6 @@ def wave(exponent: complex, t: float) -> complex:
     cosine, sine = math.cos(angle), math.sin(angle)
     found = complex(cosine - rest * sine, sine + rest * cosine)
     return math.exp(exponent.real * t) * found if exponent.real else found
-
-
-def factors_at(
-    modes: Sequence[tuple[complex, ModeShape]],
-    joined: Sequence[tuple[int, int, bool]],
-    t: float,
-    *,
-    changes: bool = False,
-) -> list[tuple[float, float, int]]:
-    """Value, bound and place of each function of time, or its change since 0, at one time.
-
-    As `functions_at`, but without arrays; angles keep their rounding error, and changes over a
-    short time keep their relative accuracy. `joined` is what `chains` gives for the shapes.
-    """
-    found = []
-    for first, end, chain in joined:
-        exponent, mode = modes[first]
-        growth, power = math.exp(exponent.real * t), 1.0
-        turn = wave(exponent, t)
-        change = turn
-        if changes:
-            half = math.sin(exponent.imag * t / 2)
-            decay = math.expm1(exponent.real * t)
-            change = complex(decay * turn.real / growth - 2 * half * half, turn.imag)
-        if chain:
-            shapes = [shape for _, shape in modes[first:end]]
-            exponents = np.array([(x.real, x.imag) for x, _ in modes[first:end]])
-            values, bounds = (
-                list(map(float, part))
-                for part in (
-                    functions_at(shapes, exponents, t),
-                    function_bounds(shapes, exponents, t, t),
-                )
-            )
-            values[0] = change.real
-            if mode.oscillates and not mode.paired:
-                values[1] = change.imag
-            begin = mode.places[0]
-            found += list(zip(values, bounds, range(begin, begin + len(values)), strict=True))
-            continue
-        step = 2 if mode.oscillates else 1
-        for place in mode.places[::step]:
-            found.append((power * change.real, power * growth, place))
-            if mode.oscillates:
-                found.append((power * change.imag, power * growth, place + 1))
-            power, change = power * t, turn
-    return found
 
 
 def _poles_of(

@@ -21,15 +21,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import (
-    AlongMotion,
-    BoundaryCurve,
-    LinearMotion,
-    TrigonometricSum,
+from nonsmooth.runtime.events.guaranteed_maxima import maximum
+from nonsmooth.runtime.events.quasi_polynomials import (
+    ModeFunctions,
+    QuasiPolynomial,
+    plain_functions,
+    row_factors,
 )
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.shooting.kernel_newton import dwell_times, lasting_phases
 from nonsmooth.runtime.shooting.newton import NEGATIVE
 
@@ -163,7 +165,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
 def _crossings(
     kernels: OrbitKernels,
     name: str,
-    curves: Sequence[tuple[Boundary, BoundaryCurve]],
+    curves: Sequence[tuple[Boundary, QuasiPolynomial]],
     measures: Sequence[float],
     dwell: Sequence[float],
     least: dict[str, float],
@@ -184,7 +186,7 @@ def _crossings(
         parameter = boundary.open_parameter
         if parameter in least:
             unit = -boundary.open_coefficient
-            highest = function.maximum(duration, unit * least[parameter])
+            highest = maximum(function, duration, unit * least[parameter])
             # the maximum is at least its floor: only a rounding makes it the smaller one
             least[parameter] = max(least[parameter], highest.value / unit)
             continue
@@ -192,7 +194,7 @@ def _crossings(
             function = function.raised(boundary.open_coefficient * float(opened[parameter]))
         floor = function.rounding(duration) + noise
         rises = boundary.begins and duration > 0 and function.rises(noise)
-        highest = function.maximum(duration, -math.inf if rises else floor)
+        highest = maximum(function, duration, -math.inf if rises else floor)
         above = highest.value > floor
         if rises or above:  # a phase may begin on a boundary and cross it there, however little
             yield number, highest.time if above else 0.0, max(highest.value, 0.0)
@@ -201,7 +203,7 @@ def _crossings(
 def _noise(
     kernels: OrbitKernels,
     measures: Sequence[float],
-    curves: Sequence[tuple[Boundary, BoundaryCurve]],
+    curves: Sequence[tuple[Boundary, QuasiPolynomial]],
     dwell: Sequence[float],
 ) -> float:
     """Return the rounding of a phase's boundary functions.
@@ -216,7 +218,9 @@ def _noise(
     return 32 * float(np.finfo(float).eps) * size + min(2 * missed, MOST_MISSED * size)
 
 
-def _check_length(name: str, configuration: str, function: BoundaryCurve, duration: float) -> None:
+def _check_length(
+    name: str, configuration: str, function: QuasiPolynomial, duration: float
+) -> None:
     """Refuse a phase that is too long for a guaranteed search, by its name."""
     if not duration * function.fastest <= LONGEST_WAIT:
         raise InputError(
@@ -225,39 +229,46 @@ def _check_length(name: str, configuration: str, function: BoundaryCurve, durati
         )
 
 
-def boundary_curves(orbit: Orbit) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+def boundary_curves(orbit: Orbit) -> Iterator[tuple[Boundary, QuasiPolynomial]]:
     """Yield each boundary of each phase with its function of the time since the phase's start.
 
     The boundaries come in the kernels' order. The contribution of an open parameter is
     left out of the functions.
     """
-    dwell = orbit.dwell_times.astype(float)
-    (curves,) = _curves(orbit.kernels, *orbit.kernel_point, dwell[None])
+    (curves,) = _curves(orbit.kernels, *orbit.kernel_point)
     yield from curves()
 
 
 def _curves(
-    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, dwell: np.ndarray
-) -> Iterator[Callable[[], Iterator[tuple[Boundary, BoundaryCurve]]]]:
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
+) -> Iterator[Callable[[], Iterator[tuple[Boundary, QuasiPolynomial]]]]:
     """Yield for each of many points a function that makes its boundary functions when called."""
     spectrum, _ = kernels.spectrum(points)
-    read: Callable[..., Iterator[tuple[Boundary, BoundaryCurve]]] = _along_motions
-    quantities: tuple[str, ...] = ("states", "fields", "ends", "boundaries")
+    read: Callable[..., Iterator[tuple[Boundary, QuasiPolynomial]]] = _along_motions
+    quantities: tuple[str, ...] = ("states", "fields", "boundaries")
     if kernels.trigonometric:
         read, quantities = _sums, ("coefficients", "frequencies")
     arrays = kernels.evaluate(*quantities, at=(points, spectrum, unknowns))
     for row in range(len(points)):
-        yield partial(read, kernels, *(array[row] for array in arrays), dwell[row])
+        yield partial(read, kernels, *(array[row] for array in arrays))
 
 
 def _sums(
-    kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
-) -> Iterator[tuple[Boundary, BoundaryCurve]]:
+    kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray
+) -> Iterator[tuple[Boundary, QuasiPolynomial]]:
     """Yield the boundaries and their sums at one point."""
+    functions: dict[int, ModeFunctions] = {}
     for boundary, row, angular in trigonometric_rows(kernels, coefficients, frequencies):
+        if boundary.phase not in functions:
+            exponents = [0j, *(1j * angular).tolist()]
+            functions[boundary.phase] = plain_functions(exponents, [2, *[1] * len(angular)])
         constant, slope, *waves = row.tolist()
-        parts = waves[: len(angular)], waves[len(angular) :], angular.tolist()
-        yield boundary, TrigonometricSum(constant, slope, *map(tuple, parts))
+        pairs = zip(waves[: len(angular)], waves[len(angular) :], strict=True)
+        factors = (complex(constant), complex(slope), *(complex(c, -s) for c, s in pairs))
+        yield (
+            boundary,
+            QuasiPolynomial(functions[boundary.phase], factors, tuple(map(abs, factors))),
+        )
 
 
 def trigonometric_rows(
@@ -277,19 +288,17 @@ def trigonometric_rows(
 
 
 def _along_motions(
-    kernels: OrbitKernels,
-    states: np.ndarray,
-    fields: np.ndarray,
-    ends: np.ndarray,
-    rows: np.ndarray,
-    dwell: np.ndarray,
-) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Yield the boundaries and their functions at one point."""
+    kernels: OrbitKernels, states: np.ndarray, fields: np.ndarray, rows: np.ndarray
+) -> Iterator[tuple[Boundary, QuasiPolynomial]]:
+    """Yield the boundaries and their functions along damped or forced motions at one point."""
     starts = states[:-1]
-    phases = zip(np.split(fields, len(starts)), starts, dwell.tolist(), strict=True)
-    motions = [LinearMotion(*phase) for phase in phases]
+    modes = [numeric_modes(field) for field in np.split(fields, len(starts))]
+    functions = [ModeFunctions(each.shapes, each.exponents) for each in modes]
     for boundary, row in zip(kernels.boundaries, rows, strict=True):
-        yield boundary, AlongMotion(motions[boundary.phase], row[:-1], float(row[-1]))
+        phase, start = boundary.phase, np.append(starts[boundary.phase], 1.0)
+        values, sizes = row_factors(modes[phase].flows, row)
+        parts = (values @ start).tolist(), (sizes @ abs(start)).tolist()
+        yield boundary, QuasiPolynomial.of(functions[phase], *parts)
 
 
 def kernel_limits(
@@ -326,7 +335,7 @@ def _admissible_numpy(
     sound = np.flatnonzero(np.isfinite(unknowns).all(axis=-1) & (dwell[:, timed] > 0).all(axis=-1))
     names = [*kernels.unknowns, *kernels.parameter_names]
     places = [names.index(name) for name in kernels.table["measures"]]
-    found = _curves(kernels, points[sound], unknowns[sound], dwell[sound])
+    found = _curves(kernels, points[sound], unknowns[sound])
     for point, curves_of in zip(sound.tolist(), found, strict=True):
         try:
             curves, least = list(curves_of()), dict.fromkeys(opened, 0.0)

@@ -29,7 +29,7 @@ from nonsmooth.runtime.orbits.table_solve import (
 )
 from nonsmooth.runtime.shooting.kernel_newton import Full, judged_at, solve_full, solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, sure_digits
-from nonsmooth.runtime.simulation.last_cycle import Recurrence
+from nonsmooth.runtime.simulation.recurrence import Recurrence
 
 if TYPE_CHECKING:
     pass

@@ -10,6 +10,7 @@ Where the engine's rounding could decide, the guaranteed test of single orbits d
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,10 +18,9 @@ from functools import cached_property
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.first_crossing import first_crossing
-from nonsmooth.runtime.events.guaranteed_maxima import largest_between
+from nonsmooth.runtime.events.guaranteed_maxima import maximum
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
-from nonsmooth.runtime.events.phase_numbers import ConfigurationTable
+from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
 from nonsmooth.runtime.events.transition_choice import Decider, choose
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent
@@ -91,10 +91,8 @@ def assess_cycle(
         for boundary, shape in zip(table.boundaries, shapes, strict=True):
             function = table.function(boundary, state, [abs(x) for x in state])
             rounding = max(function.rounding(0.0), function.rounding(duration))
-            floor = rounding + float(noise[shape.row])
-            crossing = first_crossing(function.raised(-floor), duration)
-            if crossing.time is not None:
-                excess, time = largest_between(function, crossing.time, duration)
+            excess, time = maximum(function, duration, rounding + float(noise[shape.row]))
+            if not math.isnan(time):
                 found = Violation(place, name, shape.name, float(begins[place]) + time, excess)
                 violations.append(found)
         for reached in sorted(cycle.transitions[place].boundaries):

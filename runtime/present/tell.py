@@ -39,8 +39,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit, Orbits
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.engines import Trajectories
-    from nonsmooth.runtime.simulation.last_cycle import Recurrence
     from nonsmooth.runtime.simulation.observables import Observables
+    from nonsmooth.runtime.simulation.recurrence import Recurrence
     from nonsmooth.runtime.simulation.returns import PoincareMap
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 

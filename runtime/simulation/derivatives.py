@@ -28,7 +28,6 @@ from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
     input_names,
-    turned,
 )
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
 from nonsmooth.runtime.simulation.observables import observe, observed_rows, sticking
@@ -93,27 +92,11 @@ class MotionDerivatives:
     @cached_property
     def _linearisations(self) -> tuple[MotionLinearisation, ...]:
         """The linearisation of each part, which the forward and the reverse pass share."""
-        return tuple(part.linearisation(self.times) for part in self.parts)
-
-    @cached_property
-    def _directions(self) -> tuple[tuple[Numbers, np.ndarray], ...]:
-        """Changes of the tables and of the start along the directions of each part."""
-        return tuple(
-            linear.directions(tuple(self.by[column] for column in part.columns))
-            for part, linear in zip(self.parts, self._linearisations, strict=True)
-        )
-
-    @cached_property
-    def _changes(self) -> tuple[MotionChanges, ...]:
-        """Derivatives of each part."""
-        return tuple(
-            linear.forward(*directions)
-            for linear, directions in zip(self._linearisations, self._directions, strict=True)
-        )
+        return tuple(part.linearised(self.times) for part in self.parts)
 
     @cached_property
     def _forward(self) -> MotionChanges:
-        return gathered(self.parts, self._changes, len(self.by))
+        return gathered(self.parts, self._linearisations, len(self.by))
 
     @property
     def states(self) -> np.ndarray:
@@ -198,8 +181,7 @@ class MotionDerivatives:
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
         plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
         if plain:
-            moved = turned(*self._directions[0], factors[:, None])
-            every = self._linearisations[0].forward(*moved)
+            every = self._linearisations[0].along(factors[:, None])
         elif self.one_sided is None:
             every = MotionChanges(*(part @ factors[:, None] for part in self._forward))
         else:
@@ -245,25 +227,16 @@ class MotionDerivatives:
                 raise InputError(f"factors of {name} have the shape {found.shape}, not {shape}")
             factors.append(found)
         gradient = np.empty(len(self.by))
-        for part, linear, (tables, starts) in zip(
-            self.parts, self._linearisations, self._directions, strict=True
-        ):
-            fields, rows, resets, start = linear.reverse(*scattered(part, *factors))
-            gradient[part.columns] = (
-                np.tensordot(tables.fields, fields, axes=3)
-                + np.tensordot(tables.rows, rows, axes=2)
-                + np.tensordot(tables.resets, resets, axes=3)
-                + start @ starts
-            )
+        for part, linear in zip(self.parts, self._linearisations, strict=True):
+            gradient[part.columns] = linear.gradient(*scattered(part, *factors))
         return gradient
 
     @cached_property
     def numbers(self) -> Numbers:
         """Fields, rows and resets (q, ...) of the system, each with a step of one number."""
-        if len(self.parts) == 1:
-            tables, _ = self._directions[0]
-        else:
-            tables, _ = self._linearisations[0].directions(self.by)
+        first, *others = (linear.moves[0] for linear in self._linearisations)
+        order = np.argsort(np.concatenate([part.columns for part in self.parts]))
+        tables = first.each(lambda *parts: np.concatenate(parts)[order], *others)
         system = self.trajectory.system
         now = Numbers(system.fields, system.rows, system.resets)
         return now.each(lambda part, rates: stepped(part, rates, None), tables)
@@ -299,7 +272,7 @@ class MotionDerivatives:
         The side is None where no boundaries come apart. An `InputError` is raised where they do
         and their times have other derivatives on the other side.
         """
-        for part, changes in zip(self.parts, self._changes, strict=True):
+        for part, linear in zip(self.parts, self._linearisations, strict=True):
             if part.open.any():
                 reached = self.trajectory.boundaries[1 + int(np.argmax(part.open))]
                 raise InputError(
@@ -308,7 +281,7 @@ class MotionDerivatives:
                 )
             if part.columns.size:
                 own = self.numbers.each(operator.itemgetter(part.columns))
-                moved = self._moved(part.trajectory, changes, own, since)
+                moved = self._moved(part.trajectory, linear.changes, own, since)
                 yield part.columns, self.one_sided if part.apart.any() else None, moved
 
     def _moved(
@@ -377,10 +350,9 @@ def motion_derivatives(
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
     check_times(trajectory, array, one_sided)
-    directions = np.eye(len(chosen))
-    parts = directed_motions(trajectory, chosen, directions, one_sided)
+    parts = directed_motions(trajectory, chosen, np.eye(len(chosen)), one_sided)
     for part in parts:
-        check_sides(part, chosen, directions, array, one_sided)
+        check_sides(part, array, one_sided)
     found = MotionDerivatives(trajectory, chosen, array, one_sided, parts)
     found._linearisations  # noqa: B018 - what has no derivative is refused here
     return found
@@ -396,11 +368,9 @@ def chosen_numbers(
 
 def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges:
     """One-sided derivatives along a direction, which are no sum of those by single numbers."""
-    direction = factors[:, None]
-    (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)
-    check_sides(part, found.by, direction, found.times, found.one_sided)
-    _, _, changes = part.moved(found.by, direction, found.times)
-    return gathered((part,), [changes], 1)
+    (part,) = directed_motions(found.trajectory, found.by, factors[:, None], found.one_sided)
+    check_sides(part, found.times, found.one_sided)
+    return gathered((part,), (part.linearised(found.times),), 1)
 
 
 @dataclass(frozen=True, eq=False)

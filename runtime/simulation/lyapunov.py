@@ -29,8 +29,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.flow_derivatives import flow_matrices
 from nonsmooth.runtime.simulation.motion_linearisation import field_at, transitions_behind
+from nonsmooth.runtime.simulation.moved_phases import flow_matrices
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -64,16 +64,6 @@ class Exponent(NamedTuple):
     def positive(self) -> bool:
         """Whether it lies above zero by more than three standard errors: chaos."""
         return self.value > _SIGNIFICANT * self.error
-
-
-class _TangentPhase(NamedTuple):
-    """One phase of a motion, with the saltation matrix (N, N) at its end if there is one."""
-
-    begin: float
-    duration: float
-    configuration: int
-    start: np.ndarray
-    saltation: np.ndarray | None
 
 
 class _Growth(NamedTuple):
@@ -190,21 +180,24 @@ def _growth(trajectory: Trajectory, since: float) -> _Growth:
     system = trajectory.system
     own = np.ix_(kept := _perturbed(trajectory), kept)
     forced = bool(trajectory.structure.forcing)
-    phases = list(_tangent_phases(trajectory, since))
-    counts = _pieces(system, phases, since, trajectory.end)
+    first, saltations = _saltations(trajectory, since)
+    run = trajectory.run
+    begins, configurations = run.times[first:].tolist(), run.configurations[first:].tolist()
+    ends = [*begins[1:], trajectory.end]
+    longest = _pieces(system, configurations, np.subtract(ends, begins), trajectory.end - since)
     count = len(kept) - (not forced)
     generator = np.random.default_rng(_SEED)
     frame, alive = np.empty((len(kept), 0)), np.empty(0, dtype=int)
     middles, lengths, logs = [], [], []
-    for place, (phase, pieces) in enumerate(zip(phases, counts, strict=True)):
-        field = None if forced else _direction(system, phase)
-        if phase.begin <= since and len(alive) < count:
+    for place, (phase, configuration) in enumerate(zip(begins, configurations, strict=True)):
+        field = None if forced else _direction(trajectory, first + place)
+        if phase <= since and len(alive) < count:
             others = generator.normal(size=(len(kept), count))
-            every = np.hstack([frame, _allowed(system, phase.configuration, kept) @ others])
+            every = np.hstack([frame, _allowed(system, configuration, kept) @ others])
             frame, _, _ = _orthonormal(every, np.arange(every.shape[1]), field, _DEPENDENT)
             alive = np.arange(frame.shape[1])
-        for begin, length, number in _cut(phase, pieces, since):
-            flow = flow_matrices(system, phase.configuration, np.array([length]))[0][own]
+        for begin, length, number in _cut(phase, ends[place], longest[place], since):
+            flow = flow_matrices(system, configuration, np.array([length]))[0][own]
             for piece in range(number):
                 field = None if field is None else flow @ field
                 frame, alive, grown = _orthonormal(flow @ frame, alive, field, lost=0.0)
@@ -212,17 +205,17 @@ def _growth(trajectory: Trajectory, since: float) -> _Growth:
                     middles.append(begin + (piece + 0.5) * length)
                     lengths.append(length)
                     logs.append(_placed(count, alive, grown))
-        if phase.saltation is not None:
-            field = None if forced else _direction(system, phases[place + 1])
-            frame, alive, grown = _orthonormal(phase.saltation[own] @ frame, alive, field)
-            if phase.begin + phase.duration > since:
+        if place < len(saltations):
+            field = None if forced else _direction(trajectory, first + place + 1)
+            frame, alive, grown = _orthonormal(saltations[place][own] @ frame, alive, field)
+            if ends[place] > since:
                 logs[-1] += _placed(count, alive, grown)
     kept_logs = np.array(logs)[:, alive]
-    return _Growth(phases[0].begin, np.array(middles), np.array(lengths), kept_logs)
+    return _Growth(begins[0], np.array(middles), np.array(lengths), kept_logs)
 
 
-def _tangent_phases(trajectory: Trajectory, since: float) -> Iterator[_TangentPhase]:
-    """Yield the phases of a motion, from the earliest entry on from which it has a derivative.
+def _saltations(trajectory: Trajectory, since: float) -> tuple[int, np.ndarray]:
+    """The earliest entry from which a motion has a derivative, and the saltations (m, N, N) behind.
 
     An `InputError` is raised if it has none from the time `since` on: two boundaries are reached
     at once, or one is touched.
@@ -239,16 +232,7 @@ def _tangent_phases(trajectory: Trajectory, since: float) -> Iterator[_TangentPh
     found = transitions_behind(trajectory, first)
     normals = trajectory.system.rows[found.rows][:, None, :-1]
     linear = trajectory.system.resets[found.resets][..., :-1]
-    saltations = linear + found.late()[:, :-1, None] * normals
-    for place, duration in enumerate(np.diff(run.times[first:], append=trajectory.end).tolist()):
-        entry = first + place
-        yield _TangentPhase(
-            float(run.times[entry]),
-            duration,
-            int(run.configurations[entry]),
-            run.states[entry],
-            saltations[place] if place < len(saltations) else None,
-        )
+    return first, linear + found.late()[:, :-1, None] * normals
 
 
 def _placed(count: int, places: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -258,35 +242,32 @@ def _placed(count: int, places: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def _pieces(
-    system: PiecewiseLinear, phases: list[_TangentPhase], since: float, end: float
-) -> list[float]:
-    """The longest piece allowed in each phase, so short that no direction underflows."""
-    longest = []
-    total = 0.0
-    for phase in phases:
-        rates = np.abs(system.exponents[phase.configuration][:, 0]).max(initial=0.0)
-        length = _DECAY / rates if rates > 0 else math.inf
-        longest.append(min(length, (end - since) / _PIECES))
-        total += phase.duration / longest[-1]
+    system: PiecewiseLinear, configurations: list[int], durations: np.ndarray, counted: float
+) -> np.ndarray:
+    """The longest piece allowed in each phase, so short that no direction underflows.
+
+    The time that counts has `_PIECES` at least.
+    """
+    rates = [np.abs(system.exponents[c][:, 0]).max(initial=0.0) for c in configurations]
+    with np.errstate(divide="ignore"):
+        longest = np.minimum(_DECAY / np.array(rates), counted / _PIECES)
+    total = float((durations / longest).sum())
     if total > _MOST_PIECES:
         raise InputError(
             f"the motion decays too fast for its length: perturbations would be carried in"
             f" {total:.0f} steps, at most {_MOST_PIECES}"
         )
-    return longest
+    return np.asarray(longest)
 
 
-def _cut(phase: _TangentPhase, longest: float, since: float) -> list[tuple[float, float, int]]:
-    """Begin, length and number of the equal pieces of a phase, which is cut at `since` as well."""
-    end = phase.begin + phase.duration
-    parts = [(phase.begin, phase.duration)]
-    if phase.begin < since < end:
-        parts = [(phase.begin, since - phase.begin), (since, end - since)]
-    found = []
-    for begin, duration in parts:
-        number = max(1, math.ceil(duration / longest))
-        found.append((begin, duration / number, number))
-    return found
+def _cut(
+    begin: float, end: float, longest: float, since: float
+) -> Iterator[tuple[float, float, int]]:
+    """Yield begin, length and number of the equal pieces of a phase, which is cut at `since`."""
+    parts = [(begin, since), (since, end)] if begin < since < end else [(begin, end)]
+    for low, high in parts:
+        number = max(1, math.ceil((high - low) / longest))
+        yield low, (high - low) / number, number
 
 
 def _allowed(system: PiecewiseLinear, configuration: int, kept: list[int]) -> np.ndarray:
@@ -295,12 +276,16 @@ def _allowed(system: PiecewiseLinear, configuration: int, kept: list[int]) -> np
     return np.asarray(np.eye(len(kept)) - np.linalg.pinv(normals) @ normals)
 
 
-def _direction(system: PiecewiseLinear, phase: _TangentPhase) -> np.ndarray:
-    """The motion's own direction at the start of a phase."""
-    field = field_at(system, phase.configuration, phase.start)
-    terms = np.abs(system.fields[phase.configuration]) @ np.append(np.abs(phase.start), 1.0)
+def _direction(trajectory: Trajectory, entry: int) -> np.ndarray:
+    """The motion's own direction behind an entry."""
+    run, system = trajectory.run, trajectory.system
+    configuration, start = int(run.configurations[entry]), run.states[entry]
+    field = field_at(system, configuration, start)
+    terms = np.abs(system.fields[configuration]) @ np.append(np.abs(start), 1.0)
     if (np.abs(field) <= _REST * terms).all():
-        raise InputError(f"the motion is at rest at t = {phase.begin:.6g}: it has no direction")
+        raise InputError(
+            f"the motion is at rest at t = {run.times[entry]:.6g}: it has no direction"
+        )
     return field
 
 

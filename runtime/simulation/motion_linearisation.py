@@ -17,12 +17,11 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.flows import extended
-from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.table_derivatives import stepped_tables
 from nonsmooth.runtime.shooting.shooting_map import Numbers
-from nonsmooth.runtime.simulation.flow_derivatives import PhaseFlows
+from nonsmooth.runtime.simulation.moved_phases import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [
@@ -34,7 +33,6 @@ __all__ = [
     "input_names",
     "nearest_start",
     "transitions_behind",
-    "turned",
 ]
 
 
@@ -81,22 +79,11 @@ def transitions_behind(
     stands for all.
     """
     system, run = trajectory.system, trajectory.run
-    count, size = len(run.times) - first - 1, len(trajectory.names)
     before, behind = run.before[first + 1 :], run.states[first + 1 :]
-    found = Transitions(
-        np.zeros(count, dtype=int),
-        np.zeros(count, dtype=int),
-        extended(before),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty(count),
-        np.zeros(count, dtype=bool),
-    )
-    tangential = np.zeros(count, dtype=bool)
+    sources, targets = run.configurations[first:-1], run.configurations[first + 1 :]
+    rows, resets = np.zeros((2, len(before)), dtype=int)
     masks, numbers = np.unique(run.sets[first + 1 :], return_inverse=True)
-    keys = np.stack([run.configurations[first:-1], run.configurations[first + 1 :], numbers])
-    kinds, kind = np.unique(keys, axis=1, return_inverse=True)
+    kinds, kind = np.unique(np.stack([sources, targets, numbers]), axis=1, return_inverse=True)
     for place, (source, target, number) in enumerate(kinds.T.tolist()):
         here = np.flatnonzero(kind.ravel() == place)
         reached = int(masks[number])
@@ -106,22 +93,18 @@ def transitions_behind(
                 f"{' and '.join(trajectory.boundaries[entry])} are reached together"
                 f" at t = {float(run.times[entry])!r}: the motion has no derivative there"
             )
-        shape = system.structure.boundaries[source][min(members_of(reached))]
-        row, now, then = system.rows[shape.row], before[here], behind[here]
-        resets = fitting_resets(system, source, target, reached, now, then)
-        velocities, after = field_at(system, source, now), field_at(system, target, then)
-        jumps = after - np.einsum("nij,nj->ni", system.resets[resets][..., :-1], velocities)
-        speeds = velocities @ row[:-1]
-        error = _ERROR * (
-            np.abs(system.fields[source]).sum(axis=0) @ extended(np.abs(now)).T
-            + np.abs(system.fields[target]).sum(axis=0) @ extended(np.abs(then)).T
-        )
-        smooth = np.abs(jumps).max(axis=1) <= error
-        slow = np.abs(speeds) <= error * np.abs(row[:-1]).max()
-        tangential[here] = ~smooth & slow & (run.times[here + first + 1] > run.times[here + first])
-        parts = (shape.row, resets, extended(now), velocities, after, jumps, speeds, smooth)
-        for own, part in zip(found, parts, strict=True):
-            own[here] = part
+        rows[here] = system.structure.boundaries[source][min(members_of(reached))].row
+        resets[here] = fitting_resets(system, source, target, reached, before[here], behind[here])
+    sides = (sources, extended(before)), (targets, extended(behind))
+    velocities, after = ((system.fields[c] @ state[..., None])[..., 0] for c, state in sides)
+    jumps = after - (system.resets[resets][..., :-1] @ velocities[..., None])[..., 0]
+    normals, sizes = system.rows[rows][:, :-1], np.abs(system.fields).sum(axis=1)
+    speeds = (normals * velocities).sum(axis=1)
+    error = _ERROR * sum((sizes[c] * np.abs(state)).sum(axis=1) for c, state in sides)
+    smooth = np.abs(jumps).max(axis=1) <= error
+    slow = np.abs(speeds) <= error * np.abs(normals).max(axis=1)
+    found = Transitions(rows, resets, sides[0][1], velocities, after, jumps, speeds, smooth)
+    tangential = ~smooth & slow & (np.diff(run.times[first:]) > 0)
     if tangential.any():
         entry = first + 1 + int(np.argmax(tangential))
         name, dwell = trajectory.boundaries[entry][0], np.diff(run.times[: entry + 1])
@@ -172,13 +155,20 @@ class MotionLinearisation:
     """A motion's phases, transitions and tables, linearised once for all directions.
 
     Transitions marked in `apart` follow another one with no time between, but have a time
-    of their own in the moved motion.
+    of their own in the moved motion. The columns of `directions` (numbers, q) are changes of the
+    numbers `by`, along which the motion moves.
     """
 
     def __init__(
-        self, trajectory: Trajectory, times: np.ndarray, apart: np.ndarray | None = None
+        self,
+        trajectory: Trajectory,
+        times: np.ndarray,
+        apart: np.ndarray | None = None,
+        by: tuple[str, ...] = (),
+        directions: np.ndarray | None = None,
     ) -> None:
         self.trajectory, self.times, self.apart = trajectory, times, apart
+        self.by, self.directions = by, np.empty((0, 0)) if directions is None else directions
         run, count = trajectory.run, len(trajectory.times)
         self.transitions: Transitions = transitions_behind(trajectory, together=True)
         phases = np.searchsorted(run.times, times, side="right") - 1
@@ -193,29 +183,46 @@ class MotionLinearisation:
         )
         self.matrices = self.flows.matrices
 
-    @property
-    def kernels(self) -> SystemKernels:
-        """Kernels of the motion's system."""
-        found = self.trajectory.structure.kernels
-        assert found is not None
-        return found
-
-    def directions(self, by: tuple[str, ...]) -> tuple[Numbers, np.ndarray]:
-        """Changes of the tables (q, ...) and of the start (N, q) by the numbers `by`."""
+    @cached_property
+    def moves(self) -> tuple[Numbers, np.ndarray]:
+        """Changes of the tables (q, ...) and of the start (N, q) along the directions."""
         system, run = self.trajectory.system, self.trajectory.run
-        names, starts = input_names(self.trajectory)
+        kernels = system.structure.kernels
+        assert kernels is not None
+        rates = dict(zip(self.by, self.directions, strict=True))
+        still = np.zeros(self.directions.shape[1])
+        parameters, starts = (
+            np.array([still, *(rates.get(name, still) for name in names)])[1:]
+            for names in input_names(self.trajectory)
+        )
         point = np.array([[float(value) for value in system.parameters.values()]])
-        steps = np.zeros((len(by), len(names)))
-        for row, name in enumerate(by):
-            steps[row] = [name == other for other in names]
-        moved = Numbers(*stepped_tables(self.kernels, point, steps, None))
+        moved = Numbers(*stepped_tables(kernels, point, parameters.T, None))
         tables = moved.each(lambda part: imaginary_parts(part, None))
         configuration, start = int(run.configurations[0]), run.states[0]
         changes = _following_changes(system, configuration, start, tables.rows)
-        allowed = _allowed_changes(system, configuration, start)
-        own = [column for column, name in enumerate(by) if name in starts]
-        changes[:, own] = allowed[:, [starts.index(by[column]) for column in own]]
-        return tables, changes
+        return tables, changes + _allowed_changes(system, configuration, start) @ starts
+
+    @cached_property
+    def changes(self) -> MotionChanges:
+        """Derivatives of the motion along the directions."""
+        return self.forward(*self.moves)
+
+    def gradient(self, *factors: np.ndarray) -> np.ndarray:
+        """Derivatives (q,) along the directions of a combination of results, as for `reverse`."""
+        tables, starts = self.moves
+        fields, rows, resets, start = self.reverse(*factors)
+        return np.asarray(
+            np.tensordot(tables.fields, fields, axes=3)
+            + np.tensordot(tables.rows, rows, axes=2)
+            + np.tensordot(tables.resets, resets, axes=3)
+            + start @ starts
+        )
+
+    def along(self, shares: np.ndarray) -> MotionChanges:
+        """Derivatives in r directions, of which those in q have the shares (q, r)."""
+        tables, starts = self.moves
+        turned = tables.each(lambda part: np.tensordot(shares.T, part, axes=1))
+        return self.forward(turned, starts @ shares)
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
@@ -342,11 +349,6 @@ class MotionLinearisation:
             errors = step @ errors @ step.T + np.eye(len(sizes))
             largest = max(largest, float(np.sqrt(np.trace(errors))) * factor)
         return largest
-
-
-def turned(tables: Numbers, starts: np.ndarray, shares: np.ndarray) -> tuple[Numbers, np.ndarray]:
-    """Changes of tables and start in r directions, of which those in q have the shares (q, r)."""
-    return tables.each(lambda part: np.tensordot(shares.T, part, axes=1)), starts @ shares
 
 
 def _along(tables: np.ndarray, places: np.ndarray, states: np.ndarray) -> np.ndarray:

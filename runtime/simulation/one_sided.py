@@ -26,14 +26,12 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import extended, flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.table_derivatives import relative_rates
-from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
     field_at,
     fitting_resets,
     nearest_start,
-    turned,
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -46,7 +44,6 @@ __all__ = [
     "directed_motions",
     "gathered",
     "scattered",
-    "told_direction",
 ]
 
 
@@ -62,7 +59,9 @@ class DirectedMotion:
     """A motion with the transitions that the motion moved in some directions makes in turn."""
 
     trajectory: Trajectory  # with an entry for each transition of the moved motion
-    columns: np.ndarray  # (k,) indices of the directions that it holds for
+    by: tuple[str, ...]
+    directions: np.ndarray  # (numbers, k), changes of the numbers `by` that it holds for
+    columns: np.ndarray  # (k,) indices of these directions among all
     settled: float  # time up to which no boundaries come apart any more
     apart: np.ndarray  # (m - 1,) bool: later than the transition before it to first order only
     # (n - 1,) for each transition of the original motion the first that replaces it
@@ -71,20 +70,14 @@ class DirectedMotion:
     # (n - 1,) bool: transitions of the original motion whose times have no derivative
     open: np.ndarray
 
-    def linearisation(self, times: np.ndarray) -> MotionLinearisation:
+    def linearised(self, times: np.ndarray = _NONE) -> MotionLinearisation:
         """The linearisation of this motion, also at `times` (m,), which are held fixed."""
-        return MotionLinearisation(self.trajectory, times, self.apart)
+        return MotionLinearisation(self.trajectory, times, self.apart, self.by, self.directions)
 
-    def moved(
-        self, by: tuple[str, ...], directions: np.ndarray, times: np.ndarray = _NONE
-    ) -> tuple[MotionLinearisation, Numbers, MotionChanges]:
-        """The linearisation, and what changes along directions: the tables, and the motion.
-
-        The columns of `directions` (numbers, k) are changes of the numbers `by`.
-        """
-        linear = self.linearisation(times)
-        tables, starts = turned(*linear.directions(by), directions)
-        return linear, tables, linear.forward(tables, starts)
+    def only(self, members: list[int]) -> DirectedMotion:
+        """The same motion for some of its directions."""
+        directions, columns = self.directions[:, members], self.columns[members]
+        return replace(self, directions=directions, columns=columns)
 
 
 def directed_motions(
@@ -100,32 +93,31 @@ def directed_motions(
     """
     count = len(trajectory.times) - 1
     same, none = np.arange(count), np.zeros(count, dtype=bool)
-    todo = [
-        DirectedMotion(trajectory, np.arange(directions.shape[1]), -1.0, none, same, same, none)
-    ]
+    columns = np.arange(directions.shape[1])
+    todo = [DirectedMotion(trajectory, by, directions, columns, -1.0, none, same, same, none)]
     done = []
     while todo:
         motion = todo.pop()
-        moment = _next_moment(motion, by, directions[:, motion.columns])
+        moment = _next_moment(motion)
         if moment is None:
             done.append(motion)
         else:
-            todo.extend(_split(motion, moment, by, directions[:, motion.columns], side))
+            todo.extend(_split(motion, moment, side))
     return tuple(done)
 
 
 def gathered(
-    parts: Sequence[DirectedMotion], found: Sequence[MotionChanges], directions: int
+    parts: Sequence[DirectedMotion], found: Sequence[MotionLinearisation], directions: int
 ) -> MotionChanges:
-    """Derivatives of the original motion along all directions, from those of its parts.
+    """Derivatives of the original motion along all directions, from its linearised parts.
 
-    `found` has those of each part. They are NaN where a transition of the original motion has
+    They are NaN where a transition of the original motion has
     no derivative, but for the beginnings of phases.
     """
     part, count = parts[0], len(parts[0].first)
     if len(parts) == 1 and len(part.apart) == count and not part.open.any():
-        return found[0]
-    pieces = [_kept(part, own) for part, own in zip(parts, found, strict=True)]
+        return found[0].changes
+    pieces = [_kept(part, own.changes) for part, own in zip(parts, found, strict=True)]
     every = MotionChanges(*(np.empty((*piece.shape[:-1], directions)) for piece in pieces[0]))
     for part, own in zip(parts, pieces, strict=True):
         for whole, piece in zip(every, own, strict=True):
@@ -182,23 +174,21 @@ class _Meeting(NamedTuple):
     told: str  # text for a message
 
 
-def _next_moment(
-    motion: DirectedMotion, by: tuple[str, ...], directions: np.ndarray
-) -> _Meeting | None:
+def _next_moment(motion: DirectedMotion) -> _Meeting | None:
     """The first instant after `settled` at which boundaries come apart; None if there is none."""
     trajectory = motion.trajectory
     system, run = trajectory.system, trajectory.run
     several = np.flatnonzero(((run.sets & (run.sets - 1)) != 0) & (run.times > motion.settled))
     if not several.size:
         return None
-    linear, tables, changes = motion.moved(by, directions)
-    events, before = changes.event_times, changes.before
-    found = linear.transitions
+    linear = motion.linearised()
+    events, before = linear.changes.event_times, linear.changes.before
+    (tables, _), found = linear.moves, linear.transitions
     for entry in several.tolist():
         source = int(run.configurations[entry - 1])
         state, velocity = extended(run.before[entry]), found.velocities[entry - 1]
         change = before[entry] - velocity[:, None] * events[entry - 1]
-        apart, shift = np.zeros((2, directions.shape[1]))
+        apart, shift = np.zeros((2, len(motion.columns)))
         for place, shape in enumerate(system.structure.boundaries[source]):
             if not int(run.sets[entry]) >> place & 1:
                 continue
@@ -224,32 +214,24 @@ def _next_moment(
     return None
 
 
-def _split(
-    motion: DirectedMotion,
-    moment: _Meeting,
-    by: tuple[str, ...],
-    directions: np.ndarray,
-    side: str | None,
-) -> Iterator[DirectedMotion]:
+def _split(motion: DirectedMotion, moment: _Meeting, side: str | None) -> Iterator[DirectedMotion]:
     """Yield the motions that replace one at a moment: one for each sequence of transitions.
 
     Each of them has the directions that pass the moment in its sequence.
     """
     settled = float(motion.trajectory.times[moment.begin])
     groups: dict[object, tuple[DirectedMotion, list[int]]] = {}
-    for k in range(directions.shape[1]):
+    for k in range(len(motion.columns)):
         if not moment.apart[k]:
             groups.setdefault(None, (replace(motion, settled=settled), []))[1].append(k)
             continue
         signs = {"+": (1.0,), "-": (-1.0,), None: (1.0, -1.0)}[side]
-        ways = [
-            _MovedPassage(motion, moment, by, directions[:, k], k, sign).passed() for sign in signs
-        ]
+        ways = [_MovedPassage(motion.only([k]), moment, k, sign).passed() for sign in signs]
         if side is None:
             one, other = (behind for _, behind in ways)
             sizes = np.maximum(np.abs(one), moment.size[:, k])
             if not (np.abs(one - other) <= _TOGETHER * sizes).all():
-                label = told_direction(by, directions[:, k])
+                label = _told_direction(motion.by, motion.directions[:, k])
                 raise InputError(f"{moment.told}: the motion has no derivative by {label} there")
             inside = (motion.first >= moment.begin - 1) & (motion.last < moment.end)
             ways = [(replace(way, open=way.open | inside), behind) for way, behind in ways]
@@ -258,18 +240,17 @@ def _split(
         key = run.configurations.tobytes(), tuple(run.sets.tolist())
         groups.setdefault(key, (found, []))[1].append(k)
     for found, members in groups.values():
-        yield replace(found, columns=motion.columns[members])
+        own = motion.only(members)
+        yield replace(found, directions=own.directions, columns=own.columns)
 
 
 @dataclass(frozen=True, eq=False)
 class _MovedPassage:
     """How a motion that is moved along one direction, or against it, passes a moment."""
 
-    motion: DirectedMotion
+    motion: DirectedMotion  # for that direction
     moment: _Meeting
-    by: tuple[str, ...]
-    direction: np.ndarray
-    column: int
+    column: int  # of the direction in the moment
     sign: float
 
     def passed(self) -> tuple[DirectedMotion, np.ndarray]:
@@ -333,7 +314,8 @@ class _MovedPassage:
         waits += [later - now] * (later > now)
         width = step * min(waits)
         given = {name: float(value) for name, value in trajectory.parameters.items()}
-        rates = {n: float(r) for n, r in zip(self.by, self.direction, strict=True) if n in given}
+        changes = zip(self.motion.by, self.motion.directions[:, 0].tolist(), strict=True)
+        rates = {name: rate for name, rate in changes if name in given}
         size = self.sign * min(width / shift, step / self._rate if self._rate else np.inf)
         width = abs(size) * shift
         parameters = trajectory.parameters | {n: given[n] + size * r for n, r in rates.items() if r}
@@ -361,7 +343,8 @@ class _MovedPassage:
     @cached_property
     def _rate(self) -> float:
         """Largest relative change of the system's numbers along the direction."""
-        linear, moved, _ = self.motion.moved(self.by, self.direction[:, None])
+        linear = self.motion.linearised()
+        moved, _ = linear.moves
         system, motion = linear.trajectory.system, linear.trajectory
         ways = linear.transitions.velocities * np.diff(motion.times)[:, None]
         sizes = np.abs(np.concatenate([motion.before, ways])).max(axis=0)
@@ -383,7 +366,9 @@ class _MovedPassage:
         first[inside], last[inside] = begin - 1, begin + len(later) - 2
         opened[inside] |= inside.sum() > 1
         apart = np.concatenate([motion.apart[: begin - 1], [False], later[1:], motion.apart[end:]])
-        return DirectedMotion(trajectory, motion.columns, 0.0, apart, first, last, opened)
+        return replace(
+            motion, trajectory=trajectory, apart=apart, first=first, last=last, open=opened
+        )
 
     def _checked(self, way: DirectedMotion, count: int) -> np.ndarray:
         """The change (N,) behind the moment at a fixed time.
@@ -391,7 +376,8 @@ class _MovedPassage:
         An order of transitions that is not decided to first order is refused.
         """
         try:
-            linear, _, changes = way.moved(self.by, self.direction[:, None])
+            linear = way.linearised()
+            changes = linear.changes
         except InputError as error:
             raise self._refused(str(error)) from None
         found, events, behind = linear.transitions, changes.event_times, changes.behind
@@ -411,7 +397,7 @@ class _MovedPassage:
 
     def _refused(self, why: str) -> InputError:
         side = "+" if self.sign > 0 else "-"
-        label = told_direction(self.by, self.direction)
+        label = _told_direction(self.motion.by, self.motion.directions[:, 0])
         return InputError(
             f"{self.moment.told}: {why}; the motion has no derivative on the side {side}"
             f" by {label} there"
@@ -423,7 +409,7 @@ def _put(array: np.ndarray, begin: int, end: int, new: np.ndarray) -> np.ndarray
     return np.concatenate([array[:begin], new.astype(array.dtype), array[end + 1 :]])
 
 
-def told_direction(by: tuple[str, ...], direction: np.ndarray) -> str:
+def _told_direction(by: tuple[str, ...], direction: np.ndarray) -> str:
     """The name of a direction for a message: that of its number if it changes only one."""
     moving = np.flatnonzero(direction)
     return by[moving[0]] if len(moving) == 1 else "the direction"
@@ -457,27 +443,21 @@ def check_times(trajectory: Trajectory, times: np.ndarray, one_sided: str | None
         )
 
 
-def check_sides(
-    motion: DirectedMotion,
-    by: tuple[str, ...],
-    directions: np.ndarray,
-    times: np.ndarray,
-    one_sided: str | None,
-) -> None:
+def check_sides(motion: DirectedMotion, times: np.ndarray, one_sided: str | None) -> None:
     """Raise `InputError` unless a motion has the derivatives that are asked for.
 
-    The motion holds for its columns of `directions` (numbers, q); the times (m,) are held
-    fixed. The message names what is touched, when, and by which number it is passed.
+    The times (m,) are held fixed. The message names what is touched, when, and by which number
+    it is passed.
     """
     trajectory = motion.trajectory
     touches = [*_grazings(trajectory), *_beginnings(trajectory), *_coincidences(trajectory, times)]
     if not touches:
         return
-    own = directions[:, motion.columns]
     at = np.array([touch.time for touch in touches])
-    linearisation, tables, changes = motion.moved(by, own, at)
+    linear = motion.linearised(at)
+    (tables, _), changes = linear.moves, linear.changes
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
-    smooth = linearisation.transitions.smooth
+    smooth = linear.transitions.smooth
     for touch, change, state in zip(touches, changes.states, trajectory(at), strict=True):
         if touch.row is None:
             rises = changes.event_times[touch.transition]
@@ -487,7 +467,8 @@ def check_sides(
             rises = row[:-1] @ change + tables.rows[:, touch.row] @ extended(state)
         wrong = np.flatnonzero(rises if one_sided is None else sign * rises > 0)
         if wrong.size:
-            label, what = told_direction(by, own[:, wrong[0]]), "derivative"
+            direction = motion.directions[:, wrong[0]]
+            label, what = _told_direction(motion.by, direction), "derivative"
             if one_sided is not None:
                 what = f"derivative on the side {one_sided}"
             raise InputError(

@@ -42,9 +42,10 @@ from nonsmooth.runtime.simulation.starting import (
     configurations_of,
     start_state,
     start_states,
+    visits_behind,
+    with_starts,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from nonsmooth.runtime.simulation.visiting import visits_behind, with_starts
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Number, Numbers

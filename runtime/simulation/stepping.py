@@ -7,19 +7,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import Series, Start, first_crossing
-from nonsmooth.runtime.events.leading_derivative import Located, dot, leading
-from nonsmooth.runtime.events.phase_numbers import (
+from nonsmooth.runtime.events.leading_derivative import Located, dot, leading, rows_of
+from nonsmooth.runtime.events.quasi_polynomials import (
     BoundaryTable,
-    Clock,
     ConfigurationTable,
-    rows_of,
+    QuasiPolynomial,
 )
-from nonsmooth.runtime.events.quasi_polynomials import UNIT, QuasiPolynomial
 from nonsmooth.runtime.events.transition_choice import Choice, Decider
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import (
@@ -29,7 +28,6 @@ from nonsmooth.runtime.model.engine_run import (
     LONGEST_QUIET,
     LONGEST_WAIT,
     MOST_AT_ONCE,
-    ORDERS,
     Grazing,
     Run,
     Status,
@@ -40,6 +38,29 @@ from nonsmooth.runtime.model.structure import TransitionShape
 __all__ = ["run"]
 
 _RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
+
+
+class _Clock:
+    """A time as an unevaluated sum of two numbers."""
+
+    def __init__(self) -> None:
+        self.time, self.rest = 0.0, 0.0
+
+    def advance(self, step: float) -> None:
+        """Let a time pass, in the system's unit.
+
+        What a sum loses to rounding is kept (Knuth, 1969).
+        """
+        total = self.time + step
+        part = total - self.time
+        lost = (self.time - (total - part)) + (step - part)
+        rest = self.rest + lost
+        self.time = total + rest
+        self.rest = rest - (self.time - total)
+
+    def before(self, until: float) -> float:
+        """The time that is left until another one, in the system's unit."""
+        return (until - self.time) - self.rest
 
 
 class _WatchedFunction(NamedTuple):
@@ -169,29 +190,24 @@ def _start(
     Their errors come from the rounding of the modes, and from the error of the time at
     which the state was computed.
     """
-    count = len(boundary.values)
-    modal: list[list[float]] = []
+    modal = function.taylor()
+    judged: list[tuple[float, float]] = []
 
     def sign(order: int, row: Sequence[float]) -> int:
+        judged.extend(islice(modal, order + 1 - len(judged)))
         value = dot(row, state)
-        if not order:
-            rounding = function.taylor(1)[1][0]
-        else:
-            modal[:] = modal or function.taylor(count)
-            rounding = modal[1][order]
         drift = error * abs(dot(boundary.orders[order + 1], state))
-        return 0 if not abs(value) > rounding + drift else 1 if value > 0 else -1
+        return 0 if not abs(value) > judged[order][1] + drift else 1 if value > 0 else -1
 
-    found = leading(boundary.orders[:count], sign, int(zero))
+    found = leading(boundary.orders[: len(boundary.values)], sign, int(zero))
     if found is None or not found.order:
         return Start(0, None) if found is None else Start(found.sign, None, found.sign > 0)
     if found.sign > 0:
         return Start(1, None)
+    if judged[found.order][0] < 0:  # one function of time behind the start and from there on
+        return Start(-1, Series.of(function, found.order))
     values = [dot(row, state) for row in boundary.orders]
     sizes = [dot(row, size) for row in boundary.bounds]
-    if modal[0][found.order] < 0:  # one function of time behind the start and from there on
-        values, errors = function.taylor(ORDERS)
-        sizes = [e / UNIT for e in errors]
     return Start(-1, Series(found.order, values, sizes, function.fastest))
 
 
@@ -219,7 +235,7 @@ def run(
     velocities. The motion ends at the time `until`, or after a number of `transitions`, or
     earlier.
     """
-    stepper, clock = _Stepper(system), Clock()
+    stepper, clock = _Stepper(system), _Clock()
     extended = [*map(float, state), 1.0]
     sizes, zero = [abs(x) for x in extended], frozenset[int]()
     entries = [(0.0, configuration, extended, extended, 0)]

@@ -23,7 +23,7 @@ from nonsmooth.runtime.simulation.phase_functions import phase_states
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
-    from nonsmooth.runtime.simulation.last_cycle import Recurrence
+    from nonsmooth.runtime.simulation.recurrence import Recurrence
 
 __all__ = ["Trajectory", "check_trajectory"]
 

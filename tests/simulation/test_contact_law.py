@@ -19,7 +19,7 @@ from nonsmooth import InputError, itinerary_of
 from nonsmooth.derive import DeclarationError, Friction, Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.events import contact_choice
+from nonsmooth.runtime.events import transition_choice
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -248,7 +248,7 @@ def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
 @pytest.mark.parametrize(("seed", "count"), [(5, 2), pytest.param(4, 3, marks=pytest.mark.slow)])
 def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """And what minimises is tried first: nothing else has to be, where nothing is tied."""
-    monkeypatch.setattr(contact_choice, "product", None)
+    monkeypatch.setattr(transition_choice, "product", None)
     system = declared(seed, count, list(range(count)))
     point = piecewise(system, {"sign": 1})
     law = point.structure.law

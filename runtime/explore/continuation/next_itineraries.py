@@ -28,7 +28,7 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
-from nonsmooth.runtime.simulation.last_cycle import itinerary_of
+from nonsmooth.runtime.simulation.recurrence import itinerary_of
 from nonsmooth.runtime.simulation.simulate import simulate_one
 
 if TYPE_CHECKING:

@@ -24,8 +24,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.admissible import Admissibility
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives, followed
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.simulation.last_cycle import itinerary_of
-from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical
+from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, itinerary_of
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.starting import on_circles
 
