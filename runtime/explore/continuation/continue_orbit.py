@@ -156,7 +156,7 @@ def continue_orbit(
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
-    curve = OrbitFamily(orbit, parameter, limits[1] - limits[0])
+    curve = OrbitFamily(orbit, parameter, lengths=limits[1] - limits[0])
     known = None if resume is None else _path_of(curve, resume)
     told = 0
 

@@ -56,14 +56,14 @@ def other_branch(
         raise InputError(
             f"{branch.parameter} is no parameter of {base.system.name}: follow one that is"
         )
-    curve = OrbitFamily(base, parameter, float(np.ptp(branch.parameter_values)) or 1.0)
+    curve = OrbitFamily(base, parameter, lengths=np.ptp(branch.parameter_values) or 1.0)
     meeting = _meeting(branch, event, curve, system_at)
     if event.kind == "branch-point":
         other, copies = curve, 1
     else:
         copies = curve.order * (2 if event.kind == "flip" else 1)
         unfolded = _unfolded(base, copies // curve.order)
-        other = OrbitFamily(unfolded, parameter, float(curve.sizes[-1]))
+        other = OrbitFamily(unfolded, parameter, lengths=curve.sizes[-1])
     times = copies // curve.order if parameter == PERIOD else 1
     start = _repeated(curve, meeting, copies, times)
     along = _repeated(curve, curve.first - meeting, copies, times)
