@@ -20,7 +20,7 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event, point_of
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
@@ -129,8 +129,7 @@ class _EventCurve:
     def __init__(self, monitors: Monitors, event: Event) -> None:
         self._monitors, self._curve = monitors, monitors.curve
         self.dwell_names, self.sizes = self._curve.dwell_names, self._curve.sizes
-        second = self._curve.first[-1]
-        self.first = np.array([*event.unknowns.values(), event.value, second])
+        self.first = np.append(point_of(event), self._curve.first[-1])
         several = _monitors_of(monitors, event)
         self._monitor, self._unit = several[0], 1.0
         self._vanishing = event.phase if event.kind == "vanishing-phase" else None

@@ -14,7 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
-from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.event import Event, point_of
 from nonsmooth.runtime.explore.continuation.orbit_family import (
     OrbitFamily,
     SystemAt,
@@ -93,7 +93,7 @@ def _away(event: Event) -> int:
 def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: SystemAt) -> np.ndarray:
     """The meeting point of the branches, as a point of the family over all physical parameters."""
     if branch.unknown_names == curve.names:
-        return np.array([*event.unknowns.values(), event.value])
+        return point_of(event)
     base, orbit = curve.orbit, branch.orbit_at(event)
     parameters, period = system_at(event.value)
     dwell = [float(time) for time in orbit.dwell_times if time > 0]
