@@ -84,7 +84,7 @@ def test_composed_and_derived_branches_agree() -> None:
 
 def test_derivatives_of_composed_equations() -> None:
     for parameter in ("V", "chi", "eta", "ur2"):
-        curve = OrbitFamily(composed(), parameter, 1.0)
+        curve = OrbitFamily(composed(), parameter)
         _, jacobian = curve.equations(curve.first)
         for column, unit in enumerate(np.eye(len(curve.first))):
             difference = sum(
@@ -178,7 +178,7 @@ def test_no_orbit_to_follow() -> None:
     with pytest.raises(nonsmooth.InputError, match="an Orbit can: take what solve gives"):
         nonsmooth.continue_orbit("dry-friction/global-stick", "V", (0, 1))
     with pytest.raises(nonsmooth.InputError, match="the period is determined"):
-        OrbitFamily(composed(), "period", 1.0)
+        OrbitFamily(composed(), "period")
     with pytest.raises(nonsmooth.InputError, match="no point 1000"):
         stick().orbit_at(1000)
     with pytest.raises(nonsmooth.InputError, match="unknown quantity 'tb'"):

@@ -9,8 +9,8 @@ import pytest
 from scipy.optimize import brentq
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.design.largest import radius_rows
 from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.explore.design.quantities import radius_rows
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
 from tests.places import GALLERY

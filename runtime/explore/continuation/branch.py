@@ -13,11 +13,10 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_nam
 from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Row, Table
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.energy import energy_of
-from nonsmooth.runtime.explore.continuation.event import Event, checked_event
+from nonsmooth.runtime.explore.continuation.event import Event, checked_event, point_of
 from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, composed_family
 from nonsmooth.runtime.explore.continuation.switching import other_branch
-from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.motion import Motion
@@ -26,7 +25,7 @@ from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "StabilityOfPoint", "forcing_frequencies", "system_of", "usual_quantities"]
+__all__ = ["Branch", "StabilityOfPoint", "forcing_frequencies", "usual_quantities"]
 
 StabilityOfPoint = Literal["stable", "neutral", "unstable", "undecided"]
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
@@ -102,7 +101,7 @@ class Branch(Kept):
             If the branch has no such point.
         """
         if isinstance(place, Event):
-            z = np.array([*place.unknowns.values(), place.value])
+            z = point_of(place)
         elif isinstance(place, int | np.integer) and -len(self) <= place < len(self):
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
@@ -292,30 +291,18 @@ def _amplitude_of(motion: Motion | Trajectory, state: str) -> float:
     return (found.maxima[state].value - found.minima[state].value) / 2
 
 
-def _is_forced(branch: Branch) -> bool:
-    """Whether the system of a branch is under harmonic forcing."""
-    return bool(structure_of(system_of(branch.orbit)).forcing)
-
-
-def system_of(orbit: Orbit) -> SystemKernels:
-    """Tables and kernels of an orbit's system."""
-    return orbit.system
-
-
 def forcing_frequencies(branch: Branch) -> np.ndarray | None:
     """Angular frequency (k,) of the first forcing, in radians over the unit of time, or None.
 
     It is None unless the frequency is proportional to the branch's parameter.
     """
-    if not _is_forced(branch):
+    orbit, name, values = branch.orbit, branch.parameter, branch.parameter_values
+    if not structure_of(orbit.system).forcing:
         return None
-    orbit, name = branch.orbit, branch.parameter
-    kernels = system_of(orbit)
-    values = branch.parameter_values
     speeds = []
     for value in (values.min(), values.max()):
         try:
-            system = piecewise(kernels, {**orbit.parameters, name: float(value)})
+            system = piecewise(orbit.system, {**orbit.parameters, name: float(value)})
         except InputError:  # an orbit that leaves parameters of its system open
             return None
         (cosine, sine), *_ = system.structure.forcing
@@ -332,7 +319,7 @@ def usual_quantities(branch: Branch) -> tuple[str, ...]:
     They are the amplitudes of all coordinates of a forced system, which over the frequency of
     the forcing are the frequency response, and the period of any other system.
     """
-    if not _is_forced(branch):
+    structure = structure_of(branch.orbit.system)
+    if not structure.forcing:
         return ("period",)
-    structure = structure_of(system_of(branch.orbit))
     return tuple(f"amplitude_{structure.states[place]}" for place, _ in structure.coordinates)

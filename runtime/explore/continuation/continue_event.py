@@ -20,7 +20,7 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event, point_of
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
@@ -104,9 +104,8 @@ class Locus(Kept):
         """
         if not -len(self) <= place < len(self):
             raise InputError(f"the curve has {len(self)} points, no point {place}")
-        first, second = self.values[place].tolist()
-        family = OrbitFamily(self.orbit, self.parameters[0]).moved(self.parameters[1], second)
-        return family.at(np.append(self.unknowns[place], first))
+        z = np.append(self.unknowns[place], self.values[place])
+        return OrbitFamily(self.orbit, *self.parameters).at(z)
 
     def plot(self, axes: Any = None) -> Any:
         """Draw the curve in the plane of its parameters.
@@ -127,52 +126,33 @@ class Locus(Kept):
 class _EventCurve:
     """The points z = (unknowns, first parameter, second parameter) at which an event happens."""
 
-    def __init__(
-        self, curve: OrbitFamily, monitors: Monitors, event: Event, second: str, length: float
-    ) -> None:
-        self._curve, self._second = curve, second
-        self.names = (*curve.names, curve.parameter)
-        self.parameter = second
-        self.phases, self.dwell_names = curve.phases, curve.dwell_names
-        value = float(curve.orbit.given[second])
-        self.first = np.array([*event.unknowns.values(), event.value, value])
-        self.sizes = np.append(curve.sizes, length)
-        at = self.first[:-1]
-        self._monitors = monitors
-        several = _monitors_of(self._monitors, event)
+    def __init__(self, monitors: Monitors, event: Event) -> None:
+        self._monitors, self._curve = monitors, monitors.curve
+        self.dwell_names, self.sizes = self._curve.dwell_names, self._curve.sizes
+        self.first = np.append(point_of(event), self._curve.first[-1])
+        several = _monitors_of(monitors, event)
         self._monitor, self._unit = several[0], 1.0
         self._vanishing = event.phase if event.kind == "vanishing-phase" else None
-        jacobian = self._scaled(curve, at)
-        left, _, right = np.linalg.svd(jacobian)
+        left, _, right = np.linalg.svd(self._scaled(self.first))
         self._left, self._right = left[:, -1], right[-1]
-        told = [(monitor, *self._told(monitor, curve, at)) for monitor in several]
+        told = [(monitor, *self._told(monitor)) for monitor in several]
         self._monitor, _, self._unit = min(told, key=itemgetter(1))
 
     def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """See `Curve`."""
-        curve, value = self._at(z[-1]), z[:-1]
-        residual, jacobian = curve.equations(value)
-        step = _DIFFERENCE * self.sizes
-        above, below = self._at(z[-1] + step[-1]), self._at(z[-1] - step[-1])
-        by_second = (above.equations(value)[0] - below.equations(value)[0]) / (2 * step[-1])
-        by_last = (self._value(above, value) - self._value(below, value)) / (2 * step[-1])
-        slopes = np.append(self._slopes(curve, value), by_last)
-        whole = np.concatenate([jacobian, by_second[:, None]], axis=1)
-        return (
-            np.append(residual, self._value(curve, value)),
-            np.concatenate([whole, slopes[None]]),
-        )
+        residual, jacobian = self._curve.equations(z)
+        return np.append(residual, self._value(z)), np.vstack([jacobian, self._slopes(z)])
 
-    def _told(self, monitor: Monitor, curve: OrbitFamily, z: np.ndarray) -> tuple[float, float]:
+    def _told(self, monitor: Monitor) -> tuple[float, float]:
         """Distance of a monitor from zero in units of its change nearby, and this unit."""
         self._monitor = monitor
-        unit = float(np.abs(self._slopes(curve, z) * self.sizes[:-1]).max()) or 1.0
-        return abs(self._value(curve, z)) / unit, unit
+        unit = float(np.abs(self._slopes(self.first) * self.sizes)[:-1].max()) or 1.0
+        return abs(self._value(self.first)) / unit, unit
 
-    def _slopes(self, curve: OrbitFamily, z: np.ndarray) -> np.ndarray:
-        """Derivatives of the event's function by the unknowns and the first parameter."""
-        step = _DIFFERENCE * self.sizes[:-1]
-        rises = [self._value(curve, z + s) - self._value(curve, z - s) for s in np.diag(step)]
+    def _slopes(self, z: np.ndarray) -> np.ndarray:
+        """Derivatives (n + 2,) of the event's function."""
+        step = _DIFFERENCE * self.sizes
+        rises = [self._value(z + s) - self._value(z - s) for s in np.diag(step)]
         return np.array(rises) / (2 * step)
 
     def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
@@ -181,32 +161,30 @@ class _EventCurve:
 
     def dwell(self, z: np.ndarray) -> np.ndarray:
         """See `Curve`; the dwell time that vanishes along the whole locus is replaced by 1."""
-        found = np.array(self._curve.dwell(z[:, :-1]))
+        found = np.array(self._curve.dwell(z))
         if self._vanishing is not None:
             found[:, self._vanishing] = 1.0
         return found
 
-    def _at(self, second: float) -> OrbitFamily:
-        return self._curve.moved(self._second, float(second))
-
-    def _scaled(self, curve: OrbitFamily, z: np.ndarray) -> np.ndarray:
-        jacobian = curve.equations(z)[1] * self.sizes[:-1]
+    def _scaled(self, z: np.ndarray) -> np.ndarray:
+        jacobian = self._curve.equations(z, by=1)[1] * self.sizes[:-1]
         units = np.abs(jacobian).max(axis=1, keepdims=True)
         return np.asarray(jacobian[:, :-1] / units)
 
-    def _value(self, curve: OrbitFamily, z: np.ndarray) -> float:
+    def _value(self, z: np.ndarray) -> float:
         """Value of the function that is zero at the event, in units of its change nearby."""
         if self._vanishing is not None:
-            return float(curve.dwell(z[None])[0, self._vanishing] / self.sizes[self._vanishing])
+            wait = self._curve.dwell(z[None])[0, self._vanishing]
+            return float(wait / self.sizes[self._vanishing])
         if self._monitor.kind in ("fold", "branch-point"):
-            jacobian = self._scaled(curve, z)
+            jacobian = self._scaled(z)
             bordered = np.block(
                 [[jacobian, self._left[:, None]], [self._right[None], np.zeros((1, 1))]]
             )
             right = np.zeros(len(bordered))
             right[-1] = 1
             return float(np.linalg.solve(bordered, right)[-1])
-        monitors = Monitors(curve, self._monitors.smooth, self._monitors.borders)
+        monitors = self._monitors
         if self._monitor in monitors.smooth:
             values = monitors.smooth_values(z[None], np.zeros((1, len(z))))[0]
             return float(values[monitors.smooth.index(self._monitor)] / self._unit)
@@ -233,12 +211,13 @@ def continue_event(
         )
     limits = check_interval(branch.orbit, parameter, interval)
     check_steps(step, points)
-    length = float(np.ptp(branch.parameter_values)) or 1.0
-    curve = OrbitFamily(branch.orbit, branch.parameter, length)
-    if curve.equations(curve.first)[1].shape[0] != len(curve.names):
+    lengths = np.ptp(branch.parameter_values) or 1.0, limits[1] - limits[0]
+    curve = OrbitFamily(branch.orbit, branch.parameter, parameter, lengths=lengths)
+    if len(curve.equations(curve.first)[0]) != len(curve.names):
         raise InputError(f"{branch.name} is one of a family: its events are not followed")
-    known = np.column_stack([branch.unknowns, branch.parameter_values])
-    locus = _EventCurve(curve, monitors_of(curve, known), event, parameter, limits[1] - limits[0])
+    second = np.full(len(branch), curve.first[-1])
+    known = np.column_stack([branch.unknowns, branch.parameter_values, second])
+    locus = _EventCurve(monitors_of(curve, known), event)
     told = 0
 
     def go_on(*_: np.ndarray) -> None:

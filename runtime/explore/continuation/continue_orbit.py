@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -12,13 +12,8 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.explore.continuation.branch import Branch, StabilityOfPoint
-from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.locating import (
-    LocatedEvent,
-    describe,
-    locate_all,
-    locate_limits,
-)
+from nonsmooth.runtime.explore.continuation.event import Event, point_of
+from nonsmooth.runtime.explore.continuation.locating import describe, locate_all, locate_limits
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
@@ -156,7 +151,7 @@ def continue_orbit(
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
-    curve = OrbitFamily(orbit, parameter, limits[1] - limits[0])
+    curve = OrbitFamily(orbit, parameter, lengths=limits[1] - limits[0])
     known = None if resume is None else _path_of(curve, resume)
     told = 0
 
@@ -217,13 +212,13 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
         each
         for each in found
         if not (
-            (each.event.border_collision or each.event.kind == "fold")
-            and any(_vanishes(curve, each.point, end.event) for end in vanished)
+            (each.border_collision or each.kind == "fold")
+            and any(_vanishes(curve, each, end) for end in vanished)
         )
     ]
     found += vanished
     found += locate_limits(curve, points, allowed, found)
-    found.sort(key=lambda each: each.place)
+    found.sort(key=attrgetter("place"))
     multipliers = curve.multipliers(points)
     return Branch(
         parameter=curve.parameter,
@@ -235,7 +230,7 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
         trace=curve.traces(points),
         stability=tuple(_verdict(row, curve.conservative) for row in multipliers),
         admissible=allowed,
-        events=tuple(replace(each.event, place=each.place) for each in found),
+        events=tuple(found),
         ends=ends,
         start=path.start,
         orbit=curve.orbit,
@@ -246,39 +241,36 @@ def _period(curve: OrbitFamily, points: np.ndarray) -> np.ndarray:
     return np.asarray(curve.dwell(points).sum(axis=-1))
 
 
-def _with_meetings(curve: OrbitFamily, found: list[LocatedEvent], path: Path) -> list[LocatedEvent]:
+def _with_meetings(curve: OrbitFamily, found: list[Event], path: Path) -> list[Event]:
     """The events with one branch point where the branch turns back with its parts exchanged."""
     for step, reason in zip((0, len(path.points) - 2), path.ends, strict=True):
         names = [
             each
             for each in found
-            if step <= each.place <= step + 1 and each.event.kind in ("fold", "branch-point")
+            if step <= each.place <= step + 1 and each.kind in ("fold", "branch-point")
         ]
         if reason != MET or not names:
             continue
-        turn = next((each for each in names if each.event.kind == "fold"), names[0])
-        event = describe(curve, Monitor("branch-point"), turn.point, turn.place, None)
-        found = [each for each in found if all(each is not name for name in names)] + [
-            turn._replace(event=event)
-        ]
+        turn = next((each for each in names if each.kind == "fold"), names[0])
+        event = describe(curve, Monitor("branch-point"), point_of(turn), turn.place)
+        found = [each for each in found if each not in names] + [event]
     return found
 
 
-def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> list[LocatedEvent]:
+def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> list[Event]:
     """Events at the ends where a dwell time has gone to zero."""
     found = []
     for place, reason in zip((0, len(points) - 1), ends, strict=True):
         if reason.endswith("goes to zero"):
             phase = curve.dwell_names.index(reason.removesuffix(" goes to zero"))
             monitor = Monitor("vanishing-phase", phase, curve.phases[phase][1])
-            event = describe(curve, monitor, points[place], float(place), None)
-            found.append(LocatedEvent(float(place), points[place], event))
+            found.append(describe(curve, monitor, points[place], float(place)))
     return found
 
 
-def _vanishes(curve: OrbitFamily, z: np.ndarray, end: Event) -> bool:
-    """Whether the phase of an end is so short that an event at z only restates its vanishing."""
-    dwell = curve.dwell(z[None])[0]
+def _vanishes(curve: OrbitFamily, event: Event, end: Event) -> bool:
+    """Whether the phase of an end is so short that an event only restates its vanishing."""
+    dwell = curve.dwell(point_of(event)[None])[0]
     return bool(dwell[end.phase] < SHORTEST * dwell.sum())
 
 

@@ -11,16 +11,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
+
+import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
 from nonsmooth.runtime.core.registry import Shown
 
-if TYPE_CHECKING:
-    import numpy as np
-
-__all__ = ["KINDS", "Event", "EventKind", "OrbitKind", "checked_event"]
+__all__ = ["KINDS", "Event", "EventKind", "OrbitKind", "checked_event", "point_of"]
 
 _NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
 _NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
@@ -176,6 +175,11 @@ class Event(Shown):
     def switches(self) -> bool:
         """Whether another branch meets this one here: `Branch.switch` leads to it."""
         return KINDS[self.kind].switches and not self.touching
+
+
+def point_of(event: Event) -> np.ndarray:
+    """The point z = (unknowns, parameter) of an event, (n + 1,)."""
+    return np.array([*event.unknowns.values(), event.value])
 
 
 def checked_event(given: object) -> Event:

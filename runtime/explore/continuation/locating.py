@@ -9,10 +9,11 @@ stays away.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from operator import attrgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +24,7 @@ from nonsmooth.runtime.explore.continuation.monitors import BranchSamples, Monit
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import on_chord
 
-__all__ = ["LocatedEvent", "describe", "locate_all", "locate_limits"]
+__all__ = ["describe", "locate_all", "locate_limits"]
 
 _SAME = 1e-9  # of a chord: two names of one event
 _TOUCHING = 1e-6  # of a chord: two crossings of one number that are one touch
@@ -45,15 +46,7 @@ _TOUCHES = ", touched and not passed"
 _PRECEDENCE = ("simultaneous", "tangent", "grazing", "entry", "condition")
 
 
-class LocatedEvent(NamedTuple):
-    """An event with its point, and its place between the points of the branch."""
-
-    place: float
-    point: np.ndarray
-    event: Event
-
-
-def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[LocatedEvent]:
+def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[Event]:
     """All events between the points (k, n + 1) of a branch, in their order.
 
     The unit tangents (k, n + 1) are in the curve's units.
@@ -65,14 +58,14 @@ def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> 
     with np.errstate(all="ignore"):  # infinite where a boundary is touched
         smooth = monitors.smooth_values(samples.points, samples.tangents)
         border, _ = monitors.border_values(samples.points)
-    found: list[LocatedEvent] = []
+    found: list[Event] = []
     for watched, values in ((monitors.smooth, smooth), (monitors.borders, border)):
         for column, monitor in enumerate(watched):
             own = values[:, column]
             usual = float(np.nanmedian(abs(own))) if np.isfinite(own).any() else 0.0
             events = _located(_Watch(track, samples, monitor, column, usual), own)
-            found += _touches_merged(sorted(events, key=lambda each: each.place))
-    found.sort(key=lambda each: each.place)
+            found += _touches_merged(sorted(events, key=attrgetter("place")))
+    found.sort(key=attrgetter("place"))
     return _distinct(_at_meetings(found))
 
 
@@ -97,7 +90,7 @@ class _Watch(NamedTuple):
         return self.value(*self.track.at(float(self.samples.places[number])))
 
 
-def _located(watch: _Watch, values: np.ndarray) -> Iterator[LocatedEvent]:
+def _located(watch: _Watch, values: np.ndarray) -> Iterator[Event]:
     """Events of one function, from its values at the samples."""
     signs, last = _signs(values), len(values) - 1
     if watch.usual < _NOTHING and not watch.border:
@@ -144,7 +137,7 @@ class _BeyondZero(Exception):
         self.place = place
 
 
-def _around_extremum(watch: _Watch, window: range, sign: float) -> Iterator[LocatedEvent]:
+def _around_extremum(watch: _Watch, window: range, sign: float) -> Iterator[Event]:
     """Events around an extremum near zero: two crossings, one touch, or none."""
     from scipy.optimize import minimize_scalar
 
@@ -173,7 +166,7 @@ def _around_extremum(watch: _Watch, window: range, sign: float) -> Iterator[Loca
         yield from _event(watch, step, part)
 
 
-def _crossings(watch: _Watch, first: float, last: float) -> Iterator[LocatedEvent]:
+def _crossings(watch: _Watch, first: float, last: float) -> Iterator[Event]:
     """Events where the function changes its sign between two places, step by step."""
     nodes = [float(k) for k in range(math.floor(first) + 1, math.ceil(last))]
     for begin, end in pairwise([first, *nodes, last]):
@@ -197,7 +190,7 @@ def _crossings(watch: _Watch, first: float, last: float) -> Iterator[LocatedEven
 
 def _event(
     watch: _Watch, step: int, part: float, around: tuple[float, float] | None = None
-) -> Iterator[LocatedEvent]:
+) -> Iterator[Event]:
     """The event at a place, if it is one; if `around` is None the function only touches zero."""
     track, monitor = watch.track, watch.monitor
     curve, point = track.curve, track.point(step, part)
@@ -211,20 +204,20 @@ def _event(
     time = None
     if watch.border:
         time = float(track.monitors.border_values(point[None])[1][0, watch.column])
-    event = describe(curve, monitor, point, step + part, time)
-    yield LocatedEvent(step + part, point, event if around else _touching(event))
+    yield _touching(describe(curve, monitor, point, step + part, time), around is None)
 
 
-def _touching(event: Event) -> Event:
-    return replace(event, touching=True, text=event.text.removesuffix(_TOUCHES) + _TOUCHES)
+def _touching(event: Event, touching: bool = True) -> Event:
+    text = event.text.removesuffix(_TOUCHES) + _TOUCHES * touching
+    return replace(event, touching=touching, text=text)
 
 
-def _touches_merged(found: list[LocatedEvent]) -> list[LocatedEvent]:
+def _touches_merged(found: list[Event]) -> list[Event]:
     """Events with one touch in place of two crossings that cannot be distinguished."""
-    kept: list[LocatedEvent] = []
+    kept: list[Event] = []
     for each in found:
         if kept and each.place - kept[-1].place < _TOUCHING:
-            kept[-1] = kept[-1]._replace(event=_touching(kept[-1].event))
+            kept[-1] = _touching(kept[-1])
         else:
             kept.append(each)
     return kept
@@ -301,61 +294,44 @@ def _root(
         return None
 
 
-def _at_meetings(found: list[LocatedEvent]) -> list[LocatedEvent]:
+def _at_meetings(found: list[Event]) -> list[Event]:
     """The events with one branch point where branches meet, even if the branch turns there."""
-    folds = [each.place for each in found if each.event.kind == "fold"]
-    meetings: list[LocatedEvent] = []
+    folds = [each for each in found if each.kind == "fold"]
+    meetings: list[Event] = []
     for each in found:
-        if each.event.kind == "branch-point" and not _near(each.place, meetings):
-            turns = any(abs(each.place - place) < _MEETING for place in folds)
-            meetings.append(_passed(each) if turns else each)
-    others = [
-        each
-        for each in found
-        if each.event.kind not in ("fold", "branch-point")
-        or (each.event.kind == "fold" and not _near(each.place, meetings))
-    ]
-    return sorted([*others, *meetings], key=lambda each: each.place)
+        if each.kind == "branch-point" and not _near(each, meetings):
+            turns = _near(each, folds)
+            meetings.append(_touching(each, each.touching and not turns))
+    met = [each for each in folds if _near(each, meetings)]
+    others = [each for each in found if each.kind != "branch-point" and each not in met]
+    return sorted([*others, *meetings], key=attrgetter("place"))
 
 
-def _near(place: float, found: list[LocatedEvent]) -> bool:
-    return any(abs(place - other.place) < _MEETING for other in found)
+def _near(event: Event, found: Sequence[Event], within: float = _MEETING) -> bool:
+    return any(abs(event.place - other.place) < within for other in found)
 
 
-def _passed(found: LocatedEvent) -> LocatedEvent:
-    text = found.event.text.removesuffix(_TOUCHES)
-    return found._replace(event=replace(found.event, touching=False, text=text))
-
-
-def _distinct(found: list[LocatedEvent]) -> list[LocatedEvent]:
+def _distinct(found: list[Event]) -> list[Event]:
     """The events with each border collision once, under the kind that says most."""
-    kept: list[LocatedEvent] = []
-    for each in found:
-        kind, place = each.event.kind, each.place
-        others = [
-            other
-            for other in kept
-            if abs(other.place - place) < _SAME
-            and other.event.kind in _PRECEDENCE
-            and kind in _PRECEDENCE
-        ]
-        if not others:
-            kept.append(each)
-        elif _PRECEDENCE.index(kind) < _PRECEDENCE.index(others[0].event.kind):
-            kept[kept.index(others[0])] = each
-    return kept
+    others = [each for each in found if each.kind not in _PRECEDENCE]
+    distinct: list[Event] = []
+    for kind in _PRECEDENCE:
+        for each in found:
+            if each.kind == kind and not _near(each, distinct, _SAME):
+                distinct.append(each)
+    return sorted([*others, *distinct], key=attrgetter("place"))
 
 
 def locate_limits(
-    curve: OrbitFamily, points: np.ndarray, admissible: np.ndarray, found: list[LocatedEvent]
-) -> list[LocatedEvent]:
+    curve: OrbitFamily, points: np.ndarray, admissible: np.ndarray, found: list[Event]
+) -> list[Event]:
     """New events where admissibility changes between points and no border collision explains it.
 
     `points` (k, n + 1) with `admissible` (k,); `found` are the events that are known already.
     """
     limits = []
     for row in np.flatnonzero(admissible[1:] != admissible[:-1]).tolist():
-        if any(row <= each.place <= row + 1 and each.event.border_collision for each in found):
+        if any(row <= each.place <= row + 1 and each.border_collision for each in found):
             continue
         low, high = 0.0, 1.0
         for _ in range(_HALVINGS):
@@ -374,14 +350,16 @@ def locate_limits(
         monitor = Monitor("admissibility")
         if violations:
             monitor = Monitor("admissibility", violations[0].phase, violations[0].boundary)
-        limits.append(
-            LocatedEvent(row + inside, point, describe(curve, monitor, point, row + inside, None))
-        )
+        limits.append(describe(curve, monitor, point, row + inside))
     return limits
 
 
 def describe(
-    curve: OrbitFamily, monitor: Monitor, point: np.ndarray, place: float, time: float | None
+    curve: OrbitFamily,
+    monitor: Monitor,
+    point: np.ndarray,
+    place: float,
+    time: float | None = None,
 ) -> Event:
     """The event of a monitor at a point (n + 1,) of the branch.
 

@@ -1,10 +1,9 @@
-"""The family of orbits over one parameter, by their own equations or the tables of their system."""
+"""The family of orbits over parameters, by their own equations or the tables of their system."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from copy import copy
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -31,46 +30,61 @@ SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 
 
 class OrbitFamily:
-    """Orbits of one itinerary as the zeros z = (unknowns, parameter) of its equations.
+    """Orbits of one itinerary as the zeros z = (unknowns, parameters) of its equations.
 
-    Arrays of many points are (k, n + 1), nondimensional or in the units of the declaration.
-    The branch begins at `orbit`; `parameter` is a number that was given for it, and `length`,
-    that of its interval, is the parameter's unit of measure. The attribute `names` has the
-    names of the unknowns, `first` (n + 1,) the point where the branch begins, and `sizes`
-    (n + 1,) the units of measure. What is not described is as in `KernelEquations`. Raises
-    `InputError` for a period that the other parameters determine, or for several forcings.
+    Arrays of many points are (k, n + q), nondimensional or in the units of the declaration.
+    The branch begins at `orbit`; the q `parameters` are numbers that were given for it, and
+    `lengths`, those of their intervals, are the parameters' units of measure. The attribute
+    `names` has the names of the unknowns, `first` (n + q,) the point where the branch begins,
+    and `sizes` (n + q,) the units of measure. What is not described is as in
+    `KernelEquations`. Raises `InputError` for a period that the other parameters determine,
+    or for several forcings.
     """
 
-    def __init__(self, orbit: Orbit, parameter: str, length: float = 1.0) -> None:
+    def __init__(self, orbit: Orbit, *parameters: str, lengths: Any = 1.0) -> None:
         equations = equations_of(orbit)
-        if parameter not in equations.names:
-            raise InputError(f"{orbit.name}: the {parameter} is determined by the other parameters")
-        self.orbit, self.parameter = orbit, parameter
+        for name in parameters:
+            if name not in equations.names:
+                raise InputError(f"{orbit.name}: the {name} is determined by the other parameters")
+        self.orbit, self.parameters = orbit, parameters
         self._equations, self._base = equations, equations.values
         self.names, self.order = equations.unknowns, equations.order
         self.dwell_names, self.phases = equations.dwell_names, equations.phases
         self.conservative = equations.conservative
-        self._places = [equations.names.index(name) for name in (*self.names, parameter)]
+        self._places = [equations.names.index(name) for name in (*self.names, *parameters)]
         self.first = self._base[self._places]
-        self.sizes = np.append(equations.sizes, length)
+        units = np.broadcast_to(lengths, len(parameters))
+        self.sizes = np.concatenate([equations.sizes, units])
 
-    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Left-hand sides (m,) at one point z (n + 1,), and their Jacobian (m, n + 1); m >= n."""
-        return self._equations.linearised(self._full(z), self._places[-1])
+    @property
+    def parameter(self) -> str:
+        """The first of the parameters."""
+        return self.parameters[0]
+
+    def equations(self, z: np.ndarray, by: int | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Left-hand sides (m,) at one point z (n + q,), and their Jacobian (m, n + q); m >= n.
+
+        Its columns are those of the unknowns and of all parameters, or of the first `by`.
+        """
+        full, places = self._full(z), self._places[len(self.names) :][:by]
+        found = [self._equations.linearised(full, place) for place in places]
+        residual, jacobian = found[0]
+        more = [other[:, -1:] for _, other in found[1:]]
+        return residual, np.concatenate([jacobian, *more], axis=1)
 
     def dwell(self, z: np.ndarray) -> np.ndarray:
-        """Dwell times (k, p) of the phases that take time, affine in z (k, n + 1)."""
+        """Dwell times (k, p) of the phases that take time, affine in z (k, n + q)."""
         return self._equations.dwell(self._full(z))
 
     def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
-        """Differences (N,) of each repeated part of the itinerary from the first, at z (n + 1,).
+        """Differences (N,) of each repeated part of the itinerary from the first, at z (n + q,).
 
         They are in units of the states' sizes; the list is empty where no part is repeated.
         """
         return self._equations.unevenness(self._full(z))
 
     def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
-        """Whether parts that differ at z (n + 1,) coincide at `following`, behind a step.
+        """Whether parts that differ at z (n + q,) coincide at `following`, behind a step.
 
         The step has then met the branch that this one doubles.
         """
@@ -79,14 +93,14 @@ class OrbitFamily:
         return any(after < _LEAP * before > _EVEN for before, after in sizes)
 
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """Boundary functions of all phases at points z (k, n + 1), in groups of points.
+        """Boundary functions of all phases at points z (k, n + q), in groups of points.
 
         Each group is an integer array of the places of its points, and a list of their phases.
         """
         return self._equations.waves(self._full(z))
 
     def conditions(self, z: np.ndarray) -> np.ndarray:
-        """Numbers (k, c) at z (k, n + 1) whose signs decide which transitions are taken."""
+        """Numbers (k, c) at z (k, n + q) whose signs decide which transitions are taken."""
         return self._equations.conditions(self._full(z))
 
     @property
@@ -99,45 +113,38 @@ class OrbitFamily:
         return self._equations.taken(conditions)
 
     def multipliers(self, z: np.ndarray) -> np.ndarray:
-        """Multipliers (k, r), complex, over one part at z (k, n + 1), without trivial ones.
+        """Multipliers (k, r), complex, over one part at z (k, n + q), without trivial ones.
 
         Those that are always zero are left out too.
         """
         return self._equations.multipliers(self._full(z))
 
     def traces(self, z: np.ndarray) -> np.ndarray:
-        """Traces (k,) of the Poincare map of the whole period, at z (k, n + 1)."""
+        """Traces (k,) of the Poincare map of the whole period, at z (k, n + q)."""
         return self._equations.traces(self._full(z))
 
     def admissible(self, z: np.ndarray) -> np.ndarray:
-        """Mask (k,) of the points z (k, n + 1) that are motions of the real system."""
+        """Mask (k,) of the points z (k, n + q) that are motions of the real system."""
         return self._equations.admissible(self._full(z))
 
     def at(self, z: np.ndarray) -> Orbit:
-        """The orbit at one point z (n + 1,), as a record."""
+        """The orbit at one point z (n + q,), as a record."""
         return self._equations.orbit_at(self._full(z), self._given(z))
 
     def motion(self, z: np.ndarray) -> Motion | Trajectory:
-        """The motion at one point z (n + 1,)."""
+        """The motion at one point z (n + q,)."""
         return self._equations.motion_at(self._full(z), self._given(z))
 
-    def moved(self, name: str, value: float) -> OrbitFamily:
-        """A copy of the family with another value of a given number, which is not its parameter."""
-        other = copy(self)
-        other._base = self._base.copy()
-        other._base[self._equations.names.index(name)] = value
-        other.orbit = replace(self.orbit, given={**self.orbit.given, name: as_value(value)})
-        return other
-
     def _full(self, z: np.ndarray) -> np.ndarray:
-        """All numbers of the equations at a point (n + 1,), or at many (k, n + 1)."""
+        """All numbers of the equations at a point (n + q,), or at many (k, n + q)."""
         full = np.empty((*z.shape[:-1], len(self._base)))
         full[...] = self._base
         full[..., self._places] = z
         return full
 
     def _given(self, z: np.ndarray) -> dict[str, Value]:
-        return {**self.orbit.given, self.parameter: as_value(float(z[-1]))}
+        values = zip(self.parameters, z[len(self.names) :].tolist(), strict=True)
+        return {**self.orbit.given, **{name: as_value(value) for name, value in values}}
 
 
 def check_interval(orbit: Orbit, parameter: str, interval: Any) -> tuple[float, float]:

@@ -50,7 +50,6 @@ LOST = "the branch is lost: no smaller step leads on"
 class Curve(Protocol):
     """Points z = (unknowns, parameter) that solve n equations or more; see `OrbitFamily`."""
 
-    names: tuple[str, ...]
     dwell_names: tuple[str, ...]
     first: np.ndarray
     sizes: np.ndarray
@@ -93,17 +92,18 @@ def correct(
     """The point of the branch on a plane and the number of Newton's iterations; None if they fail.
 
     The plane is ``normal @ (z / sizes) == offset``, with `normal` (n + 1,) in the curve's
-    units; without an offset it contains `guess` (n + 1,).
+    units; without an offset it contains `guess` (n + 1,). Over q parameters there are as many
+    planes: `normal` is (q, n + q).
     """
     w = guess / curve.sizes
-    level = float(normal @ w) if offset is None else offset
+    level = normal @ w if offset is None else offset
     with np.errstate(all="ignore"):
         for iteration in range(1, MOST_ITERATIONS + 1):
             residual, jacobian = curve.equations(w * curve.sizes)
             if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
                 return None
             rows, units = scaled_rows(jacobian * curve.sizes)
-            matrix = np.concatenate([rows, normal[None]])
+            matrix = np.concatenate([rows, normal.reshape(-1, len(w))])
             right = np.append(-residual / units, level - normal @ w)
             try:
                 step = (

@@ -14,7 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
-from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.event import Event, point_of
 from nonsmooth.runtime.explore.continuation.orbit_family import (
     OrbitFamily,
     SystemAt,
@@ -56,14 +56,14 @@ def other_branch(
         raise InputError(
             f"{branch.parameter} is no parameter of {base.system.name}: follow one that is"
         )
-    curve = OrbitFamily(base, parameter, float(np.ptp(branch.parameter_values)) or 1.0)
+    curve = OrbitFamily(base, parameter, lengths=np.ptp(branch.parameter_values) or 1.0)
     meeting = _meeting(branch, event, curve, system_at)
     if event.kind == "branch-point":
         other, copies = curve, 1
     else:
         copies = curve.order * (2 if event.kind == "flip" else 1)
         unfolded = _unfolded(base, copies // curve.order)
-        other = OrbitFamily(unfolded, parameter, float(curve.sizes[-1]))
+        other = OrbitFamily(unfolded, parameter, lengths=curve.sizes[-1])
     times = copies // curve.order if parameter == PERIOD else 1
     start = _repeated(curve, meeting, copies, times)
     along = _repeated(curve, curve.first - meeting, copies, times)
@@ -93,7 +93,7 @@ def _away(event: Event) -> int:
 def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: SystemAt) -> np.ndarray:
     """The meeting point of the branches, as a point of the family over all physical parameters."""
     if branch.unknown_names == curve.names:
-        return np.array([*event.unknowns.values(), event.value])
+        return point_of(event)
     base, orbit = curve.orbit, branch.orbit_at(event)
     parameters, period = system_at(event.value)
     dwell = [float(time) for time in orbit.dwell_times if time > 0]

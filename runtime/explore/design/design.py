@@ -8,7 +8,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.largest import extreme_keys, is_largest_of_several
 from nonsmooth.runtime.explore.design.objective import (
     Aim,
     MarginKey,
@@ -19,10 +18,20 @@ from nonsmooth.runtime.explore.design.objective import (
     watched_margins,
 )
 from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
-from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
-from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, is_extreme, is_pure, unit_of
-from nonsmooth.runtime.explore.design.question import design_question
-from nonsmooth.runtime.explore.design.solving import solve_conditions
+from nonsmooth.runtime.explore.design.optimum import (
+    CONVERGED,
+    NOT_REACHED,
+    Design,
+    design_question,
+)
+from nonsmooth.runtime.explore.design.quantities import (
+    MULTIPLIER,
+    extreme_keys,
+    is_extreme,
+    is_largest_of_several,
+    is_pure,
+    unit_of,
+)
 from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.simulate import checked_count
@@ -165,14 +174,13 @@ def design(
         aim, trials = spread(points, aim)
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
+    if isinstance(trials, BranchPoints):
+        ended, trials = optimise_worst(trials, aim, iterations, history)
+    else:
+        ended = optimise(points, aim, iterations, history)
     if question.aim == "solve":
-        ended = solve_conditions(points, aim, iterations, history)
         left, status = _solved(aim, ended.point, names, bounds)
     else:
-        if isinstance(trials, BranchPoints):
-            ended, trials = optimise_worst(trials, aim, iterations, history)
-        else:
-            ended = optimise(points, aim, iterations, history)
         where = trials.where if isinstance(trials, BranchPoints) else _nowhere
         left = optimality(aim, ended.point, names, bounds, where)
         met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET

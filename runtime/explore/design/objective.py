@@ -13,20 +13,18 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
-from nonsmooth.runtime.explore.design.largest import (
-    ExtremeKey,
-    LevelRows,
-    corner_of,
-    extreme_rows,
-    is_largest_of_several,
-    radius_rows,
-)
 from nonsmooth.runtime.explore.design.optimum import ActiveLimit, DesignCondition
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
     RADIUS,
+    ExtremeKey,
+    LevelRows,
     QuantityValues,
+    corner_of,
+    extreme_rows,
+    is_largest_of_several,
     multiplier_gap,
+    radius_rows,
     unit_of,
 )
 

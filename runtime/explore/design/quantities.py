@@ -1,8 +1,21 @@
-"""Values of quantities at an orbit, and their exact derivatives."""
+"""Values of quantities at an orbit, their derivatives, and conditions on the largest of several.
+
+Conditions that none of several numbers exceeds a level are smooth where these meet: of
+multipliers, whose largest is the spectral radius, and of the local extremes of a motion, whose
+largest is a peak.
+
+All roots of λ² - Tλ + D are in the disc of radius t where t² + D ≥ |T| t and t² ≥ D (E. I. Jury,
+Theory and Application of the z-Transform Method, 1964). Trace and determinant have derivatives
+also where the two roots meet, so that an optimum may be a corner. Several multipliers are taken
+in pairs, each by the map on its invariant plane: with bases V and U of it and of that of the
+transposed map this is (UᵀV)⁻¹UᵀAV, and its eigenvalues change as those of (UᵀV)⁻¹Uᵀ(dA)V are added
+to it (G. W. Stewart and J. Sun, Matrix Perturbation Theory, 1990, chapter V). It has derivatives as
+long as the two are apart from all other multipliers, however near they are to each other.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -13,23 +26,40 @@ from nonsmooth.runtime.orbits.motion_derivatives import KINDS
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.motion_derivatives import LocalExtreme
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.shooting.multipliers import MultiplierDerivatives
 
 __all__ = [
     "MULTIPLIER",
     "RADIUS",
+    "ExtremeKey",
     "Gap",
+    "LevelRows",
     "QuantityValues",
+    "corner_of",
+    "extreme_keys",
+    "extreme_rows",
     "is_extreme",
+    "is_largest_of_several",
     "is_pure",
     "measure",
     "multiplier_gap",
+    "radius_rows",
     "unit_of",
 ]
 
 RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
 _PURE = (RADIUS, MULTIPLIER, "trace", "determinant")
 _LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that begins near zero
+_REAL = 1e-12  # of the largest: imaginary part of a real eigenvalue
+_ZERO = "the multiplier passes through zero"
+_MEET = "two multipliers meet"
+_OPPOSITE = "two multipliers of opposite sign are equally large"
+_TIED = "the largest and the smallest value are equally far from zero"
+_EXTREMES = "several extremes are equally large"
+_SEVERAL = "several multipliers are equally large"
+_SAME_SLOPE = 1e-6  # of extremes that tie by a symmetry, or are one at the end of a phase
 
 
 class QuantityValues(NamedTuple):
@@ -113,3 +143,241 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
     moving = np.concatenate([-rates, unit[None]])
     *moved, by_wanted = imaginary_parts(np.linalg.det(stepped(shifted, moving, None)), None) / scale
     return Gap(value, np.array(moved), float(by_wanted) - beside * value / wanted)
+
+
+class _MultiplierGroup(NamedTuple):
+    """A multiplier alone, or two of them."""
+
+    size: int  # 1 or 2
+    trace: float  # sum
+    trace_rates: np.ndarray  # (q,)
+    determinant: float  # product
+    determinant_rates: np.ndarray  # (q,)
+
+
+def _multiplier_groups(derivatives: OrbitDerivatives) -> tuple[_MultiplierGroup, ...]:
+    """Nontrivial multipliers in pairs, and one alone where their number is odd.
+
+    Conjugate ones are a pair, and real ones next to each other, so that a pair remains the
+    same where two multipliers meet and leave the real axis.
+    """
+    found, section = derivatives.section, derivatives.directions.section
+    count = section.rank - section.trivial
+    if count > 2:
+        return _split(section.matrix.astype(float), section.rates.astype(float), count, found)
+    if not count:
+        return ()
+    # a trivial multiplier is 1: it adds to the trace and not to the product
+    return (
+        _MultiplierGroup(
+            count,
+            float(found.trace) - section.trivial,
+            np.asarray(found.trace_rates, dtype=float),
+            float(found.determinant),
+            np.asarray(found.determinant_rates, dtype=float),
+        ),
+    )
+
+
+def _split(
+    matrix: np.ndarray, rates: np.ndarray, count: int, found: MultiplierDerivatives
+) -> tuple[_MultiplierGroup, ...]:
+    wanted = np.asarray(found.multipliers).astype(complex)
+    largest = float(np.abs(wanted).max())
+    real = np.sort(wanted[np.abs(wanted.imag) <= _REAL * largest].real)
+    pairs = [np.array([z, z.conjugate()]) for z in wanted if z.imag > _REAL * largest]
+    alone = None
+    if len(real) % 2:
+        alone = min(range(0, len(real), 2), key=lambda k: _gaps(np.delete(real, k)))
+        real, alone = np.delete(real, alone), real[alone]
+    pairs += [real[k : k + 2].astype(complex) for k in range(0, len(real), 2)]
+    pairs.sort(key=lambda pair: -float(np.abs(pair).max()))
+    groups = pairs + ([] if alone is None else [np.array([alone], dtype=complex)])
+    return tuple(_group(matrix, rates, values) for values in groups)
+
+
+def _gaps(real: np.ndarray) -> float:
+    return float((real[1::2] - real[::2]).sum())
+
+
+def _group(matrix: np.ndarray, rates: np.ndarray, values: np.ndarray) -> _MultiplierGroup:
+    right, left = _plane(matrix, values), _plane(matrix.T, values)
+    onto = np.linalg.solve(left.T @ right, left.T)
+    own, moved = onto @ matrix @ right, onto @ rates @ right
+    trace, determinant = float(np.trace(own)), float(np.linalg.det(own))
+    trace_rates = np.trace(moved, axis1=-2, axis2=-1)
+    if len(own) == 1:
+        return _MultiplierGroup(1, trace, trace_rates, determinant, trace_rates)
+    cofactors = np.array([[own[1, 1], -own[0, 1]], [-own[1, 0], own[0, 0]]])
+    determinant_rates = np.trace(cofactors @ moved, axis1=-2, axis2=-1)
+    return _MultiplierGroup(2, trace, trace_rates, determinant, determinant_rates)
+
+
+def _plane(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Orthonormal basis of the invariant subspace of some eigenvalues, by an ordered Schur form."""
+    from scipy.linalg import schur
+
+    every = np.linalg.eigvals(matrix)
+    chosen = {int(np.abs(every - value).argmin()) for value in values}
+    if len(chosen) < len(values):  # equal ones: the next nearest too
+        chosen = set(np.argsort(np.abs(every - values.mean()))[: len(values)].tolist())
+    others = [k for k in range(len(every)) if k not in chosen]
+    inside, outside = every[sorted(chosen)], every[others]
+
+    def ours(re: float, im: float = 0.0) -> bool:
+        z = complex(re, im)
+        return bool(np.abs(inside - z).min() < np.abs(outside - z).min(initial=np.inf))
+
+    _, basis, size = schur(matrix, output="real", sort=ours)
+    if size != len(values):
+        raise np.linalg.LinAlgError("multipliers are not told apart")
+    return np.asarray(basis[:, : len(values)])
+
+
+class LevelRows(NamedTuple):
+    """Conditions of a level, each not negative where the largest number is at most the level."""
+
+    values: np.ndarray  # (m,)
+    by_parameters: np.ndarray  # derivatives (m, q)
+    by_level: np.ndarray  # derivatives (m,)
+    powers: np.ndarray  # (m,), power of the quantity's unit in which each is measured
+
+
+class ExtremeKey(NamedTuple):
+    """A number of local extremes in a phase (from 0): maxima, or minima if the sign is -1."""
+
+    phase: int
+    sign: int
+    number: int
+
+
+def is_largest_of_several(quantity: str, sign: int) -> bool:
+    """Whether the objective is the largest of several numbers that have derivatives.
+
+    `sign` is -1 where the quantity is maximised.
+    """
+    if quantity.startswith("minimum:"):
+        return sign < 0
+    return sign > 0 and (quantity == RADIUS or is_extreme(quantity))
+
+
+def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
+    """The conditions that all nontrivial multipliers are in a disc of radius `level`.
+
+    There are two for a multiplier alone and three for a pair.
+    """
+    values, by_parameters, by_level, powers = [], [], [], []
+    for group in _multiplier_groups(derivatives):
+        trace, product = group.trace, group.determinant
+        trace_rates, rates = group.trace_rates, group.determinant_rates
+        if group.size == 1:
+            values += [level - trace, level + trace]
+            by_parameters += [-trace_rates, trace_rates]
+            by_level += [1.0, 1.0]
+            powers += [1, 1]
+            continue
+        square = level**2
+        values += [
+            square + product - trace * level,
+            square + product + trace * level,
+            square - product,
+        ]
+        by_parameters += [rates - level * trace_rates, rates + level * trace_rates, -rates]
+        by_level += [2 * level - trace, 2 * level + trace, 2 * level]
+        powers += [2, 2, 2]
+    return LevelRows(
+        np.array(values), np.array(by_parameters), np.array(by_level), np.array(powers)
+    )
+
+
+def extreme_keys(every: Iterable[OrbitDerivatives], quantity: str) -> tuple[ExtremeKey, ...]:
+    """Number of the local extremes of which a quantity is the largest, for each phase and sign.
+
+    Of several orbits of one itinerary the largest number counts.
+    """
+    counts: dict[tuple[int, int], int] = {}
+    for derivatives in every:
+        own: dict[tuple[int, int], int] = {}
+        for extreme in derivatives.local_extremes(quantity):
+            place = extreme.phase, extreme.sign
+            own[place] = own.get(place, 0) + 1
+        counts = {key: max(counts.get(key, 0), own.get(key, 0)) for key in {**counts, **own}}
+    return tuple(ExtremeKey(*place, count) for place, count in sorted(counts.items()))
+
+
+def extreme_rows(
+    derivatives: OrbitDerivatives,
+    quantity: str,
+    keys: Iterable[ExtremeKey],
+    level: float,
+    unit: float,
+) -> LevelRows:
+    """The conditions that no local extreme of a quantity exceeds a level.
+
+    For each key they are those of the largest extremes; where an orbit has fewer of them, the
+    remaining conditions hold by far. `unit` is that of the quantity.
+    """
+    found = derivatives.local_extremes(quantity)
+    rows: list[LocalExtreme | None] = []
+    for phase, sign, count in keys:
+        own = [each for each in found if (each.phase, each.sign) == (phase, sign)]
+        largest = sorted(sorted(own, key=_value)[-count:], key=_time)
+        rows += [*largest]
+        rows += [None] * (count - len(largest))
+    far, nothing = max(unit, abs(level)), np.zeros(len(derivatives.by))
+    return LevelRows(
+        np.array([far if each is None else level - each.value for each in rows]),
+        np.array([nothing if each is None else -each.rates for each in rows], dtype=float),
+        np.array([each is not None for each in rows], dtype=float),
+        np.ones(len(rows)),
+    )
+
+
+def _value(extreme: LocalExtreme) -> float:
+    return extreme.value
+
+
+def _time(extreme: LocalExtreme) -> float:
+    return extreme.time
+
+
+def corner_of(
+    derivatives: OrbitDerivatives,
+    quantity: str,
+    active: np.ndarray,
+    slopes: np.ndarray,
+    units: np.ndarray,
+) -> str:
+    """What happens where several conditions of one orbit act; empty where the quantity is smooth.
+
+    `active` (m,) marks the conditions that hold with equality, `slopes` (m, n) are their
+    derivatives, and `units` (q,) are those of the quantity's derivatives.
+    """
+    acting = slopes[active]
+    size = max(1.0, float(np.abs(acting).max(initial=0.0)))
+    if len(acting) < 2 or float(np.ptp(acting, axis=0).max()) <= _SAME_SLOPE * size:
+        return ""
+    if quantity != RADIUS:
+        ties = _largest(derivatives, quantity)
+        for sign in {each.sign for each in ties}:
+            rates = np.array([each.rates for each in ties if each.sign == sign], dtype=float)
+            rates /= units
+            if float(np.ptp(rates, axis=0).max()) > _SAME_SLOPE * size:
+                return _EXTREMES
+        return _TIED
+    groups = list(_multiplier_groups(derivatives))
+    ends = np.cumsum([2 if group.size == 1 else 3 for group in groups])
+    acting_in = {int(k) for k in np.searchsorted(ends, np.flatnonzero(active), side="right")}
+    if len(acting_in) > 1:
+        return _SEVERAL
+    (place,) = acting_in
+    if groups[place].size == 1:
+        return _ZERO
+    first = int(ends[place]) - 3
+    return _OPPOSITE if active[first : first + 2].all() else _MEET
+
+
+def _largest(derivatives: OrbitDerivatives, quantity: str) -> list[LocalExtreme]:
+    found = derivatives.local_extremes(quantity)
+    top = max(each.value for each in found)
+    return [each for each in found if each.value >= top - _SAME_SLOPE * abs(top)]

@@ -9,7 +9,7 @@ changes by the parameters as the quantity does at a fixed value (J. Danskin, 196
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import NamedTuple
@@ -17,16 +17,13 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.largest import extreme_keys
 from nonsmooth.runtime.explore.design.objective import Aim, Trial, watched_margins
 from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.explore.design.quantities import extreme_keys
 
 __all__ = [
     "BranchPoints",
-    "branch_interval",
     "optimise_worst",
     "spread",
 ]
@@ -277,26 +274,6 @@ class BranchPoints:
     def where(self, member: DesignPoint) -> str:
         """Position of an orbit on the branch, in words."""
         return f" at {self.name} = {float(member.orbit.given[self.name]):.6g}"
-
-
-def branch_interval(
-    orbit: Orbit, worst_over: Mapping[str, tuple[float, float]] | None, varied: tuple[str, ...]
-) -> tuple[str, tuple[float, float]] | None:
-    """The parameter of the branch along which the worst value counts, and its interval, or None.
-
-    Refused are several parameters, one that varies, and an interval that is empty or does not
-    hold the orbit.
-    """
-    if worst_over is None:
-        return None
-    if not isinstance(worst_over, Mapping) or len(worst_over) != 1:
-        raise InputError(
-            'worst_over gives the interval of one parameter, such as {"w": (0.9, 1.1)}'
-        )
-    ((name, interval),) = worst_over.items()
-    if name in varied:
-        raise InputError(f"{name} varies: it cannot be the parameter of the branch too")
-    return name, check_interval(orbit, name, interval)
 
 
 def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:

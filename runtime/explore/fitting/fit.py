@@ -19,23 +19,18 @@ from nonsmooth.runtime.explore.fitting.fit_record import (
 from nonsmooth.runtime.explore.fitting.measurements import (
     Experiment,
     Measured,
-    MeasuredSeries,
     boundary_named,
     measured,
 )
-from nonsmooth.runtime.explore.fitting.minimise import Minimum, minimise
+from nonsmooth.runtime.explore.fitting.minimise import FitProblem, Minimum, minimise
 from nonsmooth.runtime.explore.fitting.nearest_grazing import (
     nearest,
     nearest_grazing,
     nearest_grazing_of_response,
 )
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, times_of_events
-from nonsmooth.runtime.explore.fitting.residuals import FitProblem
-from nonsmooth.runtime.explore.fitting.response_prediction import (
-    SteadyPrediction,
-    points_under,
-)
 from nonsmooth.runtime.explore.fitting.statistics import check_loss, combination_text, statistics
+from nonsmooth.runtime.explore.fitting.steady_responses import points_under
 from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknowns_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
@@ -237,9 +232,7 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
     """The result of a fit, from a minimum."""
     _check_columns(problem, found)
     unknowns, point, residuals = problem.unknowns, found.point, found.residuals
-    width = np.where(
-        np.isfinite(unknowns.upper - unknowns.lower), unknowns.upper - unknowns.lower, np.inf
-    )
+    width = unknowns.upper - unknowns.lower
     near = _AT_BOUND * np.where(np.isinf(width), np.maximum(abs(point), 1), width)
     held = (point - unknowns.lower <= near) | (unknowns.upper - point <= near)
     told = statistics(
@@ -273,7 +266,7 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
             combination_text(names, told.combinations[place]) for place in told.unidentified
         ),
         experiments=tuple(
-            _experiment(problem, unknowns, number, found, told.covariance)
+            _experiment(problem, number, found, told.covariance)
             for number in range(len(problem.experiments))
         ),
         status="converged" if found.converged else "not converged",
@@ -285,9 +278,9 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
 
 
 def _experiment(
-    problem: FitProblem, unknowns: Unknowns, number: int, found: Minimum, covariance: np.ndarray
+    problem: FitProblem, number: int, found: Minimum, covariance: np.ndarray
 ) -> FittedExperiment:
-    experiment = problem.experiments[number]
+    experiment, unknowns = problem.experiments[number], problem.unknowns
     prediction = found.residuals.predictions[number]
     condition = unknowns.condition(found.point, number)
     series = tuple(
@@ -295,7 +288,7 @@ def _experiment(
         for each, values in zip(experiment.series, prediction.values, strict=True)
     )
     parameters = {name: as_value(value) for name, value in condition.parameters.items()}
-    if isinstance(prediction, SteadyPrediction):
+    if experiment.steady:
         responses = _responses(unknowns, experiment, number, found, prediction, covariance)
         return FittedExperiment(
             name=experiment.name,
@@ -311,6 +304,7 @@ def _experiment(
             responses=responses,
             along=_along(experiment),
         )
+    assert prediction.motion is not None
     # no farther than the record: what the motion does later concerns no datum
     last = [float(values.max()) - condition.offset for values in prediction.values]
     length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
@@ -324,7 +318,7 @@ def _experiment(
         series=series,
         configurations=motion.configurations,
         boundaries=tuple("+".join(names) for names in motion.boundaries[1:]),
-        same_sequence=_same_sequence(experiment, prediction, condition.offset),
+        same_sequence=_same_sequence(experiment, prediction.motion, condition.offset),
         grazing=nearest_grazing(motion, unknowns, number, covariance),
     )
 
@@ -334,7 +328,7 @@ def _responses(
     experiment: Measured,
     number: int,
     found: Minimum,
-    prediction: SteadyPrediction,
+    prediction: Prediction,
     covariance: np.ndarray,
 ) -> tuple[FittedResponse, ...]:
     """The steady response of each row."""
@@ -360,35 +354,26 @@ def _along(experiment: Measured) -> str:
     return next(varied, "")
 
 
-def _same_sequence(experiment: Measured, prediction: Prediction, offset: float) -> bool | None:
+def _same_sequence(experiment: Measured, motion: Trajectory, offset: float) -> bool | None:
     """Whether the motion reaches the recorded boundaries as often and in the order of the data.
 
-    Only events up to the last recorded one count. It is None if no events were recorded.
+    Only events up to the last recorded one count; those of which no time was recorded are where
+    the motion has them. It is None if no events were recorded.
     """
-    recorded: list[tuple[float, str]] = []
-    predicted: list[tuple[float, str]] = []
-    motion = prediction.motion
-    events: list[MeasuredSeries] = [each for each in experiment.series if each.kind == "event"]
+    events = [each for each in experiment.series if each.kind == "event"]
     if not events:
         return None
+    recorded: list[tuple[float, str]] = []
+    predicted: list[tuple[float, str]] = []
+    counts = []
     for each in events:
-        recorded += [(time, each.expression) for time in each.values.tolist()]
-        reached = _reached(motion, each.expression, offset)
-        predicted += [(time, each.expression) for time in reached[each.places].tolist()]
-        blank = np.setdiff1d(np.arange(each.places[-1] + 1), each.places)
-        recorded += [(time, each.expression) for time in reached[blank].tolist()]
-        predicted += [(time, each.expression) for time in reached[blank].tolist()]
-    order = [name for _, name in sorted(recorded)]
-    if order != [name for _, name in sorted(predicted)]:
+        reached = offset + motion.times[times_of_events(motion, each.expression)]
+        times = reached[: each.places[-1] + 1].copy()
+        predicted += [(time, each.expression) for time in times.tolist()]
+        times[each.places] = each.values
+        recorded += [(time, each.expression) for time in times.tolist()]
+        counts.append((reached, len(times)))
+    if [name for _, name in sorted(recorded)] != [name for _, name in sorted(predicted)]:
         return False
-    # what the motion does until the last recorded event, half a gap left out
-    last = max(time for time, _ in predicted)
-    counts = {
-        each.expression: int((_reached(motion, each.expression, offset) <= last).sum())
-        for each in events
-    }
-    return all(counts[each.expression] == each.places[-1] + 1 for each in events)
-
-
-def _reached(motion: Trajectory, boundary: str, offset: float) -> np.ndarray:
-    return np.asarray(offset + motion.times[times_of_events(motion, boundary)])
+    last, _ = max(predicted)
+    return all(np.count_nonzero(reached <= last) == count for reached, count in counts)

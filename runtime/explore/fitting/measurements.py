@@ -6,17 +6,16 @@ its rows is then a test of its own, at the parameters that the row tells.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyRow, Integers, Row
 from nonsmooth.runtime.core.registry import Shown
-from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
-from nonsmooth.runtime.explore.fitting.response_quantities import KINDS, response_quantity
+from nonsmooth.runtime.explore.fitting.outputs import KINDS, output_of, response_quantity
 from nonsmooth.runtime.explore.fitting.tables import TIMES, read_table
 from nonsmooth.runtime.model.structure import Structure
 
@@ -115,6 +114,55 @@ class Measured:
         return min(float(series.times[0]) for series in self.series)
 
 
+class _Columns(NamedTuple):
+    """The columns of a table, and the standard deviations of their values."""
+
+    values: dict[str, np.ndarray]
+    deviations: dict[str, np.ndarray]  # of columns that have them in the table
+    sigma: Mapping[str, float] | float | None  # of others
+
+    def series(
+        self,
+        column: str,
+        kind: Literal["output", "event", "response"],
+        expression: str,
+        times: np.ndarray | None = None,
+        row: np.ndarray | None = None,
+    ) -> MeasuredSeries:
+        """One column without its missing values; `times` (n,) are the values where omitted."""
+        values = self.values[column]
+        if np.isinf(values).any():
+            raise InputError(f"column {column!r} is not finite")
+        there = np.flatnonzero(~np.isnan(values))
+        return MeasuredSeries(
+            name=column,
+            kind=kind,
+            expression=expression,
+            row=np.empty(0) if row is None else row,
+            places=there,
+            times=(values if times is None else times)[there],
+            values=values[there],
+            sigma=self._sigma(column)[there],
+        )
+
+    def _sigma(self, column: str) -> np.ndarray:
+        """Standard deviations (n,) of a column, NaN where none is given."""
+        values = self.values[column]
+        if column in self.deviations:
+            found = np.array(self.deviations[column], dtype=float)
+            if len(found) != len(values):
+                raise InputError(f"{_SIGMA}{column} is not as long as {column}")
+            found = np.where(np.isnan(values), 1.0, found)
+        else:
+            given = self.sigma.get(column) if isinstance(self.sigma, Mapping) else self.sigma
+            if given is None:
+                return np.full(len(values), np.nan)
+            found = np.full(len(values), float(given))
+        if not (np.isfinite(found) & (found > 0)).all():
+            raise InputError(f"the sigma of {column} is not positive and finite everywhere")
+        return found
+
+
 def measured(
     experiment: Experiment,
     name: str,
@@ -136,18 +184,37 @@ def measured(
     """
     try:
         table = read_table(experiment.data)
-        of_rows = {
+        steady = {
             column: responses.get(column, column)
             for column in table
             if column in responses or column.partition(":")[0].strip() in KINDS
         }
-        if of_rows:
-            return _steady(
-                experiment, name, structure, parameters, table, {**responses, **of_rows}, sigma
-            )
-        if experiment.itinerary is not None:
+        named = {**responses, **steady} if steady else outputs
+        deviations = {
+            column.removeprefix(_SIGMA): table.pop(column)
+            for column in [*table]
+            if column.startswith(_SIGMA) and column not in named
+        }
+        columns = _Columns(table, deviations, sigma)
+        if steady:
+            series, points = _steady(columns, structure, parameters, named)
+            known: dict[str, Any] = {}
+        elif experiment.itinerary is not None:
             raise InputError("an itinerary belongs to steady responses, and none are measured")
-        return _motion(experiment, name, structure, parameters, table, outputs, events, sigma)
+        else:
+            series, known = _motion(columns, structure, parameters, outputs, events)
+            points = ()
+        for column in deviations:
+            if column not in table:
+                raise unknown_name("column", column, table)
+        given = (*known, *(points[0] if points else ()))
+        both = [one for one in given if one in experiment.parameters]
+        if both:
+            raise InputError(f"parameter {both[0]} is a column and given")
+        series = [each for each in series if len(each.values)]
+        if not series:
+            told = "responses" if steady else "outputs or of event times"
+            raise InputError(f"nothing is measured: no column of {told} has a number")
     except InputError as problem:
         if isinstance(experiment.data, str) or hasattr(experiment.data, "__fspath__"):
             told = str(experiment.data)
@@ -155,36 +222,45 @@ def measured(
                 raise
             name = told
         raise InputError(f"{name}: {problem}") from None
+    itinerary = experiment.itinerary
+    return Measured(
+        name=name,
+        parameters={**known, **experiment.parameters},
+        start=experiment.start,
+        offset=experiment.offset,
+        series=tuple(series),
+        points=points,
+        itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
+    )
 
 
 def _motion(
-    experiment: Experiment,
-    name: str,
+    columns: _Columns,
     structure: Structure,
     parameters: Sequence[str],
-    table: dict[str, np.ndarray],
     outputs: Mapping[str, str],
     events: Mapping[str, str],
-    sigma: Mapping[str, float] | float | None,
-) -> Measured:
-    """An experiment with one motion: outputs and times of events."""
+) -> tuple[list[MeasuredSeries], dict[str, object]]:
+    """Outputs and times of events of one motion, and parameters that the table knows."""
+    table = columns.values
     clock = next((column for column in TIMES if column in table), None)
     times = table.pop(clock) if clock else None
     boundaries = {shape.name for shapes in structure.boundaries for shape in shapes}
     if not table and times is not None and len(events) == 1:  # nothing but times of one event
-        table, times = {next(iter(events)): times}, None
-    deviations = _taken_deviations(table, outputs)
+        table[next(iter(events))], times = times, None
     known: dict[str, object] = {}
     series: list[MeasuredSeries] = []
     for column, values in table.items():
         if column in events or (column in boundaries and column not in outputs):
-            own = _deviations(column, values, deviations, sigma)
-            boundary = events.get(column, column)
-            series.append(_events(column, boundary, values, own))
+            found = columns.series(column, "event", events.get(column, column))
+            if not (np.diff(found.times) > 0).all():
+                raise InputError(f"the times of {column} do not increase")
+            series.append(found)
         elif column in outputs or column in structure.states:
-            own = _deviations(column, values, deviations, sigma)
             expression = outputs.get(column, column)
-            series.append(_output(column, expression, structure, times, values, own))
+            _check_times(column, times, len(values))
+            row = output_of(expression, structure).row
+            series.append(columns.series(column, "output", expression, times, row))
         elif column in parameters:
             known[column] = _constant(column, values)
         else:
@@ -195,38 +271,23 @@ def _motion(
     for column in [*outputs, *events]:
         if column not in table and events.get(column) not in table:
             raise unknown_name("column", column, table)
-    for column in deviations:
-        if column not in table:
-            raise unknown_name("column", column, table)
-    _check_once(known, experiment)
-    series = [each for each in series if len(each.values)]
-    if not series:
-        raise InputError("nothing is measured: no column of outputs or of event times has a number")
-    return Measured(
-        name=name,
-        parameters={**known, **experiment.parameters},
-        start=experiment.start,
-        offset=experiment.offset,
-        series=tuple(series),
-    )
+    return series, known
 
 
 def _steady(
-    experiment: Experiment,
-    name: str,
+    columns: _Columns,
     structure: Structure,
     parameters: Sequence[str],
-    table: dict[str, np.ndarray],
     responses: Mapping[str, str],
-    sigma: Mapping[str, float] | float | None,
-) -> Measured:
-    """An experiment with steady responses, each row at parameters of its own."""
-    deviations = _taken_deviations(table, responses)
-    for column in [*responses, *deviations]:
+) -> tuple[list[MeasuredSeries], tuple[dict[str, float], ...]]:
+    """Steady responses, and the parameters that the table knows of each row."""
+    table = columns.values
+    for column in responses:
         if column not in table:
             raise unknown_name("column", column, table)
+    known = {column: values for column, values in table.items() if column in parameters}
     for column in table:
-        if column not in responses and column not in parameters:
+        if column not in responses and column not in known:
             raise InputError(
                 f"column {column!r} is no parameter: beside steady responses a table holds the"
                 f" parameters at which they were measured ({', '.join(parameters)}), and no"
@@ -235,139 +296,31 @@ def _steady(
     counts = {column: len(values) for column, values in table.items()}
     if len(set(counts.values())) > 1:
         raise InputError(f"columns differ in length: {counts}")
-    known = [column for column in table if column in parameters]
-    for column in known:
-        if not np.isfinite(table[column]).all():
+    for column, values in known.items():
+        if not np.isfinite(values).all():
             raise InputError(f"parameter {column} is missing or not finite in a row")
-    _check_once(known, experiment)
-    rows = np.array([table[column] for column in known]).T
-    varied = next((c for c in known if np.ptp(table[c]) > 0), None)
-    along = np.arange(float(next(iter(counts.values())))) if varied is None else table[varied]
+    rows = np.arange(float(next(iter(counts.values()))))
+    along = next((values for values in known.values() if np.ptp(values) > 0), rows)
     series = []
     for column, text in responses.items():
-        values, own = table[column], _deviations(column, table[column], deviations, sigma)
-        if np.isinf(values).any():
-            raise InputError(f"column {column!r} is not finite")
         response_quantity(text, structure)
-        there = np.flatnonzero(~np.isnan(values))
-        if len(there):
-            series.append(
-                MeasuredSeries(
-                    name=column,
-                    kind="response",
-                    expression=text,
-                    row=np.empty(0),
-                    places=there,
-                    times=along[there],
-                    values=values[there],
-                    sigma=own[there],
-                )
-            )
-    if not series:
-        raise InputError("nothing is measured: no column of responses has a number")
-    itinerary = experiment.itinerary
-    return Measured(
-        name=name,
-        parameters=dict(experiment.parameters),
-        start=experiment.start,
-        offset=experiment.offset,
-        series=tuple(series),
-        points=tuple(dict(zip(known, row, strict=True)) for row in rows.tolist())
-        or ({},) * len(along),
-        itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
-    )
+        series.append(columns.series(column, "response", text, along))
+    points = [dict(zip(known, row, strict=True)) for row in np.array([*known.values()]).T.tolist()]
+    return series, tuple(points or [{} for _ in rows])
 
 
-def _taken_deviations(
-    table: dict[str, np.ndarray], named: Mapping[str, str]
-) -> dict[str, np.ndarray]:
-    """Columns of standard deviations, which are removed from a table."""
-    return {
-        column.removeprefix(_SIGMA): table.pop(column)
-        for column in [*table]
-        if column.startswith(_SIGMA) and column not in named
-    }
-
-
-def _check_once(known: Iterable[str], experiment: Experiment) -> None:
-    both = [one for one in known if one in experiment.parameters]
-    if both:
-        raise InputError(f"parameter {both[0]} is a column and given")
-
-
-def _deviations(
-    column: str,
-    values: np.ndarray,
-    deviations: Mapping[str, np.ndarray],
-    sigma: Mapping[str, float] | float | None,
-) -> np.ndarray:
-    """Standard deviations of a column; NaN where none is given."""
-    if column in deviations:
-        found = np.array(deviations[column], dtype=float)
-        if len(found) != len(values):
-            raise InputError(f"{_SIGMA}{column} is not as long as {column}")
-        found = np.where(np.isnan(values), 1.0, found)
-    else:
-        given = sigma.get(column) if isinstance(sigma, Mapping) else sigma
-        if given is None:
-            return np.full(len(values), np.nan)
-        found = np.full(len(values), float(given))
-    if not (np.isfinite(found) & (found > 0)).all():
-        raise InputError(f"the sigma of {column} is not positive and finite everywhere")
-    return found
-
-
-def _output(
-    column: str,
-    expression: str,
-    structure: Structure,
-    times: np.ndarray | None,
-    values: np.ndarray,
-    sigma: np.ndarray,
-) -> MeasuredSeries:
+def _check_times(column: str, times: np.ndarray | None, count: int) -> None:
+    """Refuse a column of outputs without as many increasing times as values."""
     if times is None:
         raise InputError(f"column {column!r} needs times: a column t or time")
-    if len(values) != len(times):
-        raise InputError(f"column {column!r} has {len(values)} values for {len(times)} times")
+    if count != len(times):
+        raise InputError(f"column {column!r} has {count} values for {len(times)} times")
     if not np.isfinite(times).all():
         raise InputError("a time is missing or not finite")
     if not (np.diff(times) > 0).all():
         place = int(np.flatnonzero(np.diff(times) <= 0)[0]) + 1
         before, after = times[place - 1], times[place]
         raise InputError(f"the times do not increase: {after:.12g} follows {before:.12g}")
-    if np.isinf(values).any():
-        raise InputError(f"column {column!r} is not finite")
-    there = np.flatnonzero(~np.isnan(values))
-    return MeasuredSeries(
-        name=column,
-        kind="output",
-        expression=expression,
-        row=output_of(expression, structure).row,
-        places=there,
-        times=times[there],
-        values=values[there],
-        sigma=sigma[there],
-    )
-
-
-def _events(column: str, boundary: str, values: np.ndarray, sigma: np.ndarray) -> MeasuredSeries:
-    """Times of events; a blank stands for an event whose time was not recorded."""
-    there = np.flatnonzero(~np.isnan(values))
-    times = values[there]
-    if np.isinf(times).any():
-        raise InputError(f"column {column!r} is not finite")
-    if not (np.diff(times) > 0).all():
-        raise InputError(f"the times of {column} do not increase")
-    return MeasuredSeries(
-        name=column,
-        kind="event",
-        expression=boundary,
-        row=np.empty(0),
-        places=there,
-        times=times,
-        values=times,
-        sigma=sigma[there],
-    )
 
 
 def _constant(column: str, values: np.ndarray) -> float:

@@ -15,11 +15,11 @@ import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
+from nonsmooth.runtime.explore.fitting.outputs import Output, output_of
 from nonsmooth.runtime.explore.fitting.unknowns import MotionSettings, Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -33,11 +33,13 @@ _JUMP = 1e-9  # of the values on both sides
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """The motion of one experiment at one point of the unknowns, and its predictions."""
+    """What one experiment is predicted to measure at one point of the unknowns."""
 
-    motion: Trajectory
     values: tuple[np.ndarray, ...]  # (m,) for each series, on the clock of the data
     jacobians: tuple[np.ndarray, ...]  # (m, q) for each series, by all unknowns
+    motion: Trajectory | None = None  # None for steady responses
+    # of steady responses, one for each row, with derivatives by the free parameters
+    orbits: tuple[OrbitDerivatives, ...] = ()
 
 
 def predict(
@@ -97,7 +99,7 @@ def predict(
         if not (np.isfinite(values[-1]).all() and np.isfinite(jacobian).all()):
             raise NoConvergence(f"{experiment.name}: the motion is not finite")
         jacobians.append(jacobian)
-    return Prediction(motion, tuple(values), tuple(jacobians))
+    return Prediction(tuple(values), tuple(jacobians), motion)
 
 
 def _motion_under(
@@ -182,7 +184,6 @@ def _check_jumps(
 
 def _rates(motion: Trajectory, times: np.ndarray, states: np.ndarray) -> np.ndarray:
     """Derivatives of the states by time, (m, N)."""
-    system: PiecewiseLinear = motion.system
     phases = np.searchsorted(motion.times, times, side="right") - 1
-    fields = system.fields[motion.run.configurations[phases]]
+    fields = motion.system.fields[motion.run.configurations[phases]]
     return np.asarray(np.einsum("mij,mj->mi", fields[..., :-1], states) + fields[..., -1])

@@ -12,11 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import one_or_several, unknown_name
-from nonsmooth.runtime.explore.continuation.branch import (
-    forcing_frequencies,
-    system_of,
-    usual_quantities,
-)
+from nonsmooth.runtime.explore.continuation.branch import forcing_frequencies, usual_quantities
 from nonsmooth.runtime.model.naming import shown_name, symbol, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
@@ -117,7 +113,7 @@ def _draw_locus(locus: Locus, axes: Any) -> None:
         linestyle="none",
     )
     first, second = locus.parameters
-    units = units_of(system_of(locus.orbit))
+    units = units_of(locus.orbit.system)
     axes.set_xlabel(units.label(first))
     axes.set_ylabel(units.label(second))
     finish(axes, shown_name(locus.name))
@@ -195,7 +191,7 @@ class _Shown(NamedTuple):
 
 
 def _shown(branch: Branch, name: str, frequency: str) -> _Shown:
-    units = units_of(system_of(branch.orbit))
+    units = units_of(branch.orbit.system)
     values = branch.quantity(name)
     forced = forcing_frequencies(branch) if name == branch.parameter else None
     if forced is not None or name == "frequency":

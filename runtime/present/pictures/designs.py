@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.explore.continuation.branch import system_of
 from nonsmooth.runtime.explore.design.design import along, along_branch
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
@@ -65,7 +64,7 @@ def _along(design: Design, name: str, axes: Any) -> None:
     finite = values[np.isfinite(found).any(axis=1)]
     if len(finite):
         axes.set_xlim(finite.min(), finite.max())
-    axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
+    axes.set_xlabel(units_of(design.orbit.system).label(name))
     finish(axes, "")
 
 
@@ -79,7 +78,7 @@ def _along_branch(design: Design, axes: Any) -> None:
         axes.plot(values, after[:, place], color=color, linestyle=dashes, label=_word(quantity))
     worst = [design.after[design.quantity]] * len(design.worst_at)
     axes.plot(design.worst_at, worst, marker="o", linestyle="none", color=LINES[0][0])
-    axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
+    axes.set_xlabel(units_of(design.orbit.system).label(name))
     finish(axes, "pale: where it began")
 
 

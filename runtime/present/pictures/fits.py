@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
 from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedSeries
-from nonsmooth.runtime.explore.fitting.response_curves import response_curves
+from nonsmooth.runtime.explore.fitting.outputs import output_of
+from nonsmooth.runtime.explore.fitting.steady_responses import response_curves
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, finish

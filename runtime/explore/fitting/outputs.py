@@ -1,25 +1,33 @@
-"""What is measured, read from expressions such as ``x1 - x2`` or ``acceleration:x1 + 9.81``.
+"""What is measured of a motion, and of a steady response.
 
-An output is affine in the state, accelerations and forces of contacts too: these in each
-configuration with numbers of its own, which depend on the parameters.
+An output, such as ``x1 - x2`` or ``acceleration:x1 + 9.81``, is affine in the state,
+accelerations and forces of contacts: these in each configuration with numbers of its own, which
+depend on the parameters. Of a steady response it is the peak of an output, its amplitude, average
+or first harmonic; extremes are guaranteed, and differentiated where they are attained.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.expressions import Function
+from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.simulation.observables import acceleration_rows, force_rows
 
-__all__ = ["Output", "output_of"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
+
+__all__ = ["KINDS", "Output", "ResponseQuantity", "output_of", "response_quantity"]
 
 # the grammar of expressions has integers: a decimal is a quotient of two
 _DECIMAL = re.compile(r"(?<![\w.])(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?(?![\w.])")
@@ -150,3 +158,109 @@ def _fraction(found: re.Match[str]) -> str:
         raise InputError(f"output {found[0][:40]!r}... is too long a number")
     exact = Fraction(found[0])
     return f"({exact.numerator}/{exact.denominator})"
+
+
+class ResponseQuantity(NamedTuple):
+    """A number that is measured of a steady response."""
+
+    kind: str  # a key of `KINDS`
+    output: Output
+    text: str  # as it was written
+
+    @property
+    def periodic(self) -> bool:
+        """Whether it is an angle, which is the same after a full turn."""
+        return self.kind == "phase"
+
+    def of(self, derivatives: OrbitDerivatives) -> tuple[float, np.ndarray]:
+        """Its value along an orbit (by tables), and its derivatives (q,).
+
+        Raises `InputError` if there is no derivative.
+        """
+        along = derivatives.along
+        row = self.output.in_configurations(
+            along.structure, along.numbers.fields, along.numbers.rows
+        )
+        value, rates = KINDS[self.kind](along, row, self.text)
+        return float(value), rates
+
+
+def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
+    """A quantity of a steady response, from its text ``KIND:OUTPUT``.
+
+    KIND is a key of `KINDS` and OUTPUT an affine function of states, accelerations and forces,
+    such as ``amplitude:x1 - x2`` or ``rms:acceleration:x``. Refused are an unknown kind, a
+    function that is not affine, and a first harmonic without a forcing.
+    """
+    kind, colon, output = (part.strip() for part in text.partition(":"))
+    if not colon or not output:
+        raise InputError(f"response {text!r} is not KIND:OUTPUT; kinds are {', '.join(KINDS)}")
+    if kind not in KINDS:
+        raise unknown_name("kind of response", kind, KINDS)
+    if kind in _OF_FORCING and not structure.forcing:
+        raise InputError(
+            f"response {text!r} belongs to a forcing, which {shown_name(structure.name)} has not"
+        )
+    return ResponseQuantity(kind, output_of(output, structure), text)
+
+
+Value = tuple[float, np.ndarray]
+
+
+def _amplitude(along: OrbitMotionDerivatives, row: np.ndarray, _: str) -> Value:
+    high, low = along.extremes(row)
+    return (high.value - low.value) / 2, (high.rates - low.rates) / 2
+
+
+def _harmonic(along: OrbitMotionDerivatives, row: np.ndarray, text: str) -> Value:
+    _, _, cosine, sine = _averages(along, row)
+    return _root(4 * (cosine**2 + sine**2), text)
+
+
+def _phase(along: OrbitMotionDerivatives, row: np.ndarray, text: str) -> Value:
+    _, _, cosine, sine = _averages(along, row)
+    (c, by_c), (s, by_s) = _parts(cosine), _parts(sine)
+    square = c**2 + s**2
+    if not square > 0:
+        raise InputError(f"{text}: there is no first harmonic")
+    return float(np.arctan2(-s, c)), (s * by_c - c * by_s) / square
+
+
+def _root(square: np.ndarray, text: str) -> Value:
+    if not square[0].real > 0:
+        raise InputError(f"{text} is zero: it has no derivative")
+    return _parts(np.sqrt(square))
+
+
+def _parts(number: np.ndarray) -> Value:
+    return float(number[0].real), imaginary_parts(number, None)
+
+
+def _averages(along: OrbitMotionDerivatives, row: np.ndarray) -> np.ndarray:
+    """Averages (4, q) of f, f^2, f cos and f sin, with complex steps.
+
+    f is an affine function by its `row` (q, configurations, N + 1). The angle is that of the
+    first forcing; without one there are zeros.
+    """
+    row, forcing = row[:, :, None], along.structure.forcing
+    units = np.eye(row.shape[-1])[list(forcing[0] if forcing else ())]
+    angles = np.broadcast_to(units, (*row.shape[:2], *units.shape))
+    moments = along.moved.moments(np.concatenate([row, angles], axis=2))[:, 0]
+    parts = [moments[:, -1], moments[:, 0], *moments[:, 1:-1].T]
+    parts += [0 * parts[0]] * (4 - len(parts))
+    period = stepped(float(along.period), along.moved.rates[1, :, -1], None)
+    return np.asarray(np.array(parts) / period)
+
+
+_OF_FORCING = ("harmonic", "phase")
+# of the output's rows (q, configurations, N + 1), with complex steps, and its text
+KINDS: Mapping[str, Callable[[OrbitMotionDerivatives, np.ndarray, str], Value]] = {
+    "maximum": lambda along, row, _: along.extremes(row)[0][:2],
+    "minimum": lambda along, row, _: along.extremes(row)[1][:2],
+    "peak": lambda along, row, text: along.peak(row, text)[:2],
+    "amplitude": _amplitude,
+    "mean": lambda along, row, _: _parts(_averages(along, row)[0]),
+    "rms": lambda along, row, text: _root(_averages(along, row)[1], text),
+    "harmonic": _harmonic,
+    "phase": _phase,
+}
