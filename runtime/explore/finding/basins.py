@@ -1,35 +1,31 @@
-"""Starts of motions: the box in which they are drawn, and where those of a plane lead."""
+"""Starts of motions: the box in which they are drawn, and where they lead."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import by_name
 from nonsmooth.runtime.explore.finding.found import Found
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
+from nonsmooth.runtime.simulation.simulate import simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 
 __all__ = [
-    "Basins",
     "attractors_found",
-    "basins",
     "labels_of_starts",
     "other_states",
-    "plane_of_starts",
     "start_box",
 ]
 
 _FIRST_LOOK = 60  # transitions, about
 _KEPT = 65  # entries at the end of a motion that is classified
-_LARGEST_PLANE = 4_000_000  # starts
 
 
 def start_box(
@@ -106,96 +102,10 @@ def _rate(fields: np.ndarray, sizes: np.ndarray) -> float:
     return float(np.exp(np.mean(np.log(moving)))) if moving else 0.0
 
 
-@dataclass(frozen=True, eq=False)
-class Basins:
-    """Labels of a plane of starts by where these lead."""
-
-    found: Found  # the attractors
-    x: str  # state along the first axis; states on neither axis are those of `start`
-    y: str  # state along the second axis
-    x_values: np.ndarray  # (n,)
-    y_values: np.ndarray  # (m,)
-    # (m, n), as `Found.labels`; `Outcome.ILLEGAL` where a start is in no configuration
-    labels: np.ndarray
-    start: np.ndarray  # (N,)
-
-
-def basins(
-    found: Found,
-    x: tuple[str, float, float, int],
-    y: tuple[str, float, float, int],
-    start: Mapping[str, object] | None = None,
-    *,
-    threads: int | None = None,
-    progress: Callable[[int], None] = lambda done: None,
-) -> Basins:
-    """A plane of starts, labelled by the attractors they lead to: rows of y and columns of x.
-
-    `x` and `y` are (state, lower, upper, count). `start` gives the other states; those that it
-    does not name are 0, and a forcing has the phase 0. `threads` None takes all processors;
-    `progress` gets the number of rows that are done. Raises `InputError` for wrong names or
-    numbers, and on Ctrl-C `Interrupted`, whose `partial` is not classified in the remaining
-    rows.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
-    >>> found = ns.find_orbits("dry-friction", data, n=20, transitions=200)
-    >>> basins(found, ("x1", -1, 1, 3), ("x2", -1, 1, 2)).labels.tolist()
-    [[0, 0, 0], [0, 0, 0]]
-    """
-    kernels = load_system(found.system)
-    axes, base = plane_of_starts(kernels, x, y, start)
-    attractors = attractors_found(found, kernels)
-    labels = np.full((axes[1].size, axes[0].size), int(Outcome.UNCLASSIFIED))
-    plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
-    rows = max(1, 20_000 // axes[0].size)
-    try:
-        for low_row in range(0, axes[1].size, rows):
-            here = slice(low_row, low_row + rows)
-            starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
-            starts[..., found.names.index(x[0])] = axes[0]
-            starts[..., found.names.index(y[0])] = axes[1][here, None]
-            flat = starts.reshape(-1, base.size)
-            arrived = labels_of_starts(kernels, found, attractors, flat, threads)
-            labels[here] = arrived.reshape(-1, axes[0].size)
-            progress(min(low_row + rows, axes[1].size))
-    except KeyboardInterrupt:
-        raise Interrupted(plane) from None
-    return plane
-
-
-def plane_of_starts(
-    kernels: SystemKernels,
-    x: tuple[str, float, float, int],
-    y: tuple[str, float, float, int],
-    start: Mapping[str, object] | None = None,
-) -> tuple[list[np.ndarray], np.ndarray]:
-    """Values along both axes of a plane of starts, and the state (N,) with its other coordinates.
-
-    `x` and `y` are (state, lower, upper, count). `start` gives the other states; those that it
-    does not name are 0, and a forcing has the phase 0. Wrong names or numbers are refused.
-    """
-    structure, axes = structure_of(kernels), []
-    structure.check_listed("a picture of basins")
-    for name, low, high, count in (x, y):
-        if name not in structure.states:
-            raise unknown_name("state", name, structure.states)
-        if not (np.isfinite([low, high]).all() and low < high):
-            raise InputError(f"{name}: {low!r} to {high!r} is no interval")
-        axes.append(np.linspace(low, high, checked_count(f"count of {name}", count, 2)))
-    if x[0] == y[0]:
-        raise InputError(f"both axes are {x[0]}")
-    if axes[0].size * axes[1].size > _LARGEST_PLANE:
-        raise InputError(f"more than {_LARGEST_PLANE} starts")
-    return axes, other_states(kernels, start)
-
-
 def other_states(
     kernels: SystemKernels, start: Mapping[str, object] | Sequence[object] | None
 ) -> np.ndarray:
-    """The state (N,) that a plane of starts takes its other coordinates from.
+    """The state (N,) that starts of a chart take their other coordinates from.
 
     States that `start` does not name are 0, and a forcing has the phase 0. Wrong names or
     numbers are refused.

@@ -61,7 +61,7 @@ class View:
 
     @property
     def portraits(self) -> int:
-        """Number of phase portraits in a new figure: one for all masses of an orbit with kernels."""
+        """Number of phase portraits in a new figure; an orbit with kernels has a single one."""
         return 1 if self.orbit is not None and self.orbit.problem.derived else len(self.masses)
 
     @property
