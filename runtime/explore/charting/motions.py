@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -24,16 +24,18 @@ from nonsmooth.runtime.explore.charting.problem import (
     kernels_held,
     table_hash,
 )
-from nonsmooth.runtime.explore.finding.basins import (
-    attractors_found,
-    labels_of_starts,
-    other_states,
-)
 from nonsmooth.runtime.explore.finding.found import Found, label_names
-from nonsmooth.runtime.explore.finding.outcomes import Attractors, settled, settled_texts
+from nonsmooth.runtime.explore.finding.outcomes import (
+    Attractors,
+    Outcome,
+    attractors_of,
+    settled,
+    settled_texts,
+)
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, load_system
 from nonsmooth.runtime.model.naming import units_of
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
@@ -52,6 +54,8 @@ __all__ = [
 _LONGEST = 32  # phases of a cycle that is looked for
 _POINTS = 1 << 11  # of a chunk: about a second
 _FOUND = "nonsmooth found orbits"
+_FIRST_LOOK = 60  # transitions, about, after which most motions of basins have settled
+_KEPT = 65  # entries at the end of such a motion
 
 
 class _MotionsProblem(ABC):
@@ -297,7 +301,7 @@ class BasinProblem(_MotionsProblem):
         starts = np.tile(self.start, (values[0].size, 1))
         for name, column in zip(block.names, values, strict=True):
             starts[:, found.names.index(name)] = column.ravel()
-        labels = labels_of_starts(kernels, found, attractors, starts, threads=1)
+        labels = _labels_of_starts(kernels, found, attractors, starts)
         attractor = _numbered(labels).reshape(values[0].shape).astype("<i2")
         return {"status": np.zeros(values[0].shape, "i1"), "attractor": attractor}
 
@@ -310,7 +314,46 @@ def _numbered(labels: Any) -> Any:
 @lru_cache(maxsize=8)
 def _known(data: str) -> tuple[SystemKernels, Found, Attractors]:
     kernels, found = registered("found_held")(data)
-    return kernels, found, attractors_found(found, kernels)
+    return kernels, found, _attractors_of(found, kernels)
+
+
+def _attractors_of(found: Found, kernels: SystemKernels) -> Attractors:
+    """The orbits and equilibria of a search as `Attractors`, in the order of its labels."""
+    point = piecewise(kernels, found.parameters)
+    orbits = tuple(entry.orbit for entry in found.orbits)
+    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
+    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
+
+
+def _labels_of_starts(
+    kernels: SystemKernels,
+    found: Found,
+    attractors: Attractors,
+    starts: np.ndarray,
+) -> np.ndarray:
+    """Labels (n,) of starts (n, N), as in `Found.labels`.
+
+    The starts are followed four times longer as long as they are not classified.
+    `attractors` are those of `_attractors_of`.
+    """
+    values = {name: float(value) for name, value in found.parameters.items()}
+    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
+    length = found.transitions
+    lengths = [length]
+    while length > 2 * _FIRST_LOOK:
+        length //= 4
+        lengths.insert(0, length)
+    for length in lengths:
+        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
+        if not open_.size:
+            break
+        motions = simulate_many(
+            kernels, values, starts[open_], transitions=length, keep=_KEPT, threads=1
+        )
+        labels[open_] = attractors.labels(motions)
+        if length == found.transitions:
+            labels[open_] = attractors.measured(motions, labels[open_], threads=1)
+    return labels
 
 
 def is_found(name: str) -> bool:
@@ -347,7 +390,23 @@ def basin_problem(
         )
     if not found.orbits and not found.equilibria:
         raise InputError(f"{file} holds no orbit or equilibrium that starts could lead to")
-    return BasinProblem(data, tuple(other_states(kernels, start).tolist()))
+    return BasinProblem(data, tuple(_other_states(kernels, start).tolist()))
+
+
+def _other_states(
+    kernels: SystemKernels, start: Mapping[str, object] | Sequence[object] | None
+) -> np.ndarray:
+    """The state (N,) that starts of basins take their other coordinates from.
+
+    States that `start` does not name are 0, and a forcing has the phase 0. Wrong names or
+    numbers are refused.
+    """
+    structure = structure_of(kernels)
+    if start is not None and not isinstance(start, Mapping):
+        return start_state(structure, start)
+    free = [name for k, name in enumerate(structure.states) if k not in structure.forced]
+    zero = dict.fromkeys(free, 0)
+    return start_state(structure, zero | dict(start or {}))
 
 
 def held_basin_problem(identity: Mapping[str, Any], held: Mapping[str, Any]) -> BasinProblem:

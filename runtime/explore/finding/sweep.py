@@ -281,7 +281,7 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
     except InputError:
         return nothing
     (cosine, sine), *_ = system.structure.forcing
-    speed = float(system.fields[0, sine, cosine])
+    speed = float(system.forcing_speeds[0])
     angle = np.arctan2(start[sine], start[cosine])
     wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
     times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed

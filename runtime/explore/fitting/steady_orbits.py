@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import NonsmoothError
-from nonsmooth.runtime.explore.finding.basins import start_box
 from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import responses
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, grown

@@ -1,31 +1,16 @@
-"""Starts of motions: the box in which they are drawn, and where they lead."""
+"""The box in which the starts of motions are drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import by_name
-from nonsmooth.runtime.explore.finding.found import Found
-from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
-from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.simulation.simulate import simulate_many
-from nonsmooth.runtime.simulation.starting import start_state
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 
-__all__ = [
-    "attractors_found",
-    "labels_of_starts",
-    "other_states",
-    "start_box",
-]
-
-_FIRST_LOOK = 60  # transitions, about
-_KEPT = 65  # entries at the end of a motion that is classified
+__all__ = ["start_box"]
 
 
 def start_box(
@@ -39,9 +24,7 @@ def start_box(
     `given` replaces the bounds of some states; unknown names and empty intervals are refused.
     """
     structure = system.structure
-    used = {b.row for boundaries in structure.boundaries for b in boundaries}
-    used |= {row for rows in structure.constraints for row in rows}
-    rows = system.rows[sorted(used)]
+    rows = system.rows[list(structure.watched)]
     with np.errstate(divide="ignore", invalid="ignore"):
         sizes = np.abs(rows[:, -1:] / rows[:, :-1])
     sizes[~np.isfinite(sizes)] = 0.0
@@ -100,59 +83,3 @@ def _rate(fields: np.ndarray, sizes: np.ndarray) -> float:
         rates.append(max(float(around), float(fall.max()) ** 0.5))
     moving = [rate for rate in rates if 0 < rate < np.inf]
     return float(np.exp(np.mean(np.log(moving)))) if moving else 0.0
-
-
-def other_states(
-    kernels: SystemKernels, start: Mapping[str, object] | Sequence[object] | None
-) -> np.ndarray:
-    """The state (N,) that starts of a chart take their other coordinates from.
-
-    States that `start` does not name are 0, and a forcing has the phase 0. Wrong names or
-    numbers are refused.
-    """
-    structure = structure_of(kernels)
-    if start is not None and not isinstance(start, Mapping):
-        return start_state(structure, start)
-    turning = {place for pair in structure.forcing for place in pair}
-    zero = {name: 0 for k, name in enumerate(structure.states) if k not in turning}
-    return start_state(structure, zero | dict(start or {}))
-
-
-def attractors_found(found: Found, kernels: SystemKernels) -> Attractors:
-    """The orbits and equilibria of a search as `Attractors`, in the order of its labels."""
-    point = piecewise(kernels, found.parameters)
-    orbits = tuple(entry.orbit for entry in found.orbits)
-    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
-    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
-
-
-def labels_of_starts(
-    kernels: SystemKernels,
-    found: Found,
-    attractors: Attractors,
-    starts: np.ndarray,
-    threads: int | None = None,
-) -> np.ndarray:
-    """Labels (n,) of starts (n, N), as in `Found.labels`.
-
-    The starts are followed four times longer as long as they are not classified.
-    `attractors` are those of `attractors_found`; `threads` None takes all processors.
-    """
-    values = {name: float(value) for name, value in found.parameters.items()}
-    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
-    length = found.transitions
-    lengths = [length]
-    while length > 2 * _FIRST_LOOK:
-        length //= 4
-        lengths.insert(0, length)
-    for length in lengths:
-        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
-        if not open_.size:
-            break
-        motions = simulate_many(
-            kernels, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
-        )
-        labels[open_] = attractors.labels(motions)
-        if length == found.transitions:
-            labels[open_] = attractors.measured(motions, labels[open_], threads)
-    return labels
