@@ -7,7 +7,6 @@ Systems are built in, or users declare them: in a FILE.py, as a folder that
 from __future__ import annotations
 
 import hashlib
-import json
 import math
 import os
 from collections.abc import Iterable, Iterator, Mapping
@@ -30,6 +29,7 @@ from nonsmooth.runtime.model.kernel_records import (
     SystemKernels,
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.model.loading.folder import PROVENANCE, FolderRecord, recorded
 from nonsmooth.runtime.model.loading.growing import Visit
 from nonsmooth.runtime.model.loading.load import (
     library_of,
@@ -66,7 +66,6 @@ __all__ = [
 ]
 
 _PACKAGE = "nonsmooth.generated"
-_PROVENANCE = "PROVENANCE.json"
 _REMEDY = "run `nonsmooth regenerate`, or install the package again"
 _FIND = (
     "it names none: `nonsmooth find {} ... --save found.json` finds its orbits,"
@@ -76,8 +75,7 @@ _FIND = (
 
 def system_names() -> tuple[str, ...]:
     """Names of the generated systems."""
-    names: tuple[str, ...] = _provenance()["systems"]
-    return names
+    return _provenance().systems
 
 
 def orbit_names() -> tuple[str, ...]:
@@ -331,12 +329,12 @@ def _system(name: str, chosen: str) -> SystemKernels:
     stem = name.replace("-", "_")
     file = f"{stem}.py"
     try:
-        expected = _provenance()["files"][file]["sha256"]
+        expected = _provenance().hashes[file]
         found = hashlib.sha256(files(_PACKAGE).joinpath(file).read_bytes()).hexdigest()
-    except (OSError, KeyError, TypeError):
+    except (OSError, KeyError):
         raise InputError(f"generated/{file} is missing or unrecorded: {_REMEDY}") from None
     if found != expected:
-        raise InputError(f"generated/{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
+        raise InputError(f"generated/{file} is not the file that {PROVENANCE} records: {_REMEDY}")
     module = import_module(f"{_PACKAGE}.{stem}")
     compiled = _compiled_module() if chosen == "c" else None
     if compiled is not None:
@@ -350,15 +348,11 @@ def _system(name: str, chosen: str) -> SystemKernels:
 
 
 @cache
-def _provenance() -> dict[str, Any]:
-    try:
-        record = json.loads(files(_PACKAGE).joinpath(_PROVENANCE).read_text(encoding="utf-8"))
-        named = isinstance(record["systems"], list) and isinstance(record["files"], dict)
-        if not named or not all(isinstance(name, str) for name in record["systems"]):
-            raise TypeError
-    except (OSError, ValueError, KeyError, TypeError):
-        raise InputError(f"generated/{_PROVENANCE} is missing, cut or foreign: {_REMEDY}") from None
-    return {**record, "systems": tuple(record["systems"])}
+def _provenance() -> FolderRecord:
+    found = recorded(Path(str(files(_PACKAGE))))
+    if found is None:
+        raise InputError(f"generated/{PROVENANCE} is missing, cut or foreign: {_REMEDY}")
+    return found
 
 
 def _chosen() -> str:

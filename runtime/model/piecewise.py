@@ -62,6 +62,12 @@ class PiecewiseLinear:
     flows: tuple[Flows, ...]
 
     @property
+    def forcing_speeds(self) -> np.ndarray:
+        """Angular frequencies (f,) of the forcings, negative where a sine falls first."""
+        pairs = self.structure.forcing
+        return np.array([self.fields[0, sine, cosine] for cosine, sine in pairs], dtype=float)
+
+    @property
     def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Fields, rows and resets."""
         return self.fields, self.rows, self.resets

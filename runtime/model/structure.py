@@ -117,6 +117,12 @@ class Structure:
         return self.configurations.index(name)
 
     @cached_property
+    def watched(self) -> tuple[int, ...]:
+        """Rows of all boundaries and constraints."""
+        rows = {boundary.row for boundaries in self.boundaries for boundary in boundaries}
+        return tuple(sorted(rows.union(*self.constraints)))
+
+    @cached_property
     def forced(self) -> tuple[int, ...]:
         """The states of all forcings."""
         return tuple(state for pair in self.forcing for state in pair)

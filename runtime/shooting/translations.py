@@ -65,8 +65,7 @@ def deciding_rows(structure: Structure) -> tuple[int, ...]:
 
     They are those of boundaries, constraints, conditions and a contact law.
     """
-    used = {b.row for boundaries in structure.boundaries for b in boundaries}
-    used |= {row for rows in structure.constraints for row in rows}
+    used = {*structure.watched}
     every = (t for each in structure.transitions for t in each)
     used |= {row for t in every for row, _, _ in t.conditions}
     if structure.law is not None:

@@ -6,16 +6,17 @@ python scripts/development/pictures.py
 import argparse
 import sys
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("agg")
 
 from matplotlib.figure import Figure
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.present.pictures.maps import draw_basins
+from nonsmooth.runtime.present.pictures.charts import chart_figure
 from nonsmooth.runtime.present.pictures.plot import save_figure
 
 CHECKOUT = Path(__file__).resolve().parents[2]
@@ -76,8 +77,11 @@ def response_and_basins(folder: Path) -> None:
     figure.suptitle("a machine that strikes a rubber stop: frequency response", size="medium")
     save_figure(figure, folder / "response.svg")
 
-    plane = basins(found, ("x", -0.02, 0.02, 300), ("v", -0.5, 0.5, 300), {"c1": 1})
-    figure = draw_basins(plane)
+    with TemporaryDirectory() as place:
+        file = Path(place) / "found.json"
+        found.save(file)
+        x, v = np.linspace(-0.02, 0.02, 300), np.linspace(-0.5, 0.5, 300)
+        figure = chart_figure(ns.chart(str(file), x=x, v=v))
     figure.set_size_inches(5.6, 3.9)
     save_figure(figure, folder / "basins.png")
 

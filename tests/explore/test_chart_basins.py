@@ -1,4 +1,4 @@
-"""Basins as charts: the labels of planes in memory, whatever the chunks, and resumed."""
+"""Basins as charts: where single starts lead, whatever the chunks, and resumed."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -11,7 +11,8 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, SoftStop, System, oscillator
-from nonsmooth.runtime.explore.finding.basins import basins
+from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.present.pictures.charts import chart_figure
 from tests.cli.test_cli import told
 from tests.pictures import figure_in
 
@@ -41,25 +42,68 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
-@pytest.mark.slow
-def test_a_chart_has_the_labels_of_single_planes(found: Path, tmp_path: Path) -> None:
-    plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"})
-    x, v = (("x1", -1.5, 1.5, 11), ("v1", -1.0, 1.0, 7))
-    expected = basins(ns.load(found), x, v, {"x2": "1/2"}).labels.T
-    np.testing.assert_array_equal(plane.attractor, expected + (expected >= 0))
-    assert len(np.unique(plane.attractor)) >= 2
+def test_labels_agree_with_following_single_starts(found: Path, tmp_path: Path) -> None:
+    store, known = tmp_path / "basins.zarr", ns.load(found)
+    plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"}, store=store)
+    numbers = plane.attractor.values
     assert (plane.status == 0).all()
+    assert np.unique(numbers).tolist() == [1, 2]
+    for place in np.ndindex(numbers.shape):
+        orbit = known.orbits[numbers[place] - 1].orbit
+        x, v = (float(plane[name][k]) for name, k in zip(STARTS, place, strict=True))
+        start = {"x1": x, "v1": v, "x2": 0.5, "v2": 0}
+        motion = ns.simulate(two_attractors(), DATA, start, until=400)
+        lasted = np.diff(motion.times[motion.times > 350])
+        assert (len(lasted) > 0) == (len(orbit.itinerary) > 1)
+        for dwell in lasted[1:-1]:
+            assert np.abs(orbit.dwell_times - dwell).min() < 1e-6
     names = plane.attractor.attrs["meanings"]
     assert names["1"].startswith("orbit 1, period ")
-    store = tmp_path / "basins.zarr"
-    ns.chart(str(found), **STARTS, start={"x2": "1/2"}, store=store)
     counts = told("chart", str(store))["points"]
-    assert sum(counts.values()) == plane.attractor.size
-    assert counts[names["1"]] == int((plane.attractor == 1).sum())
-    legend = figure_in(store).axes[0].get_legend()
-    assert names["1"] in "".join(text.get_text() for text in legend.get_texts())
+    assert sum(counts.values()) == numbers.size
+    assert counts[names["1"]] == int((numbers == 1).sum())
+
+
+def test_a_picture_has_the_colours_of_the_legend(found: Path, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    plane = ns.chart(str(found), **STARTS)
+    numbers = np.arange(77).reshape(11, 7) % 3
+    plane.attractor.values[:] = np.where(numbers == 0, int(Outcome.UNCLASSIFIED), numbers)
+    axes = chart_figure(plane).axes[0]
+    (mesh,) = (each for each in axes.collections if hasattr(each, "get_coordinates"))
+    shown = mesh.to_rgba(mesh.get_array()).reshape(7, 11, 4).swapaxes(0, 1)
+    handles, labels = axes.get_legend_handles_labels()
+    names = plane.attractor.attrs["meanings"]
+    assert len(labels) == 3
+    for handle, label in zip(handles, labels, strict=True):
+        name, _, share = label.rpartition(" (")
+        (number,) = (int(key) for key, text in names.items() if text == name)
+        here = plane.attractor.values == number
+        assert share == f"{100 * here.mean():.1f} %)"
+        np.testing.assert_allclose(shown[here], [handle.get_facecolor()[0]] * here.sum())
     ns.chart(str(found), x1=STARTS["x1"], store=tmp_path / "line.zarr")
     assert figure_in(tmp_path / "line.zarr").axes[0].lines
+
+
+def test_no_more_basins_than_can_be_told_apart(found: Path, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    file, known = tmp_path / "many.json", ns.load(found)
+    replace(known, orbits=known.orbits[:1] * 25).save(file)
+    plane = ns.chart(str(file), **STARTS)
+    plane.attractor.values[:] = np.arange(77).reshape(11, 7) % 25 + 1
+    with pytest.raises(InputError, match="more than 24 parts like orbit 25"):
+        chart_figure(plane)
+
+
+def test_equilibria_and_no_configuration_have_labels(tmp_path: Path) -> None:
+    file, data = tmp_path / "found.json", {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+    quiet = ns.find_orbits("rigid-stop", data, 4, transitions=50, box={"x1": (-0.9, 0.9)})
+    quiet.save(file)
+    labels = ns.chart(str(file), x1=[0.0, 1.0, 2.0], v1=[0.0, 0.1]).attractor.values
+    assert (labels[2] == Outcome.ILLEGAL).all()
+    assert labels[0, 0] == len(quiet.orbits) + 1  # the equilibrium
+    assert set(labels.ravel().tolist()) <= {*range(1, len(quiet.orbits) + 2), *Outcome}
+    assert labels[0, 1] == Outcome.FAMILY
 
 
 def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(

@@ -9,11 +9,11 @@ import sympy as sp
 
 from nonsmooth import InputError, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.explore.finding.basins import basins, start_box
+from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.present.pictures.maps import draw_basins
 from nonsmooth.runtime.simulation.recurrence import canonical
 from tests.certified import edited as content_edited
 from tests.places import GALLERY
@@ -35,11 +35,10 @@ def found(name):
     return find_orbits("dry-friction", data, starts, transitions=1500, rng=1)
 
 
-def names_of(result, x, y):
-    """Names in the legend of a map of basins."""
-    figure = draw_basins(basins(result, (x, -1, 1, 2), (y, -1, 1, 2)))
-    _, labels = figure.axes[0].get_legend_handles_labels()
-    return [label.rpartition(" (")[0] for label in labels]
+def names_of(result):
+    """Names of the orbits that attract, as charts of basins have them."""
+    names = label_names(result)
+    return [names[place] for place, entry in enumerate(result.orbits) if entry.starts]
 
 
 def by_period(name, period):
@@ -109,7 +108,7 @@ def test_shares_sum_to_one_and_orbits_are_in_order(name):
     counts = [(result.labels == i).sum() for i in range(len(result.orbits))]
     assert counts == [o.starts for o in result.orbits]
     assert set(result.labels.tolist()) <= {*range(len(result.orbits)), *Outcome}
-    assert names_of(result, "x1", "v2")[: sum(o.starts > 0 for o in result.orbits)] == [
+    assert names_of(result) == [
         f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(result.orbits) if o.starts
     ]
 
@@ -118,7 +117,7 @@ def test_names_tell_orbits_of_one_period_apart():
     """Those of a picture's legend: beyond their numbers."""
     data = {"d": "0.5", "r": "0.8", "w": "1.5"}
     result = find_orbits(str(GALLERY / "two_stops.py"), data, 12, transitions=400)
-    names = names_of(result, "x", "v")[: sum(o.starts > 0 for o in result.orbits)]
+    names = names_of(result)
     told = [name.split(", ", 1)[1] for name in names]
     assert len(told) > 1
     assert len({name.split(", ")[0] for name in told}) == 1

@@ -172,7 +172,7 @@ def test_each_orbit_closes_and_is_primitive(build, seed):
 
 
 @pytest.mark.parametrize(("build", "seed"), CASES)
-def test_no_motion_is_listed_twice(build, seed):
+def test_no_motion_is_listed_twice_and_shares_add_up(build, seed):
     _, found = law(build, seed)
     known = []
     for entry in found.orbits:
@@ -182,11 +182,6 @@ def test_no_motion_is_listed_twice(build, seed):
             apart = np.abs(other[:, None] - points[None]) / scale
             assert apart.max(axis=2).min() > 1e-7, "another orbit passes through the same state"
         known.append(points)
-
-
-@pytest.mark.parametrize(("build", "seed"), CASES)
-def test_shares_add_up(build, seed):
-    _, found = law(build, seed)
     shares = [entry.share for entry in (*found.orbits, *found.equilibria)]
     assert sum(shares) + sum(found.outcomes.values()) == pytest.approx(1, abs=1e-12)
 

@@ -1,15 +1,11 @@
 """Diagrams and maps by brute force, against orbits and against single motions."""
 
-from functools import cache
-
 import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth import InputError, find_orbits, simulate, sweep
+from nonsmooth import InputError, simulate, sweep
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 
@@ -158,70 +154,6 @@ def test_a_start_inside_the_stop_is_told():
             "rigid-stop", STOP, "r", [0.5, 0.6], REST | {"x1": 2}, state="x2",
             configuration="free", transient=10,
         )  # fmt: skip
-
-
-# --- basins
-
-
-@cache
-def found():
-    return find_orbits("dry-friction", TWO, 60, transitions=1000)
-
-
-@pytest.mark.slow
-@pytest.mark.compiled
-def test_labels_agree_with_following_single_starts():
-    told = []
-    plane = basins(
-        found(), ("x1", -2.0, 2.0, 7), ("v2", -1.0, 0.5, 5), {"x2": "1/2"}, progress=told.append
-    )
-    assert told[-1] == 5
-    assert plane.labels.shape == (5, 7)
-    assert plane.start.tolist() == [0, 0.5, 0, 0]
-    assert len(set(plane.labels.ravel().tolist())) == 2
-    for row, column in np.ndindex(5, 7):
-        start = [plane.x_values[column], 0.5, 0.0, plane.y_values[row]]
-        orbit = found().orbits[plane.labels[row, column]].orbit
-        motion = simulate("dry-friction", TWO, start, transitions=1500)
-        phases = len(orbit.itinerary)
-        lasted = motion.times[-1] - motion.times[-1 - phases]
-        assert lasted == pytest.approx(orbit.period, rel=1e-6)
-
-
-@pytest.mark.compiled  # thousands of motions
-def test_axes_may_be_any_two_states():
-    one = basins(found(), ("x1", -2.0, 2.0, 4), ("v2", -1.0, 0.5, 3))
-    other = basins(found(), ("v2", -1.0, 0.5, 3), ("x1", -2.0, 2.0, 4))
-    np.testing.assert_array_equal(one.labels, other.labels.T)
-
-
-def test_equilibria_and_no_configuration_have_labels():
-    quiet = find_orbits("rigid-stop", STOP | {"r": 1}, 4, transitions=50, box={"x1": (-0.9, 0.9)})
-    plane = basins(quiet, ("x1", 0.0, 2.0, 3), ("v1", 0.0, 0.1, 2))
-    assert (plane.labels[:, 2] == Outcome.ILLEGAL).all()
-    assert plane.labels[0, 0] == len(quiet.orbits)  # the equilibrium
-    labels = set(plane.labels.ravel().tolist())
-    assert labels <= {Outcome.ILLEGAL, *range(len(quiet.orbits) + 1), *Outcome}
-    assert plane.labels[1, 0] == Outcome.FAMILY
-
-
-@pytest.mark.parametrize(
-    ("x", "y", "start", "match"),
-    [
-        (("z1", 0, 1, 3), ("x2", 0, 1, 3), {}, "unknown state 'z1'"),
-        (("x1", 0, 1, 3), ("x1", 0, 1, 3), {}, "both axes are x1"),
-        (("x1", 1, 0, 3), ("x2", 0, 1, 3), {}, "no interval"),
-        (("x1", 0, np.inf, 3), ("x2", 0, 1, 3), {}, "no interval"),
-        (("x1", 0, 1, 1), ("x2", 0, 1, 3), {}, "count of x1 = 1"),
-        (("x1", 0, 1, 2.5), ("x2", 0, 1, 3), {}, "count of x1"),
-        (("x1", 0, 1, 10**4), ("x2", 0, 1, 10**4), {}, "more than"),
-        (("x1", 0, 1, 3), ("x2", 0, 1, 3), {"q": 1}, "unknown state 'q'"),
-        (("x1", 0, 1, 3), ("x2", 0, 1, 3), {"v1": "fast"}, "v1"),
-    ],
-)
-def test_bad_planes(x, y, start, match):
-    with pytest.raises(InputError, match=match):
-        basins(found(), x, y, start)
 
 
 @pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])

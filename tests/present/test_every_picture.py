@@ -24,8 +24,7 @@ from matplotlib import pyplot
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.present.pictures.maps import draw_basins
+from nonsmooth.runtime.present.pictures.charts import chart_figure
 from tests.pictures import figure_in, figure_of, figure_of_saved
 from tests.places import GALLERY
 from tests.shared import FOLDER
@@ -82,7 +81,7 @@ CASES: dict[str, Callable[[], Any]] = {
     ).plot("all"),
     "found": lambda: figure_of_saved(found()),
     "found velocity": lambda: figure_of_saved(found(), "velocity"),
-    "basins": lambda: draw_basins(basins(found(), ("x", -1, 1, 6), ("v", -1, 1, 6))),
+    "basins": lambda: chart_figure(basins(found(), 1, 6)),
     "branch": lambda: symmetric_branch().plot(),
     "narrow branch": lambda: figure_of_saved(
         branch("1.3", "1.3001"),
@@ -115,9 +114,7 @@ CASES: dict[str, Callable[[], Any]] = {
     "all with many multipliers": lambda: many_multipliers().plot("all"),
     "orbits of one period": lambda: figure_of_saved(one_period()),
     "portraits of one period": lambda: figure_of_saved(one_period(), "phase"),
-    "basins of one period": lambda: draw_basins(
-        basins(one_period(), ("x", -0.5, 0.5, 12), ("v", -1, 1, 12))
-    ),
+    "basins of one period": lambda: chart_figure(basins(one_period(), 0.5, 12)),
     "one point": lambda: figure_of_saved(
         replace(
             swept(),
@@ -133,16 +130,22 @@ CASES: dict[str, Callable[[], Any]] = {
     "late": lambda: ns.simulate(
         stop(), {"F": "0.7", "w": "1.3"}, {"x": 1e5, "v": 0}, until=1e-3
     ).plot("all"),
-    "many basins": lambda: draw_basins(many_basins(12)),
+    "many basins": lambda: chart_figure(many_basins(12)),
 }
+
+
+def basins(known: Any, most: float, count: int) -> Any:
+    """A chart of starts whose positions are at most so large."""
+    file = Path(tempfile.mkdtemp(dir=os.environ[FOLDER])) / "found.json"
+    known.save(file)
+    return ns.chart(str(file), x=np.linspace(-most, most, count), v=np.linspace(-1, 1, count))
 
 
 def many_basins(count: int) -> Any:
     """A plane of starts that lead to so many orbits, all of one period."""
-    known = found()
-    listed = replace(known, orbits=(known.orbits[0],) * count)
-    plane = basins(known, ("x", -1, 1, 6), ("v", -1, 1, 6))
-    return replace(plane, found=listed, labels=np.arange(36).reshape(6, 6) % count)
+    plane = basins(replace(found(), orbits=found().orbits[:1] * count), 1, 6)
+    plane.attractor.values[:] = np.arange(36).reshape(6, 6) % count + 1
+    return plane
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Pictures of simulated motions, of basins and of bifurcations."""
+"""Pictures of simulated motions, and of bifurcations."""
 
 import sys
 from collections.abc import Iterator
@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, MissingExtra, find_orbits, observe, simulate, sweep
-from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.present.pictures.maps import draw_basins
+from nonsmooth import InputError, MissingExtra, observe, simulate, sweep
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.pictures import figure_of, figure_of_saved
 
@@ -19,8 +17,7 @@ matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 from matplotlib import pyplot
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PolyCollection, QuadMesh
-from matplotlib.colors import to_rgb
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 
@@ -270,46 +267,7 @@ def test_one_mass_alone(masses: list[int]) -> None:
     assert figure.axes[0].get_ylabel().startswith(f"position $x_{{{masses[0] + 1}}}$")
 
 
-# --- basins and bifurcations
-
-
-@cache
-def plane():
-    """Starts of the mass before a stop, with labels of their own."""
-    known = find_orbits("dry-friction", FRICTION, 10, transitions=200)
-    return basins(known, ("x1", -1, 2, 7), ("v2", 0, 0.4, 3))
-
-
-def test_a_basin_is_the_labels() -> None:
-    labels = np.arange(21).reshape(3, 7) % 3 - 1
-    labels[0] = 0
-    known = plane().found
-    twice = replace(known, orbits=known.orbits[:1] * 2)
-    figure = draw_basins(replace(plane(), found=twice, labels=labels))
-    figure.draw_without_rendering()
-    (axes,) = figure.axes
-    (mesh,) = [c for c in axes.collections if isinstance(c, QuadMesh)]
-    colors = mesh.to_rgba(mesh.get_array()).reshape(3, 7, 4)[..., :3]
-    corners = mesh.get_coordinates()
-    assert_allclose((corners[0, :-1, 0] + corners[0, 1:, 0]) / 2, plane().x_values)
-    assert_allclose((corners[:-1, 0, 1] + corners[1:, 0, 1]) / 2, plane().y_values)
-    handles, names = axes.get_legend_handles_labels()
-    found = {name.partition(",")[0].split(" (")[0]: to_rgb(h.get_facecolor()[0])
-             for h, name in zip(handles, names, strict=True)}  # fmt: skip
-    order = ["orbit 1", "orbit 2", "unclassified"]
-    assert list(found) == order
-    for number, name in zip((0, 1, -1), order, strict=True):
-        assert_allclose(colors[labels == number], [found[name]] * (labels == number).sum())
-    parts = [float(name.rpartition("(")[2].split()[0]) for name in names]
-    assert_allclose(parts, [100 * (labels == number).mean() for number in (0, 1, -1)], atol=0.051)
-    assert axes.get_xlabel() == "$x_{1}$ (nondimensional)"
-    assert axes.get_ylabel() == "$v_{2}$ (nondimensional)"
-
-
-def test_no_more_basins_than_can_be_told_apart() -> None:
-    many = replace(plane().found, orbits=plane().found.orbits[:1] * 28)
-    with pytest.raises(InputError, match="28 attractors, of which 27"):
-        draw_basins(replace(plane(), found=many))
+# --- bifurcations
 
 
 def test_a_bifurcation_is_its_samples() -> None:
@@ -356,8 +314,6 @@ def test_wrong_input(kind: str, options: dict, part: str) -> None:
 
 
 def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
-    plane()
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for draw in (few().plot, lambda: draw_basins(plane())):
-        with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
-            draw()
+    with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
+        few().plot()

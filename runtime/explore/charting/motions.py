@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -15,25 +14,30 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.result_files import format_in
 from nonsmooth.runtime.core.workload import SECONDS
-from nonsmooth.runtime.explore.charting.grid import Block, Grid
+from nonsmooth.runtime.explore.charting.grid import Block
 from nonsmooth.runtime.explore.charting.problem import (
     MISSING,
+    ChartProblem,
     Variable,
     fixed_values,
     held_text,
     kernels_held,
+    labelled,
+    number,
     table_hash,
 )
-from nonsmooth.runtime.explore.finding.basins import (
-    attractors_found,
-    labels_of_starts,
-    other_states,
-)
 from nonsmooth.runtime.explore.finding.found import Found, label_names
-from nonsmooth.runtime.explore.finding.outcomes import Attractors, settled, settled_texts
+from nonsmooth.runtime.explore.finding.outcomes import (
+    Attractors,
+    Outcome,
+    attractors_of,
+    settled,
+    settled_texts,
+)
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, load_system
 from nonsmooth.runtime.model.naming import units_of
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
@@ -50,63 +54,46 @@ __all__ = [
 ]
 
 _LONGEST = 32  # phases of a cycle that is looked for
-_POINTS = 1 << 11  # of a chunk: about a second
 _FOUND = "nonsmooth found orbits"
+_FIRST_LOOK = 60  # transitions, about, after which most motions of basins have settled
+_KEPT = 65  # entries at the end of such a motion
 
 
-class _MotionsProblem(ABC):
-    """What charts have in common whose points do not depend on each other."""
-
-    @property
-    @abstractmethod
-    def kernels(self) -> SystemKernels:
-        """Tables and kernels of the system."""
-
-    @property
-    def points(self) -> int:
-        """Usual number of points of a chunk."""
-        return _POINTS
-
-    def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter or a state as an attribute; empty where the system states none."""
-        return units_of(self.kernels).attributes(name)
-
-    def prepare(self, grid: Grid) -> np.ndarray:
-        """An empty array (0,)."""
-        return np.empty(0)
-
-    def _identity(
-        self, kind: str, method: int, parameters: Mapping[str, str], start: Iterable[float]
-    ) -> dict[str, Any]:
-        """The system and the kernels by which its motions are followed, as data for JSON."""
-        kernels = self.kernels
-        compiled = kernels.compiled is not None and compiled_engine() is not None
-        return {
-            "kind": kind,
-            "method": method,
-            "system": named(kernels)[0],  # of a user's own the hash of its table, too
-            "derivation": str(kernels.module.DERIVATION),
-            "table": table_hash(kernels.table) if kernels.built_in else "",
-            "kernels": "c" if compiled else "numpy",
-            "parameters": parameters,
-            "start": [repr(value) for value in start],
-        }
+def _identity(
+    kind: str,
+    method: int,
+    kernels: SystemKernels,
+    parameters: Mapping[str, str],
+    start: Iterable[float],
+) -> dict[str, Any]:
+    """The system and the kernels by which its motions are followed, as data for JSON."""
+    compiled = kernels.compiled is not None and compiled_engine() is not None
+    return {
+        "kind": kind,
+        "method": method,
+        "system": named(kernels)[0],  # of a user's own the hash of its table, too
+        "derivation": str(kernels.module.DERIVATION),
+        "table": table_hash(kernels.table) if kernels.built_in else "",
+        "kernels": "c" if compiled else "numpy",
+        "parameters": parameters,
+        "start": [repr(value) for value in start],
+    }
 
 
 @dataclass(frozen=True)
-class AttractorProblem(_MotionsProblem):
+class AttractorProblem(ChartProblem):
     """The chart problem of the motions from one start over a grid of parameters."""
 
-    system: str
+    name: str  # of the system
     fixed: tuple[tuple[str, float], ...]
     start: tuple[float, ...]
     transitions: int  # number of transitions before the motions are examined
     data: str | None = None  # the system as `held_text` writes it, if a store holds it
 
     @property
-    def kernels(self) -> SystemKernels:
+    def system(self) -> SystemKernels:
         """Tables and kernels of the system."""
-        return load_system(self.system) if self.data is None else kernels_held(self.data).system
+        return load_system(self.name) if self.data is None else kernels_held(self.data).system
 
     @property
     def seconds(self) -> float:
@@ -116,51 +103,35 @@ class AttractorProblem(_MotionsProblem):
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
         fixed = {name: repr(value) for name, value in self.fixed}
-        found = self._identity("attractors", 3, fixed, self.start)
+        found = _identity("attractors", 3, self.system, fixed, self.start)
         return {**found, "transitions": self.transitions}
 
     def held(self) -> dict[str, Any]:
         """Further data that a store holds: the system as text."""
-        return {"of": held_text(self.kernels)}
+        return {"of": held_text(self.system)}
 
     def variables(self) -> tuple[Variable, ...]:
         """The variables of the chart."""
-        told = {str(status.value): status.message for status in Status}
-        status = {
-            "long_name": "why the simulation ended",
-            "meanings": {str(MISSING): "not computed", "-1": "no configuration", **told},
-        }
-        names = structure_of(self.kernels).configurations
-        places = {"-1": "none", **{str(k): name for k, name in enumerate(names)}}
+        statuses = {status.value: status.message for status in Status}
+        names = enumerate(structure_of(self.system).configurations)
+        length = "transitions in a period; 0 where the motion is not periodic"
         return (
-            Variable("status", "|i1", MISSING, status),
-            Variable(
-                "transitions",
-                "<i2",
-                -1,
-                {"long_name": "transitions in a period; 0 where the motion is not periodic"},
-            ),
-            Variable(
-                "period",
-                "<f8",
-                float("nan"),
-                {"long_name": "period", **units_of(self.kernels).attributes()},
-            ),
-            Variable(
-                "configuration",
-                "<i2",
-                -1,
-                {"long_name": "configuration at the end", "meanings": places},
-            ),
-            Variable(
-                "outcome",
-                "|i1",
+            labelled(
+                "status",
+                "why the simulation ended",
                 MISSING,
-                {
-                    "long_name": "what the motion settles on",
-                    "meanings": {str(number): text for number, text in settled_texts().items()},
-                },
+                {MISSING: "not computed", -1: "no configuration", **statuses},
             ),
+            Variable("transitions", "<i2", -1, {"long_name": length}),
+            number("period", "period", **units_of(self.system).attributes()),
+            labelled(
+                "configuration",
+                "configuration at the end",
+                -1,
+                {-1: "none", **dict(names)},
+                "<i2",
+            ),
+            labelled("outcome", "what the motion settles on", MISSING, settled_texts()),
         )
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
@@ -170,14 +141,14 @@ class AttractorProblem(_MotionsProblem):
         """
         parameters = {**dict(self.fixed), **block.values}
         motions = simulate_many(
-            self.kernels,
+            self.system,
             parameters,
             np.array(self.start),
             transitions=self.transitions,
             keep=2 * _LONGEST + 1,
             threads=1,
         )
-        found = settled(self.kernels, parameters, motions, threads=1)
+        found = settled(self.system, parameters, motions, threads=1)
         return {
             "status": motions.status.astype("i1"),
             "transitions": found.lengths.astype("<i2"),
@@ -227,14 +198,14 @@ def held_attractor_problem(
 
 
 @dataclass(frozen=True)
-class BasinProblem(_MotionsProblem):
+class BasinProblem(ChartProblem):
     """The chart problem of starts over a grid of states and the attractors that they lead to."""
 
     data: str  # the attractors, as `held_found` writes them
     start: tuple[float, ...]  # values of all states; the grid replaces those that are swept
 
     @property
-    def kernels(self) -> SystemKernels:
+    def system(self) -> SystemKernels:
         """Tables and kernels of the system."""
         return _known(self.data)[0]
 
@@ -255,7 +226,7 @@ class BasinProblem(_MotionsProblem):
         """All that the numbers depend on except the grid, as data for JSON."""
         given = {name: str(value) for name, value in self.found.parameters.items()}
         return {
-            **self._identity("basins", 1, given, self.start),
+            **_identity("basins", 1, self.system, given, self.start),
             "attractors": table_hash({"found": self.data}),
             "transitions": self.found.transitions,
         }
@@ -266,10 +237,6 @@ class BasinProblem(_MotionsProblem):
 
     def variables(self) -> tuple[Variable, ...]:
         """The variables of the chart."""
-        status = {
-            "long_name": "whether it is computed",
-            "meanings": {str(MISSING): "not computed", "0": "computed"},
-        }
         found = self.found
         names = {k: f"orbit {k + 1}" for k in range(len(found.orbits))}
         names |= {
@@ -277,14 +244,12 @@ class BasinProblem(_MotionsProblem):
             for k in range(len(found.equilibria))
         }
         names |= label_names(found)
-        meanings = {str(_numbered(label)): names[label] for label in sorted(names)}
-        attractor = {
-            "long_name": "attractor that the start leads to, counted from 1, or how it ends",
-            "meanings": meanings,
-        }
+        meaning = "attractor that the start leads to, counted from 1, or how it ends"
+        meanings = {_numbered(label): names[label] for label in sorted(names)}
+        computed = {MISSING: "not computed", 0: "computed"}
         return (
-            Variable("status", "|i1", MISSING, status),
-            Variable("attractor", "<i2", 0, attractor),
+            labelled("status", "whether it is computed", MISSING, computed),
+            labelled("attractor", meaning, 0, meanings, "<i2"),
         )
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
@@ -297,7 +262,7 @@ class BasinProblem(_MotionsProblem):
         starts = np.tile(self.start, (values[0].size, 1))
         for name, column in zip(block.names, values, strict=True):
             starts[:, found.names.index(name)] = column.ravel()
-        labels = labels_of_starts(kernels, found, attractors, starts, threads=1)
+        labels = _labels_of_starts(kernels, found, attractors, starts)
         attractor = _numbered(labels).reshape(values[0].shape).astype("<i2")
         return {"status": np.zeros(values[0].shape, "i1"), "attractor": attractor}
 
@@ -310,7 +275,46 @@ def _numbered(labels: Any) -> Any:
 @lru_cache(maxsize=8)
 def _known(data: str) -> tuple[SystemKernels, Found, Attractors]:
     kernels, found = registered("found_held")(data)
-    return kernels, found, attractors_found(found, kernels)
+    return kernels, found, _attractors_of(found, kernels)
+
+
+def _attractors_of(found: Found, kernels: SystemKernels) -> Attractors:
+    """The orbits and equilibria of a search as `Attractors`, in the order of its labels."""
+    point = piecewise(kernels, found.parameters)
+    orbits = tuple(entry.orbit for entry in found.orbits)
+    equilibria = tuple(entry.equilibrium for entry in found.equilibria)
+    return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
+
+
+def _labels_of_starts(
+    kernels: SystemKernels,
+    found: Found,
+    attractors: Attractors,
+    starts: np.ndarray,
+) -> np.ndarray:
+    """Labels (n,) of starts (n, N), as in `Found.labels`.
+
+    The starts are followed four times longer as long as they are not classified.
+    `attractors` are those of `_attractors_of`.
+    """
+    values = {name: float(value) for name, value in found.parameters.items()}
+    labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
+    length = found.transitions
+    lengths = [length]
+    while length > 2 * _FIRST_LOOK:
+        length //= 4
+        lengths.insert(0, length)
+    for length in lengths:
+        open_ = np.flatnonzero(labels == Outcome.UNCLASSIFIED)
+        if not open_.size:
+            break
+        motions = simulate_many(
+            kernels, values, starts[open_], transitions=length, keep=_KEPT, threads=1
+        )
+        labels[open_] = attractors.labels(motions)
+        if length == found.transitions:
+            labels[open_] = attractors.measured(motions, labels[open_], threads=1)
+    return labels
 
 
 def is_found(name: str) -> bool:
@@ -347,7 +351,23 @@ def basin_problem(
         )
     if not found.orbits and not found.equilibria:
         raise InputError(f"{file} holds no orbit or equilibrium that starts could lead to")
-    return BasinProblem(data, tuple(other_states(kernels, start).tolist()))
+    return BasinProblem(data, tuple(_other_states(kernels, start).tolist()))
+
+
+def _other_states(
+    kernels: SystemKernels, start: Mapping[str, object] | Sequence[object] | None
+) -> np.ndarray:
+    """The state (N,) that starts of basins take their other coordinates from.
+
+    States that `start` does not name are 0, and a forcing has the phase 0. Wrong names or
+    numbers are refused.
+    """
+    structure = structure_of(kernels)
+    if start is not None and not isinstance(start, Mapping):
+        return start_state(structure, start)
+    free = [name for k, name in enumerate(structure.states) if k not in structure.forced]
+    zero = dict.fromkeys(free, 0)
+    return start_state(structure, zero | dict(start or {}))
 
 
 def held_basin_problem(identity: Mapping[str, Any], held: Mapping[str, Any]) -> BasinProblem:

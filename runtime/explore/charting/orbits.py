@@ -19,15 +19,18 @@ from nonsmooth.runtime.explore.charting.anchors import (
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
 from nonsmooth.runtime.explore.charting.problem import (
     MISSING,
+    ChartProblem,
     Variable,
     fixed_values,
     held_text,
     kernels_held,
+    number,
     table_hash,
 )
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
+    SystemKernels,
     compiled_for,
     key_of_many,
     load_orbit,
@@ -49,7 +52,7 @@ __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 
 
 @dataclass(frozen=True)
-class OrbitChart:
+class OrbitChart(ChartProblem):
     """The chart problem of an orbit over a grid of parameters."""
 
     orbit: str  # as `solve` takes it, or the name that a store gives it
@@ -65,6 +68,11 @@ class OrbitChart:
         """Tables and kernels of the orbit, the same ones from the first chunk to the last."""
         found = load_orbit(self.orbit) if self.data is None else kernels_held(self.data)
         return found if self.compiled else uncompiled(found)
+
+    @property
+    def system(self) -> SystemKernels:
+        """Tables and kernels of the system."""
+        return self.kernels.system
 
     @property
     def own(self) -> DeclaredPoints | None:
@@ -127,19 +135,15 @@ class OrbitChart:
                 "admissible", "|b1", False, {"long_name": f"a motion of the real system{told}"}
             ),
             _flags("limit", NO_ORBIT, {**limits, **dict(enumerate(orbits.limits))}, "<i2"),
-            _number("trace", "trace of the Poincare map"),
-            _number(
+            number("trace", "trace of the Poincare map"),
+            number(
                 "margin",
                 "1 - the largest nontrivial multiplier's size; 0 where neutral or undecided",
             ),
-            _number("period", "period", **units.attributes()),
-            *(_number(n, f"unknown {n}", **units.attributes()) for n in orbits.unknowns),
-            *(_number(f"least_{n}", f"what {n} has to exceed") for n in orbits.bounded),
+            number("period", "period", **units.attributes()),
+            *(number(n, f"unknown {n}", **units.attributes()) for n in orbits.unknowns),
+            *(number(f"least_{n}", f"what {n} has to exceed") for n in orbits.bounded),
         )
-
-    def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter as an attribute; empty where the system states none."""
-        return units_of(self.kernels.system).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
         """Starts (..., m) at the anchors of a grid."""
@@ -202,10 +206,6 @@ def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> Or
     if many is not None and declared_kernels(kernels, many) is None:
         many = None  # they were made elsewhere: the store says so
     return OrbitChart(kernels.address, fixed, names, compiled, held["of"], many)
-
-
-def _number(name: str, meaning: str, **attributes: str) -> Variable:
-    return Variable(name, "<f8", float("nan"), {"long_name": meaning, **attributes})
 
 
 def _flags(name: str, fill: int, meanings: Mapping[int, str], dtype: str = "|i1") -> Variable:

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from nonsmooth.runtime.model.kernels import (
     SystemKernels,
     load_orbit,
 )
+from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.parameters import value_of
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 
@@ -35,10 +37,13 @@ __all__ = [
     "fixed_values",
     "held_text",
     "kernels_held",
+    "labelled",
+    "number",
     "table_hash",
 ]
 
 MISSING = -128  # status of a point that is not computed yet
+_POINTS = 1 << 11  # of a chunk whose points are motions: about a second
 
 
 @dataclass(frozen=True)
@@ -51,32 +56,58 @@ class Variable:
     attributes: dict[str, Any] = field(default_factory=dict)  # of the stored array: its meaning
 
 
-class ChartProblem(Protocol):
+def number(name: str, meaning: str, **attributes: str) -> Variable:
+    """A variable that is a real number, NaN where nothing is computed yet."""
+    return Variable(name, "<f8", float("nan"), {"long_name": meaning, **attributes})
+
+
+def labelled(
+    name: str, meaning: str, fill: int, meanings: Mapping[int, str], dtype: str = "|i1"
+) -> Variable:
+    """A variable whose numbers have meanings."""
+    texts = {str(value): text for value, text in meanings.items()}
+    return Variable(name, dtype, fill, {"long_name": meaning, "meanings": texts})
+
+
+class ChartProblem(ABC):
     """What a chart computes at each point, from the grid and the fixed parameters alone."""
+
+    @property
+    @abstractmethod
+    def system(self) -> SystemKernels:
+        """Tables and kernels of the system."""
 
     @property
     def points(self) -> int:
         """Usual number of points of a chunk."""
+        return _POINTS
 
     @property
+    @abstractmethod
     def seconds(self) -> float:
         """Processor time for one point in seconds, as a lower bound."""
 
+    @abstractmethod
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on except the grid, as data for JSON."""
 
+    @abstractmethod
     def held(self) -> dict[str, Any]:
         """Further data that a store holds, to make the problem again without any other file."""
 
+    @abstractmethod
     def variables(self) -> tuple[Variable, ...]:
         """The variables of the chart."""
 
     def axis_attributes(self, name: str) -> dict[str, str]:
         """Unit of a swept name as an attribute; empty where the system states none."""
+        return units_of(self.system).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
         """An array with what all chunks need of the whole grid, for `compute`."""
+        return np.empty(0)
 
+    @abstractmethod
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
         """All variables at the points of a chunk, by name and in the chunk's shape.
 

@@ -15,9 +15,10 @@ import json
 import os
 import secrets
 import shutil
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cached_property
 from glob import escape
 from hashlib import sha256
 from importlib.metadata import version
@@ -70,10 +71,15 @@ class Store:
     problem: ChartProblem
     grid: Grid  # with the store's own chunks
 
-    def objects(self, number: int) -> list[Path]:
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of the variables."""
+        return tuple(variable.name for variable in self.problem.variables())
+
+    def objects(self, number: int) -> Iterator[Path]:
         """Files of a chunk of the grid, one for each variable."""
-        place = [str(i) for i in self.grid.place(number)]
-        return [self.path.joinpath(v.name, "c", *place) for v in self.problem.variables()]
+        place = "/".join(map(str, self.grid.place(number)))
+        return (self.path / name / "c" / place for name in self.names)
 
     def holds(self, number: int) -> bool:
         """Whether all objects of a chunk are there."""
@@ -81,12 +87,11 @@ class Store:
 
     def missing(self) -> tuple[list[int], int]:
         """Numbers of the chunks that are not done, and how many of these are damaged."""
-        there = self._present() == len(self.problem.variables())
-        done = there.copy()
-        complete = np.flatnonzero(there)
+        numbers = range(self.grid.chunks)
+        there = [number for number in numbers if all(map(Path.exists, self.objects(number)))]
         with ThreadPoolExecutor() as pool:
-            done[complete] = list(pool.map(self._sound, complete.tolist()))
-        return np.flatnonzero(~done).tolist(), int((there & ~done).sum())
+            sound = dict(zip(there, pool.map(self._sound, there), strict=True))
+        return [n for n in numbers if not sound.get(n)], len(there) - sum(sound.values())
 
     def _sound(self, number: int) -> bool:
         """Whether all objects of a chunk pass their CRC; removes those that do not."""
@@ -94,23 +99,6 @@ class Store:
         for file in damaged:
             file.unlink(missing_ok=True)
         return not damaged
-
-    def _present(self) -> np.ndarray:
-        """Number of objects that each chunk has."""
-        counts = self.grid.chunk_counts
-        found = np.zeros(self.grid.chunks, dtype=int)
-        for variable in self.problem.variables():
-            root = self.path / variable.name / "c"
-            for folder, _, names in os.walk(root):
-                above = Path(folder).relative_to(root).parts
-                for name in names:
-                    place = (*above, name)
-                    if not all(part.isdecimal() for part in place):
-                        continue
-                    numbers = [int(part) for part in place]
-                    if len(place) == len(counts) and all(map(int.__lt__, numbers, counts)):
-                        found[np.ravel_multi_index(numbers, counts)] += 1
-        return found
 
     def purge(self) -> int:
         """Remove the files that a killed writer left, and return their number."""

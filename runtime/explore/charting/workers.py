@@ -15,11 +15,11 @@ from contextlib import contextmanager, suppress
 from importlib import import_module
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, missing_extra
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, missing_extra
 from nonsmooth.runtime.core.files import unwritable
 from nonsmooth.runtime.core.parallel import thread_pool
 from nonsmooth.runtime.explore.charting.grid import Block
@@ -27,6 +27,8 @@ from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import Store, open_arrays, write_chunk
 
 __all__ = ["connected", "locked", "run_cluster", "run_threads"]
+
+Result = TypeVar("Result")
 
 _TRIES = 20
 _FAR = 1 << 20  # a byte behind the text: what is locked cannot be read on some systems
@@ -45,16 +47,24 @@ def run_threads(
 
     `threads` None takes all processors; `progress` gets the number of chunks that are done.
     """
-    workers, queue, done = threads or os.cpu_count() or 1, iter(chunks), 0
+    workers = threads or os.cpu_count() or 1
     with thread_pool(workers) as pool:
-        running: set[Future[None]] = {pool.submit(work, n) for n in islice(queue, 2 * workers)}
-        while running:
-            ended, running = wait(running, return_when=FIRST_COMPLETED)
-            for future in ended:
-                future.result()
-                done += 1
-            running |= {pool.submit(work, n) for n in islice(queue, len(ended))}
+        ended = _ended(lambda number: pool.submit(work, number), chunks, 2 * workers)
+        for done, _ in enumerate(ended, 1):
             progress(done)
+
+
+def _ended(
+    submit: Callable[[int], Future[Result]], chunks: Iterable[int], ahead: int
+) -> Iterator[Result]:
+    """What each chunk gives, as soon as it is done; so many chunks are in the queue."""
+    queue = iter(chunks)
+    running = {submit(number) for number in islice(queue, ahead)}
+    while running:
+        ended, running = wait(running, return_when=FIRST_COMPLETED)
+        for future in ended:
+            yield future.result()
+        running |= {submit(number) for number in islice(queue, len(ended))}
 
 
 @contextmanager
@@ -157,24 +167,28 @@ def run_cluster(
     or see another one, and `NoConvergence` if workers die again and again at one chunk or the
     scheduler is lost.
     """
-    queue, told, address = iter(chunks), store.problem.identity(), client.scheduler.address
+    distributed, told, grid = _distributed(), store.problem.identity(), store.grid
+    executor, address = client.get_executor(pure=False), client.scheduler.address
 
     def submit(number: int) -> Any:
-        grid = store.grid
         place = (str(store.path), store.problem, told, grid.region(number))
-        return client.submit(_work, number, *place, grid.block(number), prepared, pure=False)
+        return executor.submit(_work, number, *place, grid.block(number), prepared)
 
-    workers = max(1, sum(client.nthreads().values()))
-    running = _distributed().as_completed(
-        [submit(n) for n in islice(queue, _AHEAD * workers)], loop=client.loop
-    )
-    for done, future in enumerate(running, 1):
-        number = _result(future, address)
-        if not store.holds(number):
-            raise InputError(_UNSEEN.format(store.path))
-        progress(done)
-        for following in islice(queue, 1):
-            running.add(submit(following))
+    ahead = _AHEAD * max(1, sum(client.nthreads().values()))
+    try:
+        for done, number in enumerate(_ended(submit, chunks, ahead), 1):
+            if not store.holds(number):
+                raise InputError(_UNSEEN.format(store.path))
+            progress(done)
+    except distributed.KilledWorker:
+        raise NoConvergence(
+            "workers died again and again at one chunk, for want of memory perhaps: take smaller"
+            " chunks, or start again to go on with what is missing"
+        ) from None
+    except (CancelledError, OSError):
+        raise NoConvergence(
+            f"the scheduler at {address} is lost: start again to go on with what is missing"
+        ) from None
 
 
 def _work(
@@ -196,23 +210,6 @@ def _work(
         raise InputError(_UNSEEN.format(folder)) from None
     write_chunk(folder, arrays, region, problem.compute(block, prepared))
     return number
-
-
-def _result(future: Any, address: str) -> int:
-    distributed = _distributed()
-    try:
-        return int(future.result())
-    except NonsmoothError:
-        raise
-    except distributed.KilledWorker:
-        raise NoConvergence(
-            "workers died again and again at one chunk, for want of memory perhaps: take smaller"
-            " chunks, or start again to go on with what is missing"
-        ) from None
-    except (CancelledError, OSError):
-        raise NoConvergence(
-            f"the scheduler at {address} is lost: start again to go on with what is missing"
-        ) from None
 
 
 def _distributed() -> Any:

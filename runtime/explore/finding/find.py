@@ -18,7 +18,6 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import random_generator
 from nonsmooth.runtime.core.workload import check_memory
-from nonsmooth.runtime.explore.finding.basins import start_box
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
 from nonsmooth.runtime.explore.finding.primitive import (
@@ -29,6 +28,7 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem

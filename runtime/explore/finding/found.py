@@ -65,9 +65,8 @@ class FoundOrbit:
     @property
     def forcing_periods(self) -> tuple[int, ...]:
         """How many periods of each forcing it lasts; none without a forcing."""
-        system = self.orbit.tables.piecewise
-        speeds = [abs(float(system.fields[0, s, c])) for c, s in system.structure.forcing]
-        return tuple(round(self.period * speed / (2 * np.pi)) for speed in speeds)
+        turns = self.period * np.abs(self.orbit.tables.piecewise.forcing_speeds) / (2 * np.pi)
+        return tuple(round(float(count)) for count in turns)
 
     @property
     def verdict(self) -> str:

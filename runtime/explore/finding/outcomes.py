@@ -27,7 +27,6 @@ from nonsmooth.runtime.explore.finding.unsettled import (
     numbers_of,
     pursue,
     stretching,
-    stroboscopic_returns,
 )
 from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
@@ -147,9 +146,6 @@ class Attractors:
             systems = [self.system] * len(places)
             pursued = pursue(self.kernels, systems, motions.at(places), threads)
             later = self.labels(pursued.motions)
-            returns = stroboscopic_returns(self.kernels, systems, pursued.motions, threads)
-            known = pursued.undecided | (returns.lengths > 0)  # as orbits that were not solved
-            pursued = pursued._replace(undecided=known)
             found[places] = pursued_outcomes(self.kernels, systems, pursued, later, threads)
         return found
 
@@ -191,12 +187,13 @@ def pursued_outcomes(
     """Labels (n,) of motions of as many systems that were followed further.
 
     `labels` (n,) are those of the motions after that. Motions that these leave unclassified
-    escape, or are classified by their largest exponents. `threads` None takes all processors.
+    escape, or are classified by their largest exponents unless they come back, on an orbit that
+    was not solved. `threads` None takes all processors.
     """
     found, motions = labels.copy(), pursued.motions
     found[pursued.escapes] = Outcome.DIVERGENT
     goes_on = (found == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
-    places = np.flatnonzero(goes_on & ~pursued.undecided)
+    places = np.flatnonzero(goes_on & ~pursued.undecided & (pursued.returns.lengths == 0))
     if places.size:
         here, part = [systems[place] for place in places.tolist()], motions.at(places)
         scales = [scales_of(system, part.at([k]))[0] for k, system in enumerate(here)]
@@ -292,7 +289,7 @@ def _quiet_outcomes(
     exponents = system.exponents[configuration]
     fastest = float(np.abs(exponents).max(initial=0.0))
     slow = _SLOW * fastest
-    speeds = np.abs([system.fields[0, s, c] for c, s in structure.forcing])
+    speeds = np.abs(system.forcing_speeds)
     moving, free, grows, drifts = np.zeros((4, len(states)), dtype=bool)
     for mode, (rate, frequency) in zip(structure.shapes[configuration], exponents, strict=True):
         if mode.joined and abs(rate) + frequency <= _ROUNDED * fastest:
@@ -372,7 +369,7 @@ def settled(
         here = list(compress(systems, goes_on))
         pursued = pursue(kernels, here, flat.at(going), threads)
         later = _arrived(kernels, here, pursued.motions)
-        returns = stroboscopic_returns(kernels, here, pursued.motions, threads)
+        returns = pursued.returns
         back = (later.outcomes == Outcome.UNCLASSIFIED) & (returns.lengths > 0)
         later.outcomes[back] = PERIODIC
         later.lengths[back], later.periods[back] = returns.lengths[back], returns.periods[back]

@@ -100,7 +100,7 @@ def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
 
     It is empty without a forcing.
     """
-    speeds = np.abs([system.fields[0, sine, cosine] for cosine, sine in system.structure.forcing])
+    speeds = np.abs(system.forcing_speeds)
     if not speeds.size:
         return ()
     for first in range(1, _MOST_TURNS + 1):
@@ -115,8 +115,7 @@ def forcing_period(system: PiecewiseLinear) -> float | None:
     turns = forcing_turns(system)
     if not turns:
         return None
-    cosine, sine = system.structure.forcing[0]
-    return 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
+    return 2 * np.pi * turns[0] / abs(float(system.forcing_speeds[0]))
 
 
 def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | None]:

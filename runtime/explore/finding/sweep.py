@@ -16,12 +16,12 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.explore.finding.outcomes import Outcome, settled
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.saved_system import KeptSystemName, check_same_system
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.simulation.phase_functions import phase_states
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.simulate import follow as follow_motion
 from nonsmooth.runtime.simulation.starting import configuration_of, start_state
@@ -281,7 +281,7 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
     except InputError:
         return nothing
     (cosine, sine), *_ = system.structure.forcing
-    speed = float(system.fields[0, sine, cosine])
+    speed = float(system.forcing_speeds[0])
     angle = np.arctan2(start[sine], start[cosine])
     wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
     times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed
@@ -289,12 +289,8 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
     states = np.full((taken, len(start)), np.nan)
     reached = times <= run.end if run.status != Status.QUIET else np.full(taken, True)
     phases = np.searchsorted(run.times, times[reached], side="right") - 1
-    for place, entry, time in zip(
-        np.flatnonzero(reached), phases.tolist(), times[reached], strict=True
-    ):
-        since = np.array([time - run.times[entry]])
-        where = int(run.configurations[entry])
-        states[place] = flow_states(system, where, since, run.states[entry])[0]
+    since = times[reached] - run.times[phases]
+    states[reached] = phase_states(system, run.configurations[phases], since, run.states[phases])
     column = system.structure.states.index(diagram.state)
     if not np.isfinite(states[-1]).all():
         return states[None, :, column], illegal, states[-1], True

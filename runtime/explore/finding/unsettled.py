@@ -35,13 +35,11 @@ from nonsmooth.runtime.simulation.simulate import simulate_many
 
 __all__ = [
     "Pursued",
-    "Returns",
     "Stretching",
     "natural_size",
     "numbers_of",
     "pursue",
     "stretching",
-    "stroboscopic_returns",
 ]
 
 _ENDURING = 4096  # transitions for which every motion is followed on, at least
@@ -63,6 +61,13 @@ _ASIDE = 0.3819660112501051  # of a period, from the last transition to the firs
 _RETURN = 1e-6  # in units of the largest size of a state
 
 
+class Returns(NamedTuple):
+    """Transitions (n,) in a period, and periods; 0 and NaN where a motion does not come back."""
+
+    lengths: np.ndarray
+    periods: np.ndarray
+
+
 class Pursued(NamedTuple):
     """Motions (n,) after a longer simulation, with masks (n,) of escaping and undecided ones.
 
@@ -72,6 +77,7 @@ class Pursued(NamedTuple):
     motions: Trajectories
     escapes: np.ndarray
     undecided: np.ndarray
+    returns: Returns  # after some periods of the forcing
 
 
 def pursue(
@@ -86,10 +92,8 @@ def pursue(
     transitions that is the same for all. `threads` None takes all processors.
     """
     count, kept = motions.last_times.shape
-    values, far = (
-        numbers_of(systems).items(),
-        _FAR * np.array([natural_size(each) for each in systems]),
-    )
+    values = numbers_of(systems)
+    far = _FAR * np.array([natural_size(each) for each in systems])
     largest, steady = _sizes(systems, motions), np.zeros(count, dtype=int)
     escapes, going = np.zeros(count, dtype=bool), np.arange(count)
     total, length = int(motions.transitions.max(initial=0)), _ENDURING
@@ -97,7 +101,7 @@ def pursue(
         length = max(length, total)
         later = simulate_many(
             kernels,
-            {n: np.asarray(value)[going] if np.ndim(value) else value for n, value in values},
+            _numbers_at(values, going),
             motions.last_states[going, -1],
             motions.last_configurations[going, -1],
             transitions=length,
@@ -118,7 +122,8 @@ def pursue(
             break
     undecided = np.zeros(count, dtype=bool)
     undecided[going] = True
-    return Pursued(motions, escapes, undecided)
+    returns = _stroboscopic_returns(kernels, systems, motions, threads)
+    return Pursued(motions, escapes, undecided, returns)
 
 
 def numbers_of(systems: Sequence[PiecewiseLinear]) -> dict[str, float | np.ndarray]:
@@ -132,6 +137,11 @@ def numbers_of(systems: Sequence[PiecewiseLinear]) -> dict[str, float | np.ndarr
     }
 
 
+def _numbers_at(values: Mapping[str, Any], places: np.ndarray) -> dict[str, Any]:
+    """Parameters, numbers or arrays (n,), of the systems at some places."""
+    return {name: value[places] if np.ndim(value) else value for name, value in values.items()}
+
+
 def natural_size(system: PiecewiseLinear) -> float:
     """Distance that a system's boundaries, its equilibria and its responses to the forcing reach.
 
@@ -140,9 +150,7 @@ def natural_size(system: PiecewiseLinear) -> float:
     """
     structure, weights = system.structure, _weights(system)
     own = np.flatnonzero(weights)
-    used = {b.row for boundaries in structure.boundaries for b in boundaries}
-    used |= {row for rows in structure.constraints for row in rows}
-    rows = np.abs(system.rows[sorted(used)])
+    rows = np.abs(system.rows[list(structure.watched)])
     across = (rows[:, own] / weights[own]).sum(axis=1)
     other = np.delete(rows, own, axis=1).sum(axis=1)
     found = float((other[across > 0] / across[across > 0]).max(initial=0.0))
@@ -220,7 +228,7 @@ def stretching(
     highest, lowest = np.zeros((2, _BLOCKS, *scales.shape))
 
     def follow(states: np.ndarray, configurations: np.ndarray, **ends: Any) -> Trajectories:
-        here = {n: value[going] if np.ndim(value) else value for n, value in parameters.items()}
+        here = _numbers_at(parameters, going)
         return simulate_many(kernels, here, states, configurations, threads=threads, **ends)
 
     # inside the last phase but one, where any small change that its constraints allow is one
@@ -294,14 +302,7 @@ def _changes(motions: Trajectories, scales: np.ndarray) -> np.ndarray:
         return np.asarray(found / np.abs(found / scales).max(axis=1, keepdims=True))
 
 
-class Returns(NamedTuple):
-    """Transitions (n,) in a period, and periods; 0 and NaN where a motion does not come back."""
-
-    lengths: np.ndarray
-    periods: np.ndarray
-
-
-def stroboscopic_returns(
+def _stroboscopic_returns(
     kernels: SystemKernels,
     systems: Sequence[PiecewiseLinear],
     motions: Trajectories,
@@ -311,7 +312,7 @@ def stroboscopic_returns(
 
     The last entries of the motions have to be kept. `threads` None takes all processors.
     """
-    values = numbers_of(systems).items()
+    values = numbers_of(systems)
     periods = np.array([forcing_period(system) or np.nan for system in systems])
     directions = [translations_of(system) for system in systems]
     sizes = sizes_of(motions.structure, motions.last_states, motions.last_times)
@@ -326,7 +327,7 @@ def stroboscopic_returns(
             break
         now = simulate_many(
             kernels,
-            {n: np.asarray(value)[going] if np.ndim(value) else value for n, value in values},
+            _numbers_at(values, going),
             states,
             configurations,
             until=periods[going] * (1.0 if flash else _ASIDE),

@@ -9,7 +9,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.classes import Part, parts_of, title_of
 from nonsmooth.runtime.model.naming import symbol, with_unit
-from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
+from nonsmooth.runtime.present.pictures.drawing import SHADES, drawn_alone, finish, shaded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,10 @@ _COLORS = {
     "limit": ("#DDDDDD", "#BBBBBB", "#999999", "#777777", "#555555", "#333333"),
     "none": ("#FFFFFF",),
     "missing": ("#FFF3B0",),
-    "periodic": ("#332288", "#DDCC77", "#117733", "#88CCEE", "#882255", "#CC6677"),
+    "periodic": (
+        *("#332288", "#DDCC77", "#117733", "#88CCEE", "#882255"),
+        *("#CC6677", "#AA4499", "#999933"),
+    ),
     "rest": ("#44AA99",),
     "other": ("#DDDDDD",),
 }
@@ -66,10 +69,14 @@ def _draw(axes: Axes, chart: Dataset, parts: list[Part]) -> None:
 
 
 def _colors(parts: list[Part]) -> list[str]:
-    found, used = [], dict.fromkeys(_COLORS, 0)
+    """Colours of the parts; raises `InputError` if more of a kind than can be told apart."""
+    found: list[str] = []
+    used = dict.fromkeys(_COLORS, 0)
     for part in parts:
-        choice = _COLORS[part.kind]
-        found.append(choice[min(used[part.kind], len(choice) - 1)])
+        choice, count = _COLORS[part.kind], used[part.kind]
+        if count == SHADES * len(choice):
+            raise InputError(f"more than {count} parts like {part.name}: they look alike")
+        found.append(shaded(choice, count))
         used[part.kind] += 1
     return found
 

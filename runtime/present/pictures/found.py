@@ -9,7 +9,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.found import Found, FoundOrbit
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.pictures.drawing import check_picture
-from nonsmooth.runtime.present.pictures.plot import draw, orbit_view
+from nonsmooth.runtime.present.pictures.plot import draw
+from nonsmooth.runtime.present.pictures.view import orbit_view
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -15,18 +15,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.files import check_ending, path_of, write_file
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.orbits.motion import orbit_motion
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.pictures.drawing import (
-    check_picture,
-    chosen_masses,
-    given_axes,
-    within,
-)
+from nonsmooth.runtime.present.pictures.drawing import check_picture, given_axes, within
 from nonsmooth.runtime.present.pictures.kinds import KINDS
-from nonsmooth.runtime.present.pictures.panels import Scene
-from nonsmooth.runtime.present.pictures.view import View, coordinates_of, view_of
+from nonsmooth.runtime.present.pictures.view import View, orbit_view, trajectory_view
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,7 +31,6 @@ __all__ = [
     "draw_all",
     "figure_bytes",
     "orbit_figure",
-    "orbit_view",
     "plot_orbit",
     "plot_trajectory",
     "save_figure",
@@ -76,7 +67,7 @@ def plot_orbit(
     unknown kind or mass, a wrong number of points or Axes, or an orbit that has not
     converged.
     """
-    places = _draw_into(_scene(orbit, kind, periods, points_per_period, masses), kind, axes)
+    places = _draw_into(_orbit_view(orbit, kind, periods, points_per_period, masses), kind, axes)
     one = hasattr(axes, "plot") or (axes is None and len(places) == 1)
     return places[0] if kind not in ("all", "phase") or one else tuple(places)
 
@@ -90,7 +81,7 @@ def orbit_figure(
     masses: Iterable[int] | None = None,
 ) -> Figure:
     """Figure, outside pyplot, of a converged orbit; the arguments are those of `plot_orbit`."""
-    return _figure_of(_scene(orbit, kind, periods, points_per_period, masses), kind)
+    return _figure_of(_orbit_view(orbit, kind, periods, points_per_period, masses), kind)
 
 
 def plot_trajectory(
@@ -130,30 +121,28 @@ def trajectory_figure(
     return _figure_of(_trajectory_view(trajectory, kind, masses, points), kind)
 
 
-def draw(scene: Scene | View, kind: str, places: Sequence[Axes]) -> None:
+def draw(view: View, kind: str, places: Sequence[Axes]) -> None:
     """Draw one kind of picture into as many Axes as it takes.
 
     The kinds are those of `plot_orbit`.
     """
-    entry = KINDS[kind]
-    place = entry.draw if isinstance(scene, Scene) else entry.draw_view or entry.draw
-    module, _, name = place.rpartition(".")
-    getattr(import_module(f"nonsmooth.runtime.present.pictures.{module}"), name)(scene, places)
+    module, _, name = KINDS[kind].draw.rpartition(".")
+    getattr(import_module(f"nonsmooth.runtime.present.pictures.{module}"), name)(view, places)
 
 
-def draw_all(scene: Scene | View, places: Sequence[Axes]) -> None:
+def draw_all(view: View, places: Sequence[Axes]) -> None:
     """Draw positions, velocities, configurations, portraits, and the multipliers of an orbit."""
     figure = places[0].figure
-    figure.suptitle(within(scene.title, figure.bbox.width / figure.dpi))
-    part = replace(scene, composed=True)
+    figure.suptitle(within(view.title, figure.bbox.width / figure.dpi))
+    part = replace(view, composed=True)
     for kind, place in zip(("time", "velocity", "strip"), places, strict=False):
         draw(part, kind, [place])
-    draw(part, "phase", places[3 : 3 + scene.portraits])
-    for place in places[3 + scene.portraits :]:
+    draw(part, "phase", places[3 : 3 + view.portraits])
+    for place in places[3 + view.portraits :]:
         draw(part, "multipliers", [place])
 
 
-def _draw_into(scene: Scene | View, kind: str, axes: Any) -> list[Axes]:
+def _draw_into(view: View, kind: str, axes: Any) -> list[Axes]:
     """Draw into the Axes that are given, or into a new figure of pyplot, and return the Axes.
 
     The kinds are those of `plot_orbit`. `InputError` is raised for a wrong number of Axes.
@@ -161,20 +150,20 @@ def _draw_into(scene: Scene | View, kind: str, axes: Any) -> list[Axes]:
     if axes is None:
         from matplotlib import pyplot
 
-        places = _new_axes(pyplot.figure(figsize=_size(scene, kind)), scene, kind)
+        places = _new_axes(pyplot.figure(figsize=_size(view, kind)), view, kind)
     else:
-        several = {"all": [3 + _beside(scene)], "phase": sorted({1, len(scene.masses)})}
+        several = {"all": [3 + _beside(view)], "phase": sorted({1, len(view.masses)})}
         places = given_axes(axes, kind, several.get(kind, [1]))
-    draw(scene, kind, places)
+    draw(view, kind, places)
     return places
 
 
-def _figure_of(scene: Scene | View, kind: str) -> Figure:
+def _figure_of(view: View, kind: str) -> Figure:
     """Figure, outside pyplot, of one kind of picture; the kinds are those of `plot_orbit`."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=_size(scene, kind))
-    draw(scene, kind, _new_axes(figure, scene, kind))
+    figure = Figure(figsize=_size(view, kind))
+    draw(view, kind, _new_axes(figure, view, kind))
     return figure
 
 
@@ -201,36 +190,16 @@ def figure_bytes(figure: Figure, ending: str) -> bytes:
     return content.getvalue()
 
 
-def _scene(
+def _orbit_view(
     orbit: Orbit,
     kind: str,
     periods: int,
     points_per_period: int,
     masses: Iterable[int] | None,
-) -> Scene | View:
+) -> View:
     """The orbit as it is drawn, after all checks that need no drawing."""
     check_picture(kind, tuple(KINDS))
-    if not orbit.problem.derived:
-        return orbit_view(orbit, periods, points_per_period, masses)
-    motion = orbit_motion(orbit)
-    drawn = chosen_masses(masses, len(motion.names) // 2, orbit.name)
-    return Scene(orbit, motion, motion.sample(points_per_period, periods), drawn)
-
-
-def orbit_view(
-    orbit: Orbit, periods: int, points_per_period: int, masses: Iterable[int] | None
-) -> View:
-    """The trajectory along a converged orbit, as motions are drawn.
-
-    It has at least about so many points for each of the periods. The masses count from 0,
-    and None stands for all; `InputError` is raised if there is no such mass.
-    """
-    motion = orbit.trajectory(periods)
-    drawn = chosen_masses(masses, len(coordinates_of(motion)), orbit.name)
-    points = points_per_period
-    if isinstance(points, int) and not isinstance(points, bool):
-        points *= periods
-    return view_of(motion, drawn, points, orbit, shown_name(orbit.name))
+    return orbit_view(orbit, periods, points_per_period, masses)
 
 
 def _trajectory_view(
@@ -238,25 +207,24 @@ def _trajectory_view(
 ) -> View:
     """The motion as it is drawn, after all checks that need no drawing."""
     check_picture(kind, tuple(name for name, one in KINDS.items() if one.of_motions))
-    drawn = chosen_masses(masses, len(coordinates_of(trajectory)), trajectory.name)
-    return view_of(trajectory, drawn, points)
+    return trajectory_view(trajectory, masses, points)
 
 
-def _size(scene: Scene | View, kind: str) -> tuple[float, float]:
+def _size(view: View, kind: str) -> tuple[float, float]:
     width, height = KINDS[kind].size
-    return (width * scene.portraits if kind == "phase" else width), height
+    return (width * view.portraits if kind == "phase" else width), height
 
 
-def _beside(scene: Scene | View) -> int:
+def _beside(view: View) -> int:
     """Number of Axes that "all" has beside the histories: portraits, and an orbit's multipliers."""
-    return scene.portraits + (scene.orbit is not None)
+    return view.portraits + (view.orbit is not None)
 
 
-def _new_axes(figure: Figure, scene: Scene | View, kind: str) -> list[Axes]:
+def _new_axes(figure: Figure, view: View, kind: str) -> list[Axes]:
     """Axes of a new figure."""
     figure.set_layout_engine("constrained", wspace=0.06, hspace=0.02)
     if kind == "phase":
-        count = scene.portraits
+        count = view.portraits
         return [figure.add_subplot(1, count, place + 1) for place in range(count)]
     if kind != "all":
         return [figure.add_subplot()]
@@ -266,5 +234,5 @@ def _new_axes(figure: Figure, scene: Scene | View, kind: str) -> list[Axes]:
     for upper in (time, velocity):
         upper.tick_params(labelbottom=False)
         upper.xaxis.label.set_visible(False)
-    right = grid[:, 1].subgridspec(_beside(scene), 1)
-    return [time, velocity, strip, *(figure.add_subplot(right[k]) for k in range(_beside(scene)))]
+    right = grid[:, 1].subgridspec(_beside(view), 1)
+    return [time, velocity, strip, *(figure.add_subplot(right[k]) for k in range(_beside(view)))]

@@ -19,7 +19,7 @@ from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.explore.finding.basins import start_box
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
